@@ -1,0 +1,44 @@
+// What is in a mesh file, found by streaming it.
+#pragma once
+
+#include <winnow/context.hpp>
+#include <winnow/simplify.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+struct InfoReport {
+  std::string format;              // "PLY binary little-endian", "STL ascii", ... with ", gzip" or ", zstd"
+  std::uint64_t bytes = 0;         // after decompression
+  std::uint64_t faces = 0;         // triangles, bad ones included; polygons count as their triangles
+  std::uint64_t vertices = 0;      // vertices stored; 0 for formats without (STL)
+  BadFaces bad_faces;
+  std::uint64_t zero_area = 0;     // faces with three distinct corners on one line; they are not bad
+  bool has_box = false;            // whether any vertex is finite
+  std::array<double, 3> box_min{}, box_max{};  // over all finite vertices, used or not
+  double area = 0;                 // of all good faces, in model units squared
+  double mean_edge = 0;            // over the edges of all good faces, shared ones twice
+  std::vector<std::string> attributes;  // "vertex: nx ny nz (float)", a line each
+
+  // Edges, counted by vertex index where the format has vertices, else by position. Absent where the
+  // budget was too small.
+  struct Edges {
+    std::uint64_t total = 0, boundary = 0, non_manifold = 0;  // with one face; with more than two
+  };
+  std::optional<Edges> edges;
+  std::uint64_t edges_memory = 0;  // the budget that would have been enough; 0 where edges are present
+  double seconds = 0;
+  std::uint64_t peak_memory_bytes = 0;
+  std::vector<std::string> notes;  // what was unusual about the input, a line each
+};
+
+// Reads `input` (a file's name, or "-" for standard input) once. Throws Error: bad_input, resources,
+// cancelled, failed.
+InfoReport info(Context& context, const std::string& input, Format from = Format::automatic);
+
+}  // namespace winnow

@@ -1,0 +1,110 @@
+// Simplify a triangle mesh of any size in bounded memory.
+#pragma once
+
+#include <winnow/context.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+enum class Placement {
+  mean,    // area-weighted mean of the cell's corners: smooth, steady
+  quadric  // the point nearest to the planes of the cell's faces: keeps edges and ridges sharp
+};
+
+// File formats by name; `automatic` goes by content for an input, by the name's ending for an output.
+enum class Format { automatic, ply, stl };
+
+// Options that change the result. Exactly one of cell, grid, faces and ratio must be set.
+struct SimplifyOptions {
+  std::optional<double> cell;          // edge of a cubic grid cell, in the units of the model; > 0
+  std::optional<std::uint64_t> grid;   // cells along the longest side of the bounding box; 1 to 2^21
+  std::optional<std::uint64_t> faces;  // about this many faces: the program finds the cell; >= 4
+  std::optional<double> ratio;         // the same as a part of the input's faces; in (0, 1]
+
+  Placement placement = Placement::quadric;  // where in its cell the vertex goes
+  bool normals = false;                      // write vertex normals (also done when the input has them)
+  bool strict = false;                       // the first bad face of the input is an error
+
+  Format from = Format::automatic;
+  Format to = Format::automatic;
+
+  // Replace an existing output file. Without it an existing file is a usage error.
+  bool force = false;
+};
+
+// Faces of an input that cannot take part, by kind. They are counted and left out.
+struct BadFaces {
+  std::uint64_t degenerate = 0;    // a corner repeated, or fewer than three corners
+  std::uint64_t non_finite = 0;    // a corner at infinity or not a number
+  std::uint64_t out_of_range = 0;  // an index of no vertex
+  [[nodiscard]] std::uint64_t total() const { return degenerate + non_finite + out_of_range; }
+};
+
+struct SimplifyReport {
+  struct {
+    std::uint64_t faces = 0;     // triangles read, bad ones included; polygons count as their triangles
+    std::uint64_t vertices = 0;  // vertices stored; 0 for formats without (STL)
+    std::uint64_t bytes = 0;     // after decompression
+    BadFaces bad_faces;
+  } input;
+  struct {
+    std::uint64_t faces = 0, vertices = 0, bytes = 0;
+  } output;
+
+  double cell_size = 0;             // edge of a cell, in the units of the model
+  std::uint64_t cells = 0;          // cells that any corner fell into
+  std::uint64_t turned_faces = 0;   // output faces turned to agree with the surface's normals
+  std::uint64_t fused_faces = 0;    // pairs of opposite faces that fell onto each other and became one
+  std::uint64_t clamped_faces = 0;  // input faces so much larger than a cell that their weight was limited
+
+  // No point of an output vertex's cluster is farther than this from it: the diagonal of a cell. One-sided:
+  // output to original. In the units of the model.
+  double error_bound = 0;
+
+  std::uint64_t runs = 1;                    // times the faces were clustered; 2 where the sample misled
+  std::uint64_t spilled_bytes = 0;           // written to scratch, all kinds together
+  std::uint64_t peak_scratch_bytes = 0;      // most scratch in use at one time
+  std::uint64_t peak_memory_bytes = 0;       // the process's largest resident set so far
+  struct {
+    double total = 0, read = 0, cluster = 0, write = 0;  // read: before the first face is clustered
+  } seconds;
+  std::vector<std::string> notes;  // what was unusual about the input, a line each
+};
+
+// What a run would do, found from the input's header and size alone.
+struct SimplifyPlan {
+  struct Part {
+    std::string name;
+    std::uint64_t bytes = 0;
+  };
+  std::vector<Part> memory;              // how the budget is divided
+  std::uint64_t smallest_memory = 0;     // the smallest budget that works for this input
+  std::vector<std::string> passes;       // what is read, in order
+  std::optional<std::uint64_t> faces;    // what the header promises, where it does
+  std::optional<std::uint64_t> vertices;
+  std::optional<std::uint64_t> scratch_worst;   // no input of this size needs more scratch, in bytes
+  std::optional<std::uint64_t> scratch_expected;  // a coherent scan at a tenth of its faces
+  std::optional<double> seconds_expected;         // a rough guess from a rate measured once
+};
+
+// Reads `input`, clusters its vertices on a grid, writes one mesh to `output`.
+//
+// input: a file's name, or "-" for standard input. PLY or STL, plain or in gzip or zstd. output: a file's
+// name, or "-" for standard output. A regular file appears under its name only when it is whole; anything
+// else (a pipe, a device) is written straight. The result depends on the input's content and on `options`
+// alone: never on the context, on threads, on memory, or on whether a file or a pipe was read.
+//
+// Throws Error: usage (options), bad_input, resources, cancelled, failed.
+SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,
+                        const SimplifyOptions& options);
+
+// The plan of the same call; reads no more than the input's header and writes nothing. Same errors.
+SimplifyPlan plan_simplify(Context& context, const std::string& input, const std::string& output,
+                           const SimplifyOptions& options);
+
+}  // namespace winnow

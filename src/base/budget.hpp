@@ -1,0 +1,61 @@
+// The memory budget: every component reserves before it allocates.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <utility>
+
+namespace winnow {
+
+class Budget;
+
+// A part of the budget; given back when it goes.
+class Reservation {
+ public:
+  Reservation() = default;
+  Reservation(Budget* budget, std::uint64_t bytes) : budget_(budget), bytes_(bytes) {}
+  Reservation(Reservation&& other) noexcept
+      : budget_(std::exchange(other.budget_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}
+  Reservation& operator=(Reservation&& other) noexcept {
+    std::swap(budget_, other.budget_);
+    std::swap(bytes_, other.bytes_);
+    return *this;
+  }
+  Reservation(const Reservation&) = delete;
+  Reservation& operator=(const Reservation&) = delete;
+  ~Reservation() { release(); }
+
+  void release() noexcept;
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+
+  // False where the reservation was refused.
+  explicit operator bool() const { return budget_ != nullptr; }
+
+ private:
+  Budget* budget_ = nullptr;
+  std::uint64_t bytes_ = 0;
+};
+
+class Budget {
+ public:
+  explicit Budget(std::uint64_t total) : total_(total) {}
+  Budget(const Budget&) = delete;
+  Budget& operator=(const Budget&) = delete;
+
+  // An empty reservation where the budget does not hold it: then the caller spills.
+  [[nodiscard]] Reservation try_reserve(std::uint64_t bytes);
+
+  // For what the plan has already made room for; throws Error(resources) naming `what` where it does not fit.
+  [[nodiscard]] Reservation reserve(std::uint64_t bytes, const char* what);
+
+  [[nodiscard]] std::uint64_t total() const { return total_; }
+  [[nodiscard]] std::uint64_t used() const { return used_.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::uint64_t left() const { return total_ - used(); }
+
+ private:
+  friend class Reservation;
+  std::uint64_t total_;
+  std::atomic<std::uint64_t> used_{0};
+};
+
+}  // namespace winnow

@@ -1,0 +1,48 @@
+// Counting what is done, telling of it now and then, and noticing that the caller wants to stop.
+#pragma once
+
+#include <winnow/context.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+
+namespace winnow {
+
+// Safe to use from all threads at once.
+class ProgressMeter {
+ public:
+  explicit ProgressMeter(Context& context) : context_(context) {}
+
+  void begin(const char* stage, std::uint64_t total, const char* unit);
+
+  // Counts `amount` more and throws Error(cancelled) if the caller asked to stop.
+  void advance(std::uint64_t amount);
+
+  void check_cancelled() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Context& context_;
+  std::mutex telling_;
+  const char* stage_ = "";
+  const char* unit_ = "";
+  std::uint64_t total_ = 0;
+  std::atomic<std::uint64_t> done_{0};
+  std::atomic<Clock::rep> next_{0};
+};
+
+// Seconds since it was made.
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace winnow

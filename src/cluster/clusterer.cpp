@@ -1,0 +1,251 @@
+#include "cluster/clusterer.hpp"
+
+#include "base/per_slot.hpp"
+#include "cluster/cell_table.hpp"
+#include "cluster/face_list.hpp"
+#include "cluster/front_cache.hpp"
+#include "cluster/result_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for_each.h>
+
+namespace winnow {
+
+namespace {
+
+static_assert(kernel_capacity == FaceBatch::capacity);
+
+constexpr std::size_t pending_entries = 1024;
+
+// The corner's contribution of a face that lies in several cells.
+void add_corner(CellSum& sum, const CornerSums& face, std::size_t corner, std::size_t i) {
+  const std::int64_t weight = face.weight[corner][i];
+  sum.weight += static_cast<std::uint64_t>(weight);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    sum.position[axis] += weight * face.fraction[corner][axis][i];
+    sum.normal[axis] += weight * face.normal[axis][i];
+  }
+}
+
+void add_corner(QuadricCellSum& sum, const CornerSums& face, std::size_t corner, std::size_t i) {
+  add_corner(static_cast<CellSum&>(sum), face, corner, i);
+  const std::int64_t weight = face.weight[corner][i];
+  for (std::size_t k = 0; k < 5; ++k) sum.squares[k] += weight * face.squares[k][i];
+  for (std::size_t k = 0; k < 3; ++k) sum.moment[k] += weight * face.moment[corner][k][i];
+}
+
+// All three corners of a face that lies in one cell.
+void add_face(CellSum& sum, const CornerSums& face, std::size_t i) {
+  sum.weight += static_cast<std::uint64_t>(face.total_weight[i]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    sum.position[axis] += face.total_position[axis][i];
+    sum.normal[axis] += face.total_normal[axis][i];
+  }
+}
+
+void add_face(QuadricCellSum& sum, const CornerSums& face, std::size_t i) {
+  add_face(static_cast<CellSum&>(sum), face, i);
+  for (std::size_t k = 0; k < 5; ++k) sum.squares[k] += face.total_weight[i] * face.squares[k][i];
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      sum.moment[k] += std::int64_t{face.weight[corner][i]} * face.moment[corner][k][i];
+    }
+  }
+}
+
+template <typename Sum>
+class ClustererOf final : public Clusterer {
+ public:
+  ClustererOf(Job& job, const ClusterSettings& settings, const ClusterMemory& memory)
+      : job_(job),
+        settings_(settings),
+        memory_(memory),
+        kernel_(best_corner_kernel()),
+        table_memory_(job.budget.reserve(memory.table, "the table of cells")),
+        face_memory_(job.budget.reserve(memory.faces, "the list of faces")),
+        table_(job, memory.table, memory.table_parts),
+        face_runs_(job),
+        workers_(job.threads, [this] { return std::make_unique<Worker>(job_, memory_.faces / job_.threads, face_runs_); }) {}
+
+  void add(const FaceBatch& faces) override {
+    Worker& worker = workers_.local();
+    KernelInput input{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (std::size_t axis = 0; axis < 3; ++axis) input.position[corner][axis] = faces.position[corner][axis].data();
+    }
+    input.count = faces.count;
+    for (std::size_t axis = 0; axis < 3; ++axis) input.origin[axis] = settings_.grid.origin[axis];
+    input.inverse = settings_.grid.inverse;
+    input.quadrics = std::is_same_v<Sum, QuadricCellSum>;
+    kernel_(input, worker.corners);
+    worker.counts.faces += faces.count;
+
+    // First the faces are told apart without a branch, then each kind has a loop of its own.
+    std::size_t inside = 0;
+    std::size_t across = 0;
+    std::size_t bad = 0;
+    for (std::size_t i = 0; i < faces.count; ++i) {
+      const std::uint8_t kind = worker.corners.kind[i];
+      const bool good = faces.status[i] == FaceStatus::good;
+      worker.inside[inside] = static_cast<std::uint16_t>(i);
+      worker.across[across] = static_cast<std::uint16_t>(i);
+      worker.bad[bad] = static_cast<std::uint16_t>(i);
+      inside += (kind == one_cell) & good;
+      across += (kind == several_cells) & good;
+      bad += (kind > several_cells) | !good;
+    }
+    const auto give_way = [&](const Sum& line) { worker.give_way(line, table_); };
+    for (std::size_t k = 0; k < inside; ++k) {
+      const std::size_t i = worker.inside[k];
+      add_face(worker.cache.entry(worker.corners.cell[0][i], static_cast<std::uint64_t>(worker.corners.total_weight[i]), give_way),
+               worker.corners, i);
+    }
+    for (std::size_t k = 0; k < across; ++k) add_across(worker, worker.across[k], give_way);
+    for (std::size_t k = 0; k < bad; ++k) count_bad(worker, faces, worker.bad[k]);
+    if (worker.corners.clamped) count_clamped(worker, faces.count);
+  }
+
+  [[nodiscard]] bool wants_to_spill() const override { return table_.nearly_full(); }
+  void spill() override { table_.spill(); }
+
+  ClusterCounts counts() override {
+    ClusterCounts sum;
+    for (const Worker* worker : workers_.all()) sum.add(worker->counts);
+    return sum;
+  }
+
+  ClusteredMesh finish() override {
+    const std::vector<Worker*> all = workers_.all();
+    tbb::parallel_for_each(all.begin(), all.end(), [this](Worker* worker) {
+      worker->cache.empty_into([&](const Sum& line) { worker->give_way(line, table_); });
+      table_.add(worker->pending);
+      worker->pending.clear();
+    });
+    job_.progress.check_cancelled();
+    ClusteredMesh mesh;
+    {
+      const std::unique_ptr<RecordCursor<Sum>> cells = table_.finish();
+      collect_vertices(job_, *cells, settings_, memory_.vertices, mesh);
+    }
+    table_.release();
+    table_memory_.release();
+    std::vector<std::unique_ptr<RecordCursor<CellFace>>> faces;
+    tbb::parallel_for_each(all.begin(), all.end(), [](Worker* worker) { worker->faces.sort(); });
+    for (Worker* worker : all) worker->faces.finish(faces);
+    face_runs_.add_cursors(faces);
+    MergedCursor<CellFace> merged(std::move(faces));
+    collect_faces(job_, merged, memory_.result, mesh);
+    return mesh;
+  }
+
+ private:
+  struct Worker {
+    Worker(Job& job, std::uint64_t face_memory, SortedRuns<CellFace>& runs) : faces(job, face_memory, runs) {
+      pending.reserve(pending_entries);
+    }
+
+    void give_way(const Sum& line, CellTable<Sum>& table) {
+      pending.push_back(line);
+      pending.back().key = morton_key(PackedCell{line.key});
+      if (pending.size() < pending_entries) return;
+      table.add(pending);
+      pending.clear();
+    }
+
+    CornerSums corners;
+    FrontCache<Sum> cache;
+    std::vector<Sum> pending;  // entries that gave way, on their way to the table
+    FaceList faces;
+    ClusterCounts counts;
+    std::array<std::uint16_t, kernel_capacity + 1> inside, across, bad;
+  };
+
+  template <typename GiveWay>
+  void add_across(Worker& worker, std::size_t i, const GiveWay& give_way) {
+    const CornerSums& face = worker.corners;
+    const PackedCell a = face.cell[0][i];
+    const PackedCell b = face.cell[1][i];
+    const PackedCell c = face.cell[2][i];
+    const bool kept = (a != b) & (a != c) & (b != c);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      Sum& sum = worker.cache.entry(face.cell[corner][i], static_cast<std::uint64_t>(face.weight[corner][i]), give_way);
+      add_corner(sum, face, corner, i);
+      if (kept) sum.weight |= CellSum::used_bit;
+    }
+    if (kept) worker.faces.add(morton_key(a), morton_key(b), morton_key(c));
+  }
+
+  void count_bad(Worker& worker, const FaceBatch& faces, std::size_t i) {
+    const char* what = nullptr;
+    if (faces.status[i] == FaceStatus::out_of_range) {
+      ++worker.counts.bad.out_of_range;
+      what = "names a vertex that does not exist";
+    } else if (faces.status[i] == FaceStatus::good && worker.corners.kind[i] == outside) {
+      double farthest = 0;
+      bool finite = true;
+      for (const auto& corner : faces.position) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          finite &= std::isfinite(corner[axis][i]);
+          farthest = std::max(farthest, std::abs(settings_.grid.place(corner[axis][i], axis) - axis_cells / 2));
+        }
+      }
+      if (finite) {
+        worker.counts.outside = std::max(worker.counts.outside, farthest);
+        return;
+      }
+      ++worker.counts.bad.non_finite;
+      what = "has a corner that is not finite";
+    } else {
+      ++worker.counts.bad.degenerate;
+      what = "repeats a corner";
+    }
+    if (faces.first + i < worker.counts.first_bad.face) worker.counts.first_bad = {faces.first + i, what};
+  }
+
+  static void count_clamped(Worker& worker, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int32_t largest = std::max({worker.corners.weight[0][i], worker.corners.weight[1][i], worker.corners.weight[2][i]});
+      if (worker.corners.kind[i] <= several_cells && largest >= 1 << weight_limit_bits) ++worker.counts.clamped;
+    }
+  }
+
+  Job& job_;
+  ClusterSettings settings_;
+  ClusterMemory memory_;
+  CornerKernel kernel_;
+  Reservation table_memory_, face_memory_;
+  CellTable<Sum> table_;
+  SortedRuns<CellFace> face_runs_;
+  PerSlot<Worker> workers_;
+};
+
+}  // namespace
+
+std::uint64_t ClusterMemory::per_thread(bool quadrics) {
+  const std::uint64_t line = quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
+  return sizeof(CornerSums) + (line << FrontCache<CellSum>::index_bits) + 2 * pending_entries * line + sizeof(FaceBatch) +
+         (std::uint64_t{256} << 10);  // stack, scratch of the kernel
+}
+
+std::uint64_t ClusterMemory::smallest_table(std::size_t parts, bool quadrics) {
+  return parts * 4096 * (quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum));
+}
+
+void ClusterCounts::add(const ClusterCounts& other) {
+  faces += other.faces;
+  bad.degenerate += other.bad.degenerate;
+  bad.non_finite += other.bad.non_finite;
+  bad.out_of_range += other.bad.out_of_range;
+  clamped += other.clamped;
+  if (other.first_bad.face < first_bad.face) first_bad = other.first_bad;
+  outside = std::max(outside, other.outside);
+}
+
+std::unique_ptr<Clusterer> Clusterer::make(Job& job, const ClusterSettings& settings, const ClusterMemory& memory) {
+  if (settings.placement == Placement::quadric) return std::make_unique<ClustererOf<QuadricCellSum>>(job, settings, memory);
+  return std::make_unique<ClustererOf<CellSum>>(job, settings, memory);
+}
+
+}  // namespace winnow

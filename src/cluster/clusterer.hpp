@@ -1,0 +1,82 @@
+// The station that turns faces into cells and the faces between them.
+#pragma once
+
+#include <winnow/simplify.hpp>
+
+#include "cluster/grid.hpp"
+#include "cluster/vertex_index.hpp"
+#include "io/job.hpp"
+#include "io/spool.hpp"
+#include "read/face_batch.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace winnow {
+
+// How the budget is divided here. Parts of it are used one after the other.
+struct ClusterMemory {
+  std::uint64_t table = 0;     // cells
+  std::uint64_t faces = 0;     // faces between cells, all threads together
+  std::uint64_t vertices = 0;  // vertices of the result
+  std::uint64_t result = 0;    // faces of the result
+  std::size_t table_parts = 16;
+
+  // What one thread needs besides, whatever the budget.
+  static std::uint64_t per_thread(bool quadrics);
+  // The least that `table` and `faces` can be.
+  static std::uint64_t smallest_table(std::size_t parts, bool quadrics);
+  static constexpr std::uint64_t smallest_faces_per_thread = std::uint64_t{1} << 20;
+};
+
+struct FirstBad {
+  std::uint64_t face = UINT64_MAX;
+  const char* what = "";
+};
+
+struct ClusterCounts {
+  std::uint64_t faces = 0;
+  BadFaces bad;
+  std::uint64_t clamped = 0;
+  FirstBad first_bad;
+  // The farthest finite corner outside of the lattice, in cells from its middle; 0 where there is none.
+  double outside = 0;
+
+  void add(const ClusterCounts& other);
+};
+
+// The result: vertices in key order, faces as their numbers.
+struct ClusteredMesh {
+  std::unique_ptr<VertexIndex> vertices;
+  std::unique_ptr<Spool> faces;  // three uint32 a face
+  std::uint64_t face_count = 0;
+  std::uint64_t cells = 0;
+  std::uint64_t turned = 0;
+  std::uint64_t fused = 0;
+};
+
+struct ClusterSettings {
+  Grid grid;
+  Placement placement = Placement::mean;
+  bool double_positions = false;  // round positions to float otherwise
+};
+
+class Clusterer {
+ public:
+  static std::unique_ptr<Clusterer> make(Job& job, const ClusterSettings& settings, const ClusterMemory& memory);
+  virtual ~Clusterer() = default;
+
+  // From any thread of the arena the job runs in.
+  virtual void add(const FaceBatch& faces) = 0;
+
+  // Between batches, when no add() is running.
+  [[nodiscard]] virtual bool wants_to_spill() const = 0;
+  virtual void spill() = 0;
+  virtual ClusterCounts counts() = 0;
+
+  // Builds the mesh; the last call.
+  virtual ClusteredMesh finish() = 0;
+};
+
+}  // namespace winnow

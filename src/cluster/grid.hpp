@@ -1,0 +1,48 @@
+// The lattice of cubic cells that vertices are clustered on.
+#pragma once
+
+#include "base/morton.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace winnow {
+
+// Finite corners of a box; empty until a point was added.
+struct Box {
+  std::array<double, 3> low{}, high{};
+  bool empty = true;
+
+  void add(const std::array<double, 3>& point);
+  void add(const Box& other);
+  [[nodiscard]] double longest_side() const;
+  [[nodiscard]] double diagonal() const;
+};
+
+// A position's place on the lattice is (position - origin) * inverse; its cell is the whole part. That one
+// formula, in double, decides everywhere.
+struct Grid {
+  std::array<double, 3> origin{};
+  double cell = 0;     // edge of a cell, in model units
+  double inverse = 0;  // 1 / cell
+
+  [[nodiscard]] double place(double coordinate, std::size_t axis) const {
+    return (coordinate - origin[axis]) * inverse;
+  }
+
+  // With a cell edge and no box: the lattice point below the first finite vertex, less 2^20 cells, so that
+  // a file and a pipe give the same lattice, with as much room on either side.
+  static Grid around(const std::array<double, 3>& first, double cell);
+
+  // With a box: from its lower corner. Throws Error(usage) if it needs more than 2^21 cells an axis.
+  static Grid over(const Box& box, double cell);
+
+  // The cell edge that cuts the longest side into `cells`, so that the far end still falls into the last.
+  static double edge_for(const Box& box, std::uint64_t cells);
+};
+
+// Too few cells an axis for a box of this side; names the smallest edge that works.
+[[noreturn]] void refuse_cell(double cell, double side);
+
+}  // namespace winnow

@@ -1,0 +1,120 @@
+#include "cluster/representative.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace winnow {
+
+namespace {
+
+constexpr double fraction_scale = 1 << fraction_bits;
+
+// Pulls the minimiser towards the mean where the planes leave it free (along an edge, on a flat face), as a
+// part of the planes' total weight. 10^-3 to 10^-2 are equally good by measurement (bench/RESULTS.md);
+// below, nearly flat cells throw their vertex to the cell's wall.
+constexpr double pull = 5e-3;
+
+// Solves the symmetric positive definite system m x = b by Cholesky's method.
+std::array<double, 3> solve(double xx, double xy, double xz, double yy, double yz, double zz, const std::array<double, 3>& b) {
+  const double l00 = std::sqrt(xx);
+  const double l10 = xy / l00;
+  const double l20 = xz / l00;
+  const double l11 = std::sqrt(yy - l10 * l10);
+  const double l21 = (yz - l20 * l10) / l11;
+  const double l22 = std::sqrt(zz - l20 * l20 - l21 * l21);
+  const double y0 = b[0] / l00;
+  const double y1 = (b[1] - l10 * y0) / l11;
+  const double y2 = (b[2] - l20 * y0 - l21 * y1) / l22;
+  const double x2 = y2 / l22;
+  const double x1 = (y1 - l21 * x2) / l11;
+  const double x0 = (y0 - l10 * x1 - l20 * x2) / l00;
+  return {x0, x1, x2};
+}
+
+// The number of type Real nearest to `coordinate` that is in the cell by Grid's own formula. There is one:
+// the coordinates of the cell's corners are of that type. A few steps reach it; far from the origin, where
+// the lattice is finer than a float, they are steps of the float.
+template <typename Real>
+double round_into_cell(double coordinate, const Grid& grid, std::size_t axis, std::uint32_t cell) {
+  auto value = static_cast<Real>(coordinate);
+  constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  for (int step = 0; step < 64; ++step) {
+    const double place = grid.place(static_cast<double>(value), axis);
+    if (place < cell) {
+      value = std::nextafter(value, infinity);
+    } else if (place >= static_cast<double>(cell) + 1) {
+      value = std::nextafter(value, -infinity);
+    } else {
+      break;
+    }
+  }
+  return static_cast<double>(value);
+}
+
+}  // namespace
+
+void WholeCell::add(const CellSum& sum) {
+  used_ |= (sum.weight & CellSum::used_bit) != 0;
+  weight_ += static_cast<Int128>(sum.weight & ~CellSum::used_bit);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    position_[axis] += sum.position[axis];
+    normal_[axis] += sum.normal[axis];
+  }
+}
+
+void WholeCell::add(const QuadricCellSum& sum) {
+  add(static_cast<const CellSum&>(sum));
+  for (std::size_t i = 0; i < 5; ++i) squares_[i] += sum.squares[i];
+  for (std::size_t i = 0; i < 3; ++i) moment_[i] += sum.moment[i];
+}
+
+std::array<double, 3> WholeCell::mean_place() const {
+  const double scale = static_cast<double>(weight_) * fraction_scale;
+  std::array<double, 3> place{};
+  for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = static_cast<double>(position_[axis]) / scale;
+  return place;
+}
+
+// Garland and Heckbert's quadric of the planes n·x = d, each with its corner's weight: minimises the mean of
+// (n·x - d)^2 plus pull * |x - mean|^2, by x = mean + t with (A + pull) t = b - A mean.
+std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean) const {
+  const double scale = static_cast<double>(weight_) * fraction_scale;
+  std::array<double, 5> a{};
+  for (std::size_t i = 0; i < 5; ++i) a[i] = static_cast<double>(squares_[i]) / scale;
+  const auto [xx, xy, xz, yy, yz] = a;
+  // The squares of a unit normal add up to one; corners without a normal leave a little less.
+  const double zz = std::max(0.0, 1 - xx - yy);
+  const std::array<double, 3> m{mean[0] - 0.5, mean[1] - 0.5, mean[2] - 0.5};  // from the cell's middle
+  const std::array<double, 3> rest{static_cast<double>(moment_[0]) / scale - (xx * m[0] + xy * m[1] + xz * m[2]),
+                                   static_cast<double>(moment_[1]) / scale - (xy * m[0] + yy * m[1] + yz * m[2]),
+                                   static_cast<double>(moment_[2]) / scale - (xz * m[0] + yz * m[1] + zz * m[2])};
+  const std::array<double, 3> step = solve(xx + pull, xy, xz, yy + pull, yz, zz + pull, rest);
+  std::array<double, 3> place{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    place[axis] = mean[axis] + step[axis];
+    // Rounded sums of planes that hardly differ can leave nothing to solve.
+    if (!std::isfinite(place[axis])) return mean;
+    place[axis] = std::clamp(place[axis], 0.0, 1.0);
+  }
+  return place;
+}
+
+IndexedVertex WholeCell::vertex(const ClusterSettings& settings) const {
+  IndexedVertex vertex;
+  vertex.key = key_;
+  const std::array<std::uint32_t, 3> cell = morton_cell(key_);
+  std::array<double, 3> place = mean_place();
+  if (settings.placement == Placement::quadric) place = quadric_place(place);
+  const double scale = static_cast<double>(weight_) * fraction_scale;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double coordinate = settings.grid.origin[axis] + (cell[axis] + place[axis]) * settings.grid.cell;
+    vertex.position[axis] = settings.double_positions
+                                ? round_into_cell<double>(coordinate, settings.grid, axis, cell[axis])
+                                : round_into_cell<float>(coordinate, settings.grid, axis, cell[axis]);
+    vertex.normal[axis] = static_cast<float>(static_cast<double>(normal_[axis]) / scale);
+  }
+  return vertex;
+}
+
+}  // namespace winnow

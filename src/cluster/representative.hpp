@@ -1,0 +1,40 @@
+// Where in its cell the vertex of a cell goes.
+#pragma once
+
+#include "base/wide.hpp"
+#include "cluster/cell_sum.hpp"
+#include "cluster/clusterer.hpp"
+#include "cluster/vertex_index.hpp"
+
+#include <array>
+
+namespace winnow {
+
+// The sums of one cell over all its entries.
+class WholeCell {
+ public:
+  explicit WholeCell(CellKey key) : key_(key) {}
+
+  void add(const CellSum& sum);  // of the same cell
+  void add(const QuadricCellSum& sum);
+
+  [[nodiscard]] CellKey key() const { return key_; }
+  [[nodiscard]] bool used() const { return used_; }  // by an output face
+
+  // The mean of the corners, or, with quadrics, the point nearest to the planes; in its cell in any case, and
+  // rounded to what will be written, so that two cells never share a position.
+  [[nodiscard]] IndexedVertex vertex(const ClusterSettings& settings) const;
+
+ private:
+  [[nodiscard]] std::array<double, 3> mean_place() const;
+  [[nodiscard]] std::array<double, 3> quadric_place(const std::array<double, 3>& mean) const;
+
+  CellKey key_;
+  bool used_ = false;
+  Int128 weight_ = 0;
+  std::array<Int128, 3> position_{}, normal_{};
+  std::array<Int128, 5> squares_{};
+  std::array<Int128, 3> moment_{};
+};
+
+}  // namespace winnow

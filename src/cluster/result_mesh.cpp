@@ -1,0 +1,181 @@
+#include "cluster/result_mesh.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/per_slot.hpp"
+#include "base/text.hpp"
+#include "cluster/representative.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+
+#include <tbb/parallel_pipeline.h>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::size_t chunk_cells = 2048;
+constexpr std::size_t chunk_faces = 4096;
+
+// Below this the mean of three cell normals says nothing about which side is out.
+constexpr double shortest_normal = 0.1;
+
+struct Triple {
+  std::array<CellKey, 3> cell;  // in the order of the winding
+};
+
+// One face for all that fell onto the same three cells: turned the way most of them were; as many on either
+// side are a sheet folded onto itself, which keeps the order of the keys.
+struct FusedFaces {
+  std::vector<Triple> faces;
+  std::uint64_t fused = 0;
+};
+
+struct Winding {
+  std::uint64_t along = 0, against = 0;
+};
+
+class FaceFuser {
+ public:
+  explicit FaceFuser(RecordCursor<CellFace>& faces) : faces_(faces) { more_ = faces_.next(next_); }
+
+  FusedFaces chunk() {
+    FusedFaces out;
+    while (more_ && out.faces.size() < chunk_faces) {
+      const std::array<CellKey, 3> cell = next_.cell;
+      Winding winding;
+      // Counts beyond 32 bits come as several records.
+      for (; more_ && next_.cell == cell; more_ = faces_.next(next_)) {
+        winding.along += next_.along;
+        winding.against += next_.against;
+      }
+      out.fused += std::min(winding.along, winding.against);
+      if (winding.along >= winding.against) {
+        out.faces.push_back({cell});
+      } else {
+        out.faces.push_back({{cell[0], cell[2], cell[1]}});
+      }
+    }
+    return out;
+  }
+
+ private:
+  RecordCursor<CellFace>& faces_;
+  CellFace next_{};
+  bool more_ = false;
+};
+
+// Algorithm 4 of the grid paper: against the mean of its vertices' normals, a face shows its back.
+bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
+  std::array<double, 3> mean{};
+  for (const IndexedVertex& vertex : corner) {
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += vertex.normal[axis];
+  }
+  const double length = (mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]) / 9;
+  if (length < shortest_normal * shortest_normal) return false;
+  std::array<double, 3> u{};
+  std::array<double, 3> v{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    u[axis] = corner[1].position[axis] - corner[0].position[axis];
+    v[axis] = corner[2].position[axis] - corner[0].position[axis];
+  }
+  return (u[1] * v[2] - u[2] * v[1]) * mean[0] + (u[2] * v[0] - u[0] * v[2]) * mean[1] + (u[0] * v[1] - u[1] * v[0]) * mean[2] < 0;
+}
+
+}  // namespace
+
+template <typename Sum>
+void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings& settings, std::uint64_t memory,
+                      ClusteredMesh& mesh) {
+  mesh.vertices = std::make_unique<VertexIndex>(job, memory);
+  Sum next{};
+  bool more = cells.next(next);
+  tbb::parallel_pipeline(
+      2 * job.threads,
+      tbb::make_filter<void, std::vector<WholeCell>>(tbb::filter_mode::serial_in_order,
+                                                     [&](tbb::flow_control& control) {
+                                                       std::vector<WholeCell> chunk;
+                                                       chunk.reserve(chunk_cells);
+                                                       while (more && chunk.size() < chunk_cells) {
+                                                         WholeCell cell(next.key);
+                                                         for (; more && next.key == cell.key(); more = cells.next(next)) cell.add(next);
+                                                         ++mesh.cells;
+                                                         if (cell.used()) chunk.push_back(cell);
+                                                       }
+                                                       job.progress.check_cancelled();
+                                                       if (chunk.empty() && !more) control.stop();
+                                                       return chunk;
+                                                     }) &
+          tbb::make_filter<std::vector<WholeCell>, std::vector<IndexedVertex>>(
+              tbb::filter_mode::parallel,
+              [&](const std::vector<WholeCell>& chunk) {
+                std::vector<IndexedVertex> vertices;
+                vertices.reserve(chunk.size());
+                for (const WholeCell& cell : chunk) vertices.push_back(cell.vertex(settings));
+                return vertices;
+              }) &
+          tbb::make_filter<std::vector<IndexedVertex>, void>(
+              tbb::filter_mode::serial_in_order,
+              [&](const std::vector<IndexedVertex>& vertices) { mesh.vertices->append(vertices); }));
+  mesh.vertices->finish();
+  if (mesh.vertices->size() > UINT32_MAX) {
+    throw Error(ErrorKind::failed, "the result has " + grouped(mesh.vertices->size()) +
+                                       " vertices, more than output formats can count; choose larger cells or fewer faces");
+  }
+}
+
+template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, const ClusterSettings&, std::uint64_t, ClusteredMesh&);
+template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&, const ClusterSettings&, std::uint64_t,
+                                               ClusteredMesh&);
+
+void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, ClusteredMesh& mesh) {
+  mesh.faces = std::make_unique<Spool>(job, memory);
+  FaceFuser fuser(faces);
+  PerSlot<VertexIndex::Reader> readers(job.threads, [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
+  std::atomic<std::uint64_t> turned{0};
+  tbb::parallel_pipeline(
+      2 * job.threads,
+      tbb::make_filter<void, std::vector<Triple>>(tbb::filter_mode::serial_in_order,
+                                                  [&](tbb::flow_control& control) {
+                                                    FusedFaces chunk = fuser.chunk();
+                                                    job.progress.check_cancelled();
+                                                    if (chunk.faces.empty()) control.stop();
+                                                    mesh.fused += chunk.fused;
+                                                    return std::move(chunk.faces);
+                                                  }) &
+          tbb::make_filter<std::vector<Triple>, std::vector<std::uint32_t>>(
+              tbb::filter_mode::parallel,
+              [&](const std::vector<Triple>& chunk) {
+                VertexIndex::Reader& reader = readers.local();
+                std::vector<std::uint32_t> numbers;
+                numbers.reserve(3 * chunk.size());
+                std::uint64_t turned_here = 0;
+                for (const Triple& triple : chunk) {
+                  std::array<IndexedVertex, 3> corner;
+                  std::array<std::uint32_t, 3> number{};
+                  for (std::size_t i = 0; i < 3; ++i) {
+                    const VertexIndex::Reader::Found found = reader.find(triple.cell[i]);
+                    corner[i] = found.vertex;
+                    number[i] = static_cast<std::uint32_t>(found.number);
+                  }
+                  if (shows_its_back(corner)) {
+                    std::swap(number[1], number[2]);
+                    ++turned_here;
+                  }
+                  numbers.insert(numbers.end(), number.begin(), number.end());
+                }
+                turned += turned_here;
+                return numbers;
+              }) &
+          tbb::make_filter<std::vector<std::uint32_t>, void>(tbb::filter_mode::serial_in_order,
+                                                             [&](const std::vector<std::uint32_t>& numbers) {
+                                                               mesh.faces->append(std::as_bytes(std::span(numbers)));
+                                                               mesh.face_count += numbers.size() / 3;
+                                                             }));
+  mesh.faces->finish();
+  mesh.turned = turned;
+}
+
+}  // namespace winnow

@@ -1,0 +1,70 @@
+#include "cluster/vertex_index.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace winnow {
+
+VertexIndex::VertexIndex(Job& job, std::uint64_t memory) : job_(job), records_(job, memory) {}
+
+void VertexIndex::append(std::span<const IndexedVertex> vertices) {
+  for (const IndexedVertex& vertex : vertices) {
+    if (size_ % block_vertices == 0) first_keys_.push_back(vertex.key);
+    ++size_;
+  }
+  records_.append(std::as_bytes(vertices));
+}
+
+void VertexIndex::finish() {
+  records_.finish();
+  if (first_keys_.empty()) return;
+  // About one block a range, if the keys were spread evenly; a search goes on from there.
+  const CellKey last = first_keys_.back();
+  const auto bits = static_cast<unsigned>(std::bit_width(last));
+  const auto wanted = static_cast<unsigned>(std::bit_width(first_keys_.size())) + 1;
+  range_shift_ = bits > wanted ? bits - wanted : 0;
+  const std::size_t ranges = (last >> range_shift_) + 2;
+  reservation_ = job_.budget.reserve(ranges * sizeof(std::uint32_t) + first_keys_.capacity() * sizeof(CellKey), "the vertex index");
+  range_start_.assign(ranges, 0);
+  for (const CellKey key : first_keys_) ++range_start_[(key >> range_shift_) + 1];
+  for (std::size_t i = 1; i < ranges; ++i) range_start_[i] += range_start_[i - 1];
+}
+
+VertexIndex::Reader::Reader(const VertexIndex& index) : index_(index) {
+  if (!index.records_.in_memory()) cache_.resize(reader_blocks);
+}
+
+std::span<const IndexedVertex> VertexIndex::Reader::block(std::uint64_t number) {
+  const std::uint64_t first = number * block_vertices;
+  const std::size_t count = std::min<std::uint64_t>(block_vertices, index_.size_ - first);
+  if (index_.records_.in_memory()) {
+    return {reinterpret_cast<const IndexedVertex*>(index_.records_.data()) + first, count};
+  }
+  Cached& cached = cache_[number % reader_blocks];
+  if (cached.number != number) {
+    cached.vertices.resize(count);
+    index_.records_.read(first * sizeof(IndexedVertex), std::as_writable_bytes(std::span(cached.vertices)));
+    cached.number = number;
+  }
+  return cached.vertices;
+}
+
+VertexIndex::Reader::Found VertexIndex::Reader::find(CellKey key) {
+  // The block is the last whose first key is not above `key`. Keys behind the last block's first are above
+  // every range.
+  const std::size_t range = std::min<std::size_t>(key >> index_.range_shift_, index_.range_start_.size() - 2);
+  const auto begin = index_.first_keys_.begin();
+  const auto block_after = std::upper_bound(begin + index_.range_start_[range], begin + index_.range_start_[range + 1], key);
+  const auto number = static_cast<std::uint64_t>(block_after - begin) - 1;
+  const std::span<const IndexedVertex> vertices = block(number);
+  const auto found = std::lower_bound(vertices.begin(), vertices.end(), key,
+                                      [](const IndexedVertex& vertex, CellKey k) { return vertex.key < k; });
+  return {number * block_vertices + static_cast<std::uint64_t>(found - vertices.begin()), *found};
+}
+
+IndexedVertex VertexIndex::Reader::at(std::uint64_t number) {
+  return block(number / block_vertices)[number % block_vertices];
+}
+
+}  // namespace winnow

@@ -1,0 +1,74 @@
+// The vertices of the result, by key and by number, in memory or in scratch.
+#pragma once
+
+#include "base/morton.hpp"
+#include "base/pages.hpp"
+#include "io/spool.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace winnow {
+
+struct IndexedVertex {
+  CellKey key = 0;
+  std::array<double, 3> position{};
+  std::array<float, 3> normal{};  // mean of unit normals: shorter than 1 where they disagree
+  std::uint32_t unused = 0;
+};
+static_assert(sizeof(IndexedVertex) == 48);
+
+// Filled in ascending order of keys by one thread; after finish() asked by any number, each through a
+// Reader of its own.
+class VertexIndex {
+ public:
+  VertexIndex(Job& job, std::uint64_t memory);
+
+  void append(std::span<const IndexedVertex> vertices);
+  void finish();
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  [[nodiscard]] const Spool& records() const { return records_; }
+
+  static constexpr std::size_t block_vertices = 256;
+  static constexpr std::size_t reader_blocks = 64;
+  static constexpr std::uint64_t reader_memory = reader_blocks * block_vertices * sizeof(IndexedVertex);
+
+  class Reader {
+   public:
+    explicit Reader(const VertexIndex& index);
+
+    struct Found {
+      std::uint64_t number;
+      IndexedVertex vertex;
+    };
+    // `key` must be in the index.
+    Found find(CellKey key);
+    IndexedVertex at(std::uint64_t number);
+
+   private:
+    std::span<const IndexedVertex> block(std::uint64_t number);
+
+    const VertexIndex& index_;
+    struct Cached {
+      std::uint64_t number = UINT64_MAX;
+      std::vector<IndexedVertex> vertices;
+    };
+    std::vector<Cached> cache_;  // of blocks in scratch; direct-mapped
+  };
+
+ private:
+  Job& job_;
+  Spool records_;
+  std::uint64_t size_ = 0;
+  // First key of every block; and, for a quick start, where the keys of each range of keys begin.
+  std::vector<CellKey> first_keys_;
+  std::vector<std::uint32_t> range_start_;
+  unsigned range_shift_ = 0;
+  Reservation reservation_;
+};
+
+}  // namespace winnow

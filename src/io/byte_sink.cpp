@@ -1,0 +1,138 @@
+#include "io/byte_sink.hpp"
+
+#include <winnow/error.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::size_t buffer_bytes = std::size_t{1} << 18;
+
+std::string directory_of(const std::string& path) {
+  const auto parent = std::filesystem::path(path).parent_path();
+  return parent.empty() ? "." : parent.string();
+}
+
+[[noreturn]] void refuse_existing(const std::string& path) {
+  throw Error(ErrorKind::usage, "'" + path + "' exists; use --force to replace it");
+}
+
+}  // namespace
+
+ByteSink::ByteSink(Job& job, std::string path, bool force) : job_(job), path_(std::move(path)), force_(force) {
+  buffer_.reserve(buffer_bytes);
+  struct stat status {};
+  if (path_ == "-") {
+    path_.clear();
+    fd_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (fd_ < 0) fail(errno);
+  } else if (::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    if (S_ISDIR(status.st_mode)) throw Error(ErrorKind::usage, "'" + path_ + "' is a directory; name a file in it");
+    fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (fd_ < 0) fail(errno);
+  } else {
+    if (status.st_nlink != 0 && !force_) refuse_existing(path_);
+    const std::filesystem::path target(path_);
+    aside_ = directory_of(path_) + "/." + target.filename().string() + ".winnow-XXXXXX";
+    fd_ = ::mkostemp(aside_.data(), O_CLOEXEC);
+    if (fd_ < 0) {
+      const int code = errno;
+      aside_.clear();
+      fail(code);
+    }
+    // mkostemp's mode is for secrets; a mesh gets what any new file gets, or what the replaced file had.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(fd_, status.st_nlink != 0 ? status.st_mode & 07777 : 0666 & ~mask);
+  }
+  if (::fstat(fd_, &status) == 0) pipe_ = S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
+}
+
+ByteSink::~ByteSink() {
+  if (fd_ >= 0) ::close(fd_);
+  if (!aside_.empty()) ::unlink(aside_.c_str());
+}
+
+void ByteSink::fail(int code) const {
+  const std::string name = path_.empty() ? "standard output" : "'" + path_ + "'";
+  if (code == EPIPE) throw Error(ErrorKind::resources, "the reader of " + name + " went away");
+  std::string text = "cannot write " + name + ": " + std::strerror(code);
+  if (code == ENOSPC || code == EDQUOT || code == EFBIG) text += "; free some space or write elsewhere";
+  throw Error(ErrorKind::resources, text);
+}
+
+void ByteSink::write(std::span<const std::byte> bytes) {
+  written_ += bytes.size();
+  if (buffer_.size() + bytes.size() > buffer_bytes) {
+    put(buffer_);
+    buffer_.clear();
+  }
+  if (bytes.size() >= buffer_bytes) {
+    put(bytes);
+  } else {
+    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+  }
+}
+
+void ByteSink::put(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    std::size_t length = bytes.size();
+    if (pipe_) {
+      // A pipe that poll() calls writable takes this much without blocking, so cancelling is noticed.
+      length = std::min<std::size_t>(length, 4096);
+      pollfd ready{fd_, POLLOUT, 0};
+      const int got = ::poll(&ready, 1, 100);
+      job_.progress.check_cancelled();
+      if (got == 0 || (got < 0 && errno == EINTR)) continue;
+    }
+    const ssize_t done = ::write(fd_, bytes.data(), length);
+    if (done < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (done < 0) fail(errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(done));
+  }
+  // Dirty pages go to the disk while the rest is still made, so that the fsync at the end has little to do.
+  if (!aside_.empty() && written_ - behind_ > (std::uint64_t{8} << 20)) {
+    ::sync_file_range(fd_, static_cast<off_t>(behind_), 0, SYNC_FILE_RANGE_WRITE);
+    behind_ = written_;
+  }
+}
+
+void ByteSink::finish() {
+  put(buffer_);
+  buffer_.clear();
+  job_.progress.check_cancelled();
+  if (aside_.empty()) {
+    const int fd = std::exchange(fd_, -1);
+    if (::close(fd) != 0 && errno != EINTR) fail(errno);
+    return;
+  }
+  if (::fsync(fd_) != 0) fail(errno);
+  const int fd = std::exchange(fd_, -1);
+  if (::close(fd) != 0) fail(errno);
+  if (force_) {
+    if (::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);
+  } else if (::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
+    if (errno == EEXIST) refuse_existing(path_);
+    // Not every file system knows the flag; then a file that appeared meanwhile is replaced.
+    if (errno != EINVAL || ::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);
+  }
+  aside_.clear();
+  const int directory = ::open(directory_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (directory >= 0) {
+    ::fsync(directory);  // the name, too, survives a power cut
+    ::close(directory);
+  }
+}
+
+}  // namespace winnow

@@ -1,0 +1,46 @@
+// Bytes out: a file that appears whole or not at all, or a pipe.
+#pragma once
+
+#include "io/job.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+// Written from front to back by one thread at a time. Unless finish() was called nothing stays under the
+// output's name. Throws Error(resources) where writing fails or the reader of a pipe went away.
+class ByteSink {
+ public:
+  // A file's name, or "-" for standard output. A regular file is written aside, in the same directory, and
+  // renamed by finish(); anything else is written straight. An existing regular file is an Error(usage)
+  // unless `force`; at once, not at the end.
+  ByteSink(Job& job, std::string path, bool force);
+  ~ByteSink();
+  ByteSink(const ByteSink&) = delete;
+  ByteSink& operator=(const ByteSink&) = delete;
+
+  void write(std::span<const std::byte> bytes);
+  void finish();
+  [[nodiscard]] std::uint64_t written() const { return written_; }
+
+ private:
+  void put(std::span<const std::byte> bytes);
+  [[noreturn]] void fail(int code) const;
+
+  Job& job_;
+  std::string path_;   // "" for standard output
+  std::string aside_;  // the name it is written under meanwhile; "" where it is written straight
+  bool force_;
+  bool pipe_ = false;  // may block for as long as its reader likes
+  int fd_ = -1;
+  std::uint64_t written_ = 0;
+  std::uint64_t behind_ = 0;  // bytes that the system was already asked to bring to the disk
+  std::vector<std::byte> buffer_;
+};
+
+}  // namespace winnow

@@ -1,0 +1,72 @@
+// Bytes in: a mapped file, a file, a pipe, or the decompressed content of any of them.
+#pragma once
+
+#include "io/job.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace winnow {
+
+class MappedWindow;
+
+// Bytes that stay where they are for as long as the block, or a copy of it, lives.
+struct Block {
+  std::span<const std::byte> bytes;
+  std::uint64_t offset = 0;  // of the first byte in the whole content
+  std::shared_ptr<const void> owner;
+  const MappedWindow* window = nullptr;  // where the bytes are mapped
+
+  // Throws Error(bad_input) if the mapped file shrank under these bytes. To be asked after they were used.
+  void check_intact(const std::string& name) const;
+};
+
+// Read from front to back, by one thread at a time; the blocks may then be used by any.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+
+  // The next `bytes` bytes; fewer only at the end of the content.
+  virtual Block take(std::size_t bytes) = 0;
+
+  // Un-reads the last bytes of the block taken last.
+  virtual void give_back(std::size_t bytes) = 0;
+
+  [[nodiscard]] virtual std::uint64_t position() const = 0;
+  [[nodiscard]] virtual std::optional<std::uint64_t> size() const = 0;  // of the content, where it is known
+
+  // Whether seek() works: true for plain files, false for pipes and compressed content.
+  [[nodiscard]] virtual bool seekable() const = 0;
+  virtual void seek(std::uint64_t position) = 0;
+
+  // The name to map the content by; empty where it cannot be mapped.
+  [[nodiscard]] virtual std::string map_name() const { return {}; }
+
+  [[nodiscard]] const std::string& name() const { return name_; }                // for messages
+  [[nodiscard]] const std::string& compression() const { return compression_; }  // "", "gzip" or "zstd"
+
+  // The next bytes without reading past them.
+  Block peek(std::size_t bytes);
+
+ protected:
+  ByteSource(std::string name, std::string compression)
+      : name_(std::move(name)), compression_(std::move(compression)) {}
+
+ private:
+  std::string name_;
+  std::string compression_;
+};
+
+// Opens a file, or standard input for "-"; sees through gzip and zstd by content. Throws Error(bad_input).
+std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path);
+
+// The content of `source` from its beginning, copied to scratch, so that it can be read again. `source`
+// must not have been read from.
+std::unique_ptr<ByteSource> copy_to_scratch(Job& job, std::unique_ptr<ByteSource> source);
+
+}  // namespace winnow

@@ -1,0 +1,42 @@
+// What goes first into every long call inside the library: the caller's context with the budget, the
+// scratch directory and the progress meter of this one run.
+#pragma once
+
+#include <winnow/context.hpp>
+
+#include "base/budget.hpp"
+#include "base/process.hpp"
+#include "base/progress.hpp"
+#include "io/scratch.hpp"
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+struct Job {
+  explicit Job(Context& c)
+      : context(c),
+        threads(c.threads == 0 ? processors() : c.threads),
+        budget(c.memory),
+        scratch(c.scratch),
+        progress(c) {}
+
+  // Remembers one line about the run for its report, and tells it at once where somebody listens.
+  void note(const std::string& line) {
+    const std::scoped_lock lock(noting);
+    notes.push_back(line);
+    if (context.notice) context.notice(line);
+  }
+
+  Context& context;
+  unsigned threads;
+  Budget budget;
+  Scratch scratch;
+  ProgressMeter progress;
+  std::vector<std::string> notes;
+  std::mutex noting;
+};
+
+}  // namespace winnow

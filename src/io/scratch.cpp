@@ -1,0 +1,104 @@
+#include "io/scratch.hpp"
+
+#include <winnow/error.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace winnow {
+
+namespace {
+
+constexpr const char* name_prefix = "winnow-scratch-";
+
+[[noreturn]] void scratch_error(const std::string& directory, const std::string& doing, int code) {
+  std::string text = "cannot " + doing + " scratch in '" + directory + "': " + std::strerror(code);
+  if (code == ENOSPC || code == EDQUOT || code == EFBIG) {
+    text += "; free some space, or name another directory with --scratch";
+  } else {
+    text += "; name another directory with --scratch";
+  }
+  throw Error(ErrorKind::resources, text);
+}
+
+int open_nameless(const std::string& directory) {
+  int fd = ::open(directory.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (fd >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return fd;
+  // This file system knows no nameless files: take the name away at once. The lock tells
+  // Scratch::remove_stale that somebody is between the two steps.
+  std::string name = directory + "/" + name_prefix + "XXXXXX";
+  fd = ::mkostemp(name.data(), O_CLOEXEC);
+  if (fd >= 0) {
+    ::flock(fd, LOCK_EX | LOCK_NB);
+    ::unlink(name.c_str());
+  }
+  return fd;
+}
+
+}  // namespace
+
+Scratch::Scratch(std::string directory) : directory_(directory.empty() ? "." : std::move(directory)) {}
+
+void Scratch::count(std::uint64_t bytes) {
+  written_ += bytes;
+  const std::uint64_t now = in_use_ += bytes;
+  std::uint64_t peak = peak_;
+  while (now > peak && !peak_.compare_exchange_weak(peak, now)) {
+  }
+}
+
+unsigned Scratch::remove_stale(const std::string& directory) {
+  unsigned removed = 0;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(name_prefix) || !entry.is_regular_file(ignored)) continue;
+    const int fd = ::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (fd < 0) continue;
+    if (::flock(fd, LOCK_EX | LOCK_NB) == 0 && ::unlink(entry.path().c_str()) == 0) ++removed;
+    ::close(fd);
+  }
+  return removed;
+}
+
+ScratchFile::ScratchFile(Scratch& scratch) : scratch_(scratch), fd_(open_nameless(scratch.directory())) {
+  if (fd_ < 0) scratch_error(scratch.directory(), "create", errno);
+}
+
+ScratchFile::~ScratchFile() {
+  scratch_.forget(size_);
+  ::close(fd_);
+}
+
+void ScratchFile::append(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t done = ::pwrite(fd_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) scratch_error(scratch_.directory(), "write", done < 0 ? errno : ENOSPC);
+    size_ += static_cast<std::uint64_t>(done);
+    scratch_.count(static_cast<std::uint64_t>(done));
+    bytes = bytes.subspan(static_cast<std::size_t>(done));
+  }
+}
+
+void ScratchFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t done = ::pread(fd_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) scratch_error(scratch_.directory(), "read", errno);
+    if (done == 0) scratch_error(scratch_.directory(), "read", EIO);
+    offset += static_cast<std::uint64_t>(done);
+    bytes = bytes.subspan(static_cast<std::size_t>(done));
+  }
+}
+
+std::string ScratchFile::path() const { return "/proc/self/fd/" + std::to_string(fd_); }
+
+}  // namespace winnow

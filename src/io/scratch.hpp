@@ -1,0 +1,55 @@
+// Files without a name for what does not fit into memory.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace winnow {
+
+// The scratch directory and what is written there. Files have no name in it: they vanish with the process,
+// however that ends.
+class Scratch {
+ public:
+  explicit Scratch(std::string directory);
+
+  [[nodiscard]] const std::string& directory() const { return directory_; }
+  [[nodiscard]] std::uint64_t written() const { return written_; }  // bytes, all files, ever
+  [[nodiscard]] std::uint64_t peak() const { return peak_; }        // most bytes in use at one time
+
+  // Removes scratch files that an earlier process left behind between their creation and their unlinking,
+  // on file systems without nameless files. Returns how many.
+  static unsigned remove_stale(const std::string& directory);
+
+ private:
+  friend class ScratchFile;
+  void count(std::uint64_t bytes);
+  void forget(std::uint64_t bytes) { in_use_ -= bytes; }
+
+  std::string directory_;
+  std::atomic<std::uint64_t> written_{0}, in_use_{0}, peak_{0};
+};
+
+// One such file: written by appending, read at any place. Appending is for one thread at a time.
+class ScratchFile {
+ public:
+  explicit ScratchFile(Scratch& scratch);
+  ~ScratchFile();
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+
+  void append(std::span<const std::byte> bytes);                          // throws Error(resources)
+  void read(std::uint64_t offset, std::span<std::byte> bytes) const;      // throws Error(resources)
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  [[nodiscard]] std::string path() const;  // a name by which this process can open it again
+
+ private:
+  Scratch& scratch_;
+  int fd_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace winnow

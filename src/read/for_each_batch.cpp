@@ -1,0 +1,49 @@
+#include "read/for_each_batch.hpp"
+
+#include <tbb/parallel_pipeline.h>
+
+namespace winnow {
+
+namespace {
+
+// The serial step finds the next raw batch, the parallel step decodes and hands it on.
+template <typename Next, typename Decode>
+bool run_pass(Job& job, Next next, Decode decode, const std::function<bool()>& stop) {
+  PerSlot<FaceBatch> slices(job.threads, [] { return std::make_unique<FaceBatch>(); });
+  bool more = true;
+  tbb::parallel_pipeline(batches_in_flight(job.threads),
+                         tbb::make_filter<void, std::shared_ptr<RawBatch>>(
+                             tbb::filter_mode::serial_in_order,
+                             [&](tbb::flow_control& control) {
+                               auto batch = std::make_shared<RawBatch>();
+                               if (!stop || !stop()) {
+                                 more = next(*batch);
+                                 if (more) return batch;
+                               }
+                               control.stop();
+                               return batch;
+                             }) &
+                             tbb::make_filter<std::shared_ptr<RawBatch>, void>(
+                                 tbb::filter_mode::parallel, [&](const std::shared_ptr<RawBatch>& batch) {
+                                   decode(*batch, slices.local());
+                                   job.progress.advance(batch->count);
+                                 }));
+  return more;
+}
+
+}  // namespace
+
+bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink, const std::function<bool()>& stop) {
+  return run_pass(
+      job, [&](RawBatch& batch) { return reader.next_faces(batch); },
+      [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_faces(batch, slice, sink); }, stop);
+}
+
+void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink) {
+  reader.begin_positions();
+  run_pass(
+      job, [&](RawBatch& batch) { return reader.next_positions(batch); },
+      [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_positions(batch, slice, sink); }, {});
+}
+
+}  // namespace winnow

@@ -1,0 +1,24 @@
+// One pass over an input with all threads.
+#pragma once
+
+#include "base/per_slot.hpp"
+#include "io/job.hpp"
+#include "read/mesh_reader.hpp"
+
+#include <functional>
+#include <memory>
+
+namespace winnow {
+
+// Both run inside the job's arena. `sink` is called from several threads at once; the order of calls is
+// open. `stop`, asked between batches, ends the pass early; it can be continued by calling again.
+
+// Returns false at the end of the input, true where `stop` ended the pass.
+bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink, const std::function<bool()>& stop);
+
+void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink);
+
+// Raw batches under way at one time, for the plan.
+constexpr std::size_t batches_in_flight(unsigned threads) { return 2 * std::size_t{threads} + 1; }
+
+}  // namespace winnow

@@ -1,0 +1,103 @@
+// A mesh file as face batches.
+#pragma once
+
+#include <winnow/simplify.hpp>
+
+#include "io/byte_source.hpp"
+#include "io/job.hpp"
+#include "read/face_batch.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+// What the header tells, or, for `faces`, the size of the file.
+struct InputFacts {
+  std::string format;                     // for people: "PLY binary little-endian"
+  std::optional<std::uint64_t> faces;     // records; a polygon may become several triangles
+  std::optional<std::uint64_t> vertices;  // absent for formats without
+  bool double_positions = false;
+  bool normals = false;
+  std::vector<std::string> attributes;    // "vertex: nx, ny, nz (float)"
+};
+
+// A stretch of the input, cut at whole faces (or positions) but not yet decoded.
+struct RawBatch {
+  Block block;                         // bytes, or ...
+  std::vector<std::uint32_t> indices;  // three a face, or ...
+  std::vector<double> corners;         // nine a face: already decoded, because finding the cuts took it
+  std::vector<FaceStatus> status;      // of indices and corners
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;  // triangles, or positions
+};
+
+using FaceSink = std::function<void(const FaceBatch&)>;
+using PositionSink = std::function<void(const PositionView&)>;
+
+// How the caller is going to read.
+enum class Access {
+  once,             // the faces, once
+  positions_first,  // all positions, any number of times, then the faces once
+  repeatedly        // positions and faces, any number of times
+};
+
+// Two steps a pass: next_*() is for one thread at a time and finds where batches begin and end; decode_*()
+// does the work and may run for many batches at once. Errors: Error(bad_input), naming file and place.
+class MeshReader {
+ public:
+  virtual ~MeshReader() = default;
+
+  [[nodiscard]] const InputFacts& facts() const { return facts_; }
+
+  virtual void begin_positions() = 0;
+  virtual bool next_positions(RawBatch& batch) = 0;
+  virtual void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const = 0;
+
+  virtual void begin_faces() = 0;
+  virtual bool next_faces(RawBatch& batch) = 0;
+  virtual void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const = 0;
+
+  // The first position all of whose coordinates are finite, in the input's order; nothing if there is
+  // none. To be called before begin_faces(); costs next to nothing.
+  virtual std::optional<std::array<double, 3>> first_finite_position() = 0;
+
+  // Gives back memory that only a pass needs; the next begin_...() takes it again.
+  virtual void rest() {}
+
+  // Bytes of plain content seen so far.
+  [[nodiscard]] virtual std::uint64_t bytes() const = 0;
+  [[nodiscard]] virtual const std::string& name() const = 0;
+
+ protected:
+  InputFacts facts_;
+};
+
+// Memory that a reader may use besides the blocks in flight.
+struct ReaderMemory {
+  std::uint64_t vertices = 0;       // for stored or mapped vertices
+  std::size_t batch_faces = 8192;  // faces a raw batch
+};
+
+// Finds the format by content where `format` says automatic. Takes the source; copies it to scratch first
+// where `access` asks for what the source cannot do.
+std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format, Access access,
+                                        const ReaderMemory& memory);
+
+// The same, without touching more than the first bytes: what would be read, and how.
+struct InputOutlook {
+  InputFacts facts;
+  std::optional<std::uint64_t> bytes;
+  bool copied_first = false;     // the whole input goes to scratch before anything else
+  bool vertices_kept = false;    // vertices are decoded into memory or scratch, not looked up in the file
+  bool faces_kept = false;       // faces stand before the vertices and wait in scratch
+  std::string compression;
+};
+InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access);
+
+}  // namespace winnow

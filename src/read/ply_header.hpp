@@ -1,0 +1,49 @@
+// The header of a PLY file.
+#pragma once
+
+#include "io/byte_source.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+std::size_t size_of(PlyType type);
+bool is_integer(PlyType type);
+const char* name_of(PlyType type);
+
+struct PlyProperty {
+  std::string name;
+  PlyType type{};
+  bool list = false;
+  PlyType count_type{};  // of a list
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+
+  [[nodiscard]] const PlyProperty* find(const std::string& property) const;
+  [[nodiscard]] bool fixed_size() const;         // no lists
+  [[nodiscard]] std::size_t smallest_size() const;  // of one record in a binary file, lists empty
+};
+
+enum class PlyForm : std::uint8_t { ascii, little_endian, big_endian };
+
+struct PlyHeader {
+  PlyForm form{};
+  std::vector<PlyElement> elements;
+  std::uint64_t bytes = 0;  // of the header itself
+
+  [[nodiscard]] const PlyElement* find(const std::string& element) const;
+};
+
+// Reads the header and leaves `source` right behind it. Throws Error(bad_input), naming the line.
+PlyHeader read_ply_header(ByteSource& source);
+
+}  // namespace winnow

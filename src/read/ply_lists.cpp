@@ -1,0 +1,82 @@
+#include "read/ply_lists.hpp"
+
+#include <winnow/error.hpp>
+
+namespace winnow {
+
+void PlyLists::add(RawBatch& batch, std::uint32_t a, std::uint32_t b, std::uint32_t c, FaceStatus status) {
+  batch.indices.insert(batch.indices.end(), {a, b, c});
+  batch.status.push_back(status);
+  ++batch.count;
+}
+
+void PlyLists::begin_record(RawBatch& batch) {
+  values_.now_reading(element_.name.c_str(), records_);
+  for (const PlyProperty& property : element_.properties) {
+    if (&property == &list_) break;
+    values_.skip(property.type, property.list ? static_cast<std::uint64_t>(std::max<std::int64_t>(0, values_.integer(property.count_type))) : 1);
+  }
+  const std::int64_t count = values_.integer(list_.count_type);
+  left_ = count < 0 ? 0 : static_cast<std::uint64_t>(count);
+  seen_ = 0;
+  ++records_;
+  if (left_ < 3 && !strips_) {
+    values_.skip(list_.type, left_);
+    left_ = 0;
+    add(batch, 0, 0, 0, FaceStatus::degenerate);
+  }
+  if (left_ == 0) end_record();
+}
+
+void PlyLists::end_record() {
+  bool behind = false;
+  for (const PlyProperty& property : element_.properties) {
+    if (behind) {
+      values_.skip(property.type, property.list ? static_cast<std::uint64_t>(std::max<std::int64_t>(0, values_.integer(property.count_type))) : 1);
+    }
+    behind |= &property == &list_;
+  }
+}
+
+void PlyLists::next_index(RawBatch& batch) {
+  const std::int64_t value = values_.integer(list_.type);
+  --left_;
+  if (strips_ && value == -1) {  // a new strip begins
+    seen_ = 0;
+    return;
+  }
+  // No vertex has the highest number, so it stands for every index that 32 bits do not hold.
+  const auto index = static_cast<std::uint32_t>(value < 0 || value > UINT32_MAX ? UINT32_MAX : value);
+  ++seen_;
+  if (seen_ >= 3) {
+    if (!strips_) {
+      add(batch, first_, last_, index, FaceStatus::good);
+    } else if (before_ != last_ && last_ != index && before_ != index) {
+      // A repeated index only turns a strip around a corner; that is no face. Every second one is mirrored.
+      if (seen_ % 2 == 1) {
+        add(batch, before_, last_, index, FaceStatus::good);
+      } else {
+        add(batch, last_, before_, index, FaceStatus::good);
+      }
+    }
+  }
+  if (seen_ == 1) first_ = index;
+  before_ = last_;
+  last_ = index;
+}
+
+void PlyLists::read(RawBatch& batch, std::uint64_t most, std::uint64_t most_records) {
+  const std::uint64_t until = most_records > element_.count - records_ ? element_.count : records_ + most_records;
+  while (batch.count < most) {
+    if (left_ > 0) {
+      next_index(batch);
+      if (left_ == 0) end_record();
+    } else if (records_ < until) {
+      begin_record(batch);
+    } else {
+      break;
+    }
+  }
+}
+
+}  // namespace winnow

@@ -1,0 +1,453 @@
+// PLY, by Greg Turk's description of 1994 and what programs have made of it since.
+#include <winnow/error.hpp>
+
+#include "base/text.hpp"
+#include "read/formats.hpp"
+#include "read/ply_lists.hpp"
+#include "read/ply_scalar.hpp"
+#include "read/ply_values.hpp"
+#include "read/slices.hpp"
+#include "read/vertex_store.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace winnow {
+
+namespace {
+
+// The property that holds a face's indices; nothing where the element has none.
+const PlyProperty* index_list(const PlyElement& element) {
+  for (const char* name : {"vertex_indices", "vertex_index"}) {
+    const PlyProperty* property = element.find(name);
+    if (property != nullptr && property->list) return property;
+  }
+  return nullptr;
+}
+
+struct FaceElement {
+  const PlyElement* element = nullptr;
+  const PlyProperty* list = nullptr;
+  bool strips = false;
+};
+
+FaceElement find_faces(const PlyHeader& header, const std::string& name) {
+  FaceElement found;
+  for (const char* element : {"face", "tristrips"}) {
+    const PlyElement* candidate = header.find(element);
+    if (candidate == nullptr || candidate->count == 0) continue;
+    found = {candidate, index_list(*candidate), std::string(element) == "tristrips"};
+    if (found.list == nullptr) {
+      throw Error(ErrorKind::bad_input, "'" + name + "': the PLY element '" + std::string(element) +
+                                            "' has no list 'vertex_indices' or 'vertex_index'");
+    }
+    break;
+  }
+  return found;
+}
+
+InputFacts facts_of(const PlyHeader& header) {
+  InputFacts facts;
+  constexpr std::array forms{"ASCII", "binary little-endian", "binary big-endian"};
+  facts.format = std::string("PLY ") + forms.at(static_cast<std::size_t>(header.form));
+  const PlyElement* vertex = header.find("vertex");
+  const PlyElement* face = header.find("face");
+  facts.vertices = vertex == nullptr ? 0 : vertex->count;
+  facts.faces = face == nullptr ? 0 : face->count;
+  if (*facts.faces == 0 && header.find("tristrips") != nullptr) facts.faces.reset();
+  for (const PlyElement& element : header.elements) {
+    std::string line = element.name + ":";
+    for (const PlyProperty& property : element.properties) {
+      const bool geometry = (element.name == "vertex" && (property.name == "x" || property.name == "y" || property.name == "z")) ||
+                            (property.list && &property == index_list(element));
+      if (!geometry) line += " " + property.name + (property.list ? " (list of " : " (") + name_of(property.type) + ")";
+    }
+    if (line != element.name + ":") facts.attributes.push_back(line);
+    if (&element != vertex) continue;
+    for (const char* axis : {"x", "y", "z"}) {
+      const PlyProperty* property = element.find(axis);
+      facts.double_positions |= property != nullptr && (property->type == PlyType::float64 || property->type == PlyType::int32 ||
+                                                        property->type == PlyType::uint32);
+    }
+    facts.normals = element.find("nx") != nullptr && element.find("ny") != nullptr && element.find("nz") != nullptr;
+  }
+  return facts;
+}
+
+class PlyReader final : public MeshReader {
+ public:
+  PlyReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory)
+      : job_(job), source_(std::move(source)), memory_(memory), vertices_(job, memory.vertices) {
+    header_ = read_ply_header(*source_);
+    facts_ = facts_of(header_);
+    if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
+    faces_ = find_faces(header_, source_->name());
+    values_ = make_ply_values(*source_, header_.form);
+    check_size();
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex") {
+        load_vertices(element);
+        vertices_loaded_ = true;
+        if (faces_.element == nullptr || kept_faces_ != nullptr) break;
+      } else if (&element == faces_.element) {
+        if (vertices_loaded_) break;
+        keep_faces();
+      } else {
+        skip_element(element);
+      }
+    }
+    values_->sync();
+    faces_offset_ = source_->position();
+    if (faces_.element != nullptr && !vertices_loaded_) {
+      throw Error(ErrorKind::bad_input, "'" + source_->name() + "' has faces but no element 'vertex'");
+    }
+  }
+
+  void begin_positions() override {
+    vertices_.wake();
+    next_position_ = 0;
+  }
+
+  bool next_positions(RawBatch& batch) override {
+    batch = {};
+    batch.first = next_position_;
+    batch.count = std::min<std::uint64_t>(memory_.batch_faces, vertices_.size() - next_position_);
+    next_position_ += batch.count;
+    return batch.count > 0;
+  }
+
+  void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override {
+    const std::array<double*, 3> out{slice.position[0][0].data(), slice.position[0][1].data(), slice.position[0][2].data()};
+    for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
+      const std::size_t count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
+      vertices_.read(batch.first + from, count, out);
+      sink({{out[0], out[1], out[2]}, count});
+    }
+    vertices_.check_intact(source_->name());
+  }
+
+  std::optional<std::array<double, 3>> first_finite_position() override {
+    std::array<double, 3> xyz{};
+    for (std::uint64_t i = 0; i < vertices_.size(); ++i) {
+      vertices_.read(i, 1, {&xyz[0], &xyz[1], &xyz[2]});
+      if (std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2])) return xyz;
+    }
+    return {};
+  }
+
+  void rest() override { vertices_.rest(); }
+
+  void begin_faces() override {
+    vertices_.wake();
+    if (faces_.element == nullptr) return;
+    next_face_ = 0;
+    kept_at_ = 0;
+    if (kept_faces_ != nullptr) return;
+    // The first time the source stands there already, and may not be seekable.
+    if (source_->position() != faces_offset_ || lists_ != nullptr) {
+      values_->sync();
+      source_->seek(faces_offset_);
+    }
+    lists_ = std::make_unique<PlyLists>(*faces_.element, *faces_.list, *values_, faces_.strips);
+  }
+
+  bool next_faces(RawBatch& batch) override {
+    batch = {};
+    batch.first = next_face_;
+    if (faces_.element == nullptr) return false;
+    if (kept_faces_ != nullptr) {
+      next_kept(batch);
+    } else if (!next_triangles(batch)) {
+      // Some other polygon comes first; a few records on there may be triangles again.
+      const bool fast_later = triangle_stride() != 0;
+      lists_->read(batch, memory_.batch_faces, fast_later ? memory_.batch_faces / 4 : UINT64_MAX);
+    }
+    next_face_ += batch.count;
+    if (batch.count == 0) read_to_the_end();
+    return batch.count > 0;
+  }
+
+  void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override {
+    if (!batch.indices.empty()) {
+      slice_indices(batch, vertices_, slice, sink);
+    } else if (header_.form == PlyForm::big_endian) {
+      decode_triangles<true>(batch, slice, sink);
+    } else {
+      decode_triangles<false>(batch, slice, sink);
+    }
+    vertices_.check_intact(source_->name());
+    batch.block.check_intact(source_->name());
+  }
+
+  [[nodiscard]] std::uint64_t bytes() const override { return std::max(source_->position(), bytes_seen_); }
+  [[nodiscard]] const std::string& name() const override { return source_->name(); }
+
+ private:
+  // A header that promises more than the file can hold is refused before anything is built on its counts.
+  void check_size() const {
+    if (!source_->size()) return;
+    const std::uint64_t rest = *source_->size() - source_->position();
+    std::uint64_t left = rest + 1;  // the last ASCII line may lack its end
+    for (const PlyElement& element : header_.elements) {
+      // In ASCII every value takes at least a digit and a separator.
+      const std::size_t record = header_.form == PlyForm::ascii ? 2 * element.properties.size() : element.smallest_size();
+      if (record != 0 && element.count > left / record) {
+        throw Error(ErrorKind::bad_input,
+                    "'" + source_->name() + "' is too short for its header: element '" + element.name + "' says " +
+                        grouped(element.count) + ", but only " + human_bytes(rest) +
+                        " follow the header; it was cut short, or the count is wrong");
+      }
+      left -= element.count * record;
+    }
+  }
+
+  VertexLayout layout_of(const PlyElement& element) const {
+    VertexLayout layout;
+    layout.swapped = header_.form == PlyForm::big_endian;
+    std::array<bool, 3> found{};
+    for (const PlyProperty& property : element.properties) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (property.list || property.name != std::string(1, static_cast<char>('x' + axis))) continue;
+        layout.offset[axis] = layout.stride;
+        layout.type[axis] = property.type;
+        found[axis] = true;
+      }
+      layout.stride += size_of(property.type);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (found[axis]) continue;
+      throw Error(ErrorKind::bad_input, "'" + source_->name() + "': the PLY element 'vertex' has no property '" +
+                                            std::string(1, static_cast<char>('x' + axis)) + "'");
+    }
+    return layout;
+  }
+
+  void load_vertices(const PlyElement& element) {
+    if (element.count > UINT32_MAX) {
+      throw Error(ErrorKind::bad_input, "'" + source_->name() + "' says it has " + grouped(element.count) +
+                                            " vertices; indices of PLY count to 4,294,967,295");
+    }
+    if (element.count == 0) {
+      vertices_.begin_keeping(false);
+      return vertices_.finish_keeping();
+    }
+    const VertexLayout layout = layout_of(element);
+    const bool fixed = header_.form != PlyForm::ascii && element.fixed_size();
+    values_->sync();
+    if (fixed && !source_->map_name().empty()) {
+      const std::uint64_t bytes = element.count * layout.stride;
+      vertices_.map(source_->map_name(), source_->position(), element.count, layout);
+      source_->seek(source_->position() + bytes);
+      return;
+    }
+    job_.progress.begin("read vertices", element.count, "vertices");
+    vertices_.begin_keeping(facts_.double_positions);
+    if (fixed) {
+      keep_fixed(element, layout);
+    } else {
+      keep_values(element);
+    }
+    vertices_.finish_keeping();
+  }
+
+  void keep_fixed(const PlyElement& element, const VertexLayout& layout) {
+    std::vector<double> xyz;
+    for (std::uint64_t done = 0; done < element.count;) {
+      const std::size_t count = std::min<std::uint64_t>(8192, element.count - done);
+      const Block block = source_->take(count * layout.stride);
+      if (block.bytes.size() < count * layout.stride) {
+        throw Error(ErrorKind::bad_input, "'" + source_->name() + "' ends at byte " + grouped(source_->position()) +
+                                              ", inside vertex " + grouped(done + block.bytes.size() / layout.stride) +
+                                              " of " + grouped(element.count) + ": it was cut short");
+      }
+      xyz.resize(3 * count);
+      const std::byte* record = block.bytes.data();
+      const bool floats = !layout.swapped && layout.type == std::array{PlyType::float32, PlyType::float32, PlyType::float32};
+      for (std::size_t i = 0; i < count; ++i, record += layout.stride) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          xyz[3 * i + axis] = floats ? load<float>(record + layout.offset[axis], false)
+                                     : load_real(record + layout.offset[axis], layout.type[axis], layout.swapped);
+        }
+      }
+      vertices_.keep(xyz);
+      done += count;
+      job_.progress.advance(count);
+    }
+  }
+
+  void keep_values(const PlyElement& element) {
+    layout_of(element);  // for its checks
+    std::vector<double> xyz;
+    std::vector<int> axis_of;
+    for (const PlyProperty& property : element.properties) {
+      const bool axis = !property.list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+      axis_of.push_back(axis ? property.name[0] - 'x' : -1);
+    }
+    for (std::uint64_t done = 0; done < element.count; ++done) {
+      values_->now_reading("vertex", done);
+      xyz.resize(xyz.size() + 3);
+      for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const PlyProperty& property = element.properties[i];
+        if (axis_of[i] >= 0) {
+          xyz[xyz.size() - 3 + static_cast<std::size_t>(axis_of[i])] = values_->real(property.type);
+        } else {
+          skip_property(property);
+        }
+      }
+      if (xyz.size() < 3 * 4096 && done + 1 < element.count) continue;
+      vertices_.keep(xyz);
+      job_.progress.advance(xyz.size() / 3);
+      xyz.clear();
+    }
+  }
+
+  void skip_property(const PlyProperty& property) {
+    std::uint64_t count = 1;
+    if (property.list) count = static_cast<std::uint64_t>(std::max<std::int64_t>(0, values_->integer(property.count_type)));
+    values_->skip(property.type, count);
+  }
+
+  void skip_element(const PlyElement& element) {
+    if (element.properties.empty()) return;
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      values_->now_reading(element.name.c_str(), i);
+      for (const PlyProperty& property : element.properties) skip_property(property);
+      if (i % 4096 == 0) job_.progress.check_cancelled();
+    }
+  }
+
+  // Faces that stand before the vertices wait in scratch.
+  void keep_faces() {
+    job_.progress.begin("keep faces", faces_.element->count, "faces");
+    kept_faces_ = std::make_unique<Spool>(job_, memory_.vertices / 4);
+    PlyLists lists(*faces_.element, *faces_.list, *values_, faces_.strips);
+    for (;;) {
+      RawBatch batch;
+      lists.read(batch, 4096);
+      if (batch.count == 0) break;
+      kept_faces_->append(std::as_bytes(std::span(batch.indices)));
+      job_.progress.advance(batch.count);
+    }
+    kept_faces_->finish();
+  }
+
+  void next_kept(RawBatch& batch) {
+    constexpr std::size_t size = 3 * sizeof(std::uint32_t);
+    batch.count = std::min<std::uint64_t>(memory_.batch_faces, (kept_faces_->size() - kept_at_) / size);
+    batch.indices.resize(3 * batch.count);
+    batch.status.assign(batch.count, FaceStatus::good);
+    kept_faces_->read(kept_at_, std::as_writable_bytes(std::span(batch.indices)));
+    kept_at_ += batch.count * size;
+  }
+
+  // Size of a face's record if it is a triangle and nothing but the list has a variable size, and the list
+  // has the types that nearly every file uses; else 0.
+  [[nodiscard]] std::size_t triangle_stride() const {
+    if (header_.form == PlyForm::ascii || faces_.strips || size_of(faces_.list->count_type) != 1 ||
+        !(faces_.list->type == PlyType::int32 || faces_.list->type == PlyType::uint32)) {
+      return 0;
+    }
+    std::size_t size = 13;
+    for (const PlyProperty& property : faces_.element->properties) {
+      if (&property == faces_.list) continue;
+      if (property.list) return 0;
+      size += size_of(property.type);
+    }
+    return size;
+  }
+
+  [[nodiscard]] std::size_t list_offset() const {
+    std::size_t offset = 0;
+    for (const PlyProperty& property : faces_.element->properties) {
+      if (&property == faces_.list) break;
+      offset += size_of(property.type);
+    }
+    return offset;
+  }
+
+  // A stretch of records that are all triangles, undecoded; false if the next record is none.
+  bool next_triangles(RawBatch& batch) {
+    const std::size_t stride = triangle_stride();
+    const std::uint64_t left = faces_.element->count - lists_->records();
+    if (stride == 0 || left == 0 || !lists_->between_records()) return false;
+    values_->sync();
+    const std::size_t wanted = std::min<std::uint64_t>(memory_.batch_faces, left);
+    batch.block = source_->take(wanted * stride);
+    const std::size_t whole = batch.block.bytes.size() / stride;
+    const std::byte* count = batch.block.bytes.data() + list_offset();
+    std::size_t triangles = 0;
+    while (triangles < whole && count[triangles * stride] == std::byte{3}) ++triangles;
+    source_->give_back(batch.block.bytes.size() - triangles * stride);
+    batch.block.bytes = batch.block.bytes.first(triangles * stride);
+    batch.count = triangles;
+    lists_->pass_over(triangles);
+    return triangles > 0;
+  }
+
+  template <bool Swapped>
+  void decode_triangles(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const {
+    std::array<std::array<std::uint32_t, FaceBatch::capacity>, 3> index;
+    const std::size_t stride = triangle_stride();
+    const std::byte* record = batch.block.bytes.data() + list_offset() + 1;
+    slice.status.fill(FaceStatus::good);
+    for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
+      slice.count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
+      slice.first = batch.first + from;
+      if (!slice.all_good) slice.status.fill(FaceStatus::good);
+      slice.all_good = true;
+      for (std::size_t i = 0; i < slice.count; ++i, record += stride) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          index[corner][i] = load<std::uint32_t>(record + 4 * corner, Swapped);
+        }
+      }
+      gather_checked(vertices_, {index[0].data(), index[1].data(), index[2].data()}, slice);
+      sink(slice);
+    }
+  }
+
+  // A pipe's writer must not be cut off by elements behind the faces.
+  void read_to_the_end() {
+    values_->sync();
+    if (!source_->seekable()) {
+      while (!source_->take(std::size_t{1} << 20).bytes.empty()) job_.progress.check_cancelled();
+    }
+    bytes_seen_ = source_->size().value_or(source_->position());
+  }
+
+  Job& job_;
+  std::unique_ptr<ByteSource> source_;
+  ReaderMemory memory_;
+  PlyHeader header_;
+  FaceElement faces_;
+  std::unique_ptr<PlyValues> values_;
+  VertexStore vertices_;
+  bool vertices_loaded_ = false;
+  std::uint64_t next_position_ = 0;
+  std::uint64_t faces_offset_ = 0;
+  std::unique_ptr<PlyLists> lists_;
+  std::unique_ptr<Spool> kept_faces_;
+  std::uint64_t kept_at_ = 0;
+  std::uint64_t next_face_ = 0;
+  std::uint64_t bytes_seen_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory) {
+  return std::make_unique<PlyReader>(job, std::move(source), memory);
+}
+
+InputOutlook look_at_ply(ByteSource& source) {
+  const PlyHeader header = read_ply_header(source);
+  source.give_back(header.bytes);
+  InputOutlook outlook;
+  outlook.facts = facts_of(header);
+  const PlyElement* vertex = header.find("vertex");
+  outlook.vertices_kept = vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
+  const FaceElement faces = find_faces(header, source.name());
+  outlook.faces_kept = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
+  return outlook;
+}
+
+}  // namespace winnow

@@ -1,0 +1,84 @@
+#include "read/slices.hpp"
+
+#include <algorithm>
+
+namespace winnow {
+
+void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index, FaceBatch& slice) {
+  const std::uint64_t size = vertices.size();
+  std::uint32_t wrong = 0;
+  for (std::size_t i = 0; i < slice.count; ++i) {
+    wrong |= static_cast<std::uint32_t>((index[0][i] >= size) | (index[1][i] >= size) | (index[2][i] >= size));
+  }
+  if (wrong != 0) {
+    for (std::size_t i = 0; i < slice.count; ++i) {
+      if (slice.status[i] != FaceStatus::good) continue;
+      for (const std::uint32_t* corner : index) {
+        if (corner[i] >= size) slice.status[i] = FaceStatus::out_of_range;
+      }
+    }
+    slice.all_good = false;
+    if (size == 0) {
+      for (auto& corner : slice.position) {
+        for (auto& axis : corner) std::fill_n(axis.begin(), slice.count, 0.0);
+      }
+      return;
+    }
+    for (std::uint32_t* corner : index) {
+      for (std::size_t i = 0; i < slice.count; ++i) corner[i] = corner[i] >= size ? 0 : corner[i];
+    }
+  }
+  vertices.gather({index[0], index[1], index[2]}, slice.count, slice);
+}
+
+namespace {
+
+// Cuts `batch` into slices; `fill` fills one, whose first face has the given number in the batch.
+template <typename Fill>
+void for_each_slice(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink, Fill fill) {
+  for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
+    slice.count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
+    slice.first = batch.first + from;
+    slice.all_good = true;
+    for (std::size_t i = 0; i < slice.count; ++i) {
+      slice.status[i] = batch.status[from + i];
+      slice.all_good &= slice.status[i] == FaceStatus::good;
+    }
+    fill(from);
+    sink(slice);
+  }
+}
+
+}  // namespace
+
+void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch& slice, const FaceSink& sink) {
+  std::array<std::array<std::uint32_t, FaceBatch::capacity>, 3> index;
+  for_each_slice(batch, slice, sink, [&](std::uint64_t from) {
+    for (std::size_t i = 0; i < slice.count; ++i) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        index[corner][i] = batch.indices[3 * (from + i) + corner];
+      }
+    }
+    gather_checked(vertices, {index[0].data(), index[1].data(), index[2].data()}, slice);
+  });
+}
+
+void slice_corners(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) {
+  for_each_slice(batch, slice, sink, [&](std::uint64_t from) {
+    for (std::size_t i = 0; i < slice.count; ++i) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          slice.position[corner][axis][i] = batch.corners[9 * (from + i) + 3 * corner + axis];
+        }
+      }
+    }
+  });
+}
+
+void corners_as_positions(const FaceBatch& slice, const PositionSink& sink) {
+  for (const auto& corner : slice.position) {
+    sink({{corner[0].data(), corner[1].data(), corner[2].data()}, slice.count});
+  }
+}
+
+}  // namespace winnow

@@ -1,0 +1,22 @@
+// From raw batches that are decoded already to face batches.
+#pragma once
+
+#include "read/mesh_reader.hpp"
+#include "read/vertex_store.hpp"
+
+namespace winnow {
+
+// Batches of vertex indices; the indices are checked here.
+void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch& slice, const FaceSink& sink);
+
+// The same for one slice whose indices the caller has laid side by side: `index[corner]` is changed where it
+// names no vertex, and the slice's status says so.
+void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index, FaceBatch& slice);
+
+// Batches of corner positions.
+void slice_corners(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink);
+
+// All corners of a slice as three position views.
+void corners_as_positions(const FaceBatch& slice, const PositionSink& sink);
+
+}  // namespace winnow

@@ -1,0 +1,226 @@
+#include "read/vertex_store.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/text.hpp"
+#include "read/ply_scalar.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace winnow {
+
+void VertexStore::ResidentBlocks::reset(std::uint64_t bytes) {
+  touched_ = std::vector<std::atomic<std::uint8_t>>((bytes >> block_bits) + 2);
+  resident_ = 0;
+}
+
+std::uint64_t VertexStore::ResidentBlocks::touch(std::uint64_t begin, std::uint64_t end) {
+  for (std::uint64_t block = begin >> block_bits; block <= end >> block_bits; ++block) {
+    if (touched_[block].load(std::memory_order_relaxed) == 0 && touched_[block].exchange(1) == 0) {
+      resident_ += std::uint64_t{1} << block_bits;
+    }
+  }
+  return resident_.load(std::memory_order_relaxed);
+}
+
+void VertexStore::ResidentBlocks::clear() {
+  for (auto& block : touched_) block.store(0, std::memory_order_relaxed);
+  resident_ = 0;
+}
+
+VertexStore::~VertexStore() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+void VertexStore::open_mapping(const std::string& path, std::uint64_t offset, std::uint64_t bytes) {
+  file_ = std::make_unique<boost::interprocess::file_mapping>(map_file(path));
+  window_ = std::make_unique<MappedWindow>(*file_, offset, bytes);
+  file_offset_ = offset;
+  watched_ = bytes > memory_limit_;
+  resident_limit_ = std::min(bytes, memory_limit_);
+  wake();
+  if (!watched_) return;
+  resident_.reset(bytes);
+  fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd_ < 0) throw Error(ErrorKind::bad_input, "cannot open '" + path + "': " + std::strerror(errno));
+}
+
+void VertexStore::map(const std::string& path, std::uint64_t offset, std::uint64_t count,
+                      const VertexLayout& layout) {
+  count_ = count;
+  layout_ = layout;
+  if (count > 0) open_mapping(path, offset, count * layout.stride);
+}
+
+void VertexStore::begin_keeping(bool double_positions) {
+  const std::size_t size = double_positions ? sizeof(double) : sizeof(float);
+  const PlyType type = double_positions ? PlyType::float64 : PlyType::float32;
+  layout_ = {3 * size, {0, size, 2 * size}, {type, type, type}, false};
+  kept_ = std::make_unique<Spool>(job_, memory_limit_);
+}
+
+void VertexStore::keep(std::span<const double> xyz) {
+  if (layout_.type[0] == PlyType::float64) {
+    kept_->append(std::as_bytes(xyz));
+  } else {
+    packed_.resize(xyz.size() * sizeof(float));
+    for (std::size_t i = 0; i < xyz.size(); ++i) {
+      const auto value = static_cast<float>(xyz[i]);
+      std::memcpy(packed_.data() + i * sizeof value, &value, sizeof value);
+    }
+    kept_->append(packed_);
+  }
+  count_ += xyz.size() / 3;
+}
+
+void VertexStore::finish_keeping() {
+  kept_->finish();
+  if (!kept_->in_memory()) open_mapping(kept_->file().path(), 0, kept_->size());
+}
+
+namespace {
+
+// The layout nearly every file has gets a loop of its own.
+template <typename Real>
+void gather_plain(const std::byte* base, std::size_t stride, const std::uint32_t* index, std::size_t count,
+                  std::array<std::array<double, FaceBatch::capacity>, 3>& out) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<Real, 3> xyz;
+    std::memcpy(xyz.data(), base + std::size_t{index[i]} * stride, sizeof xyz);
+    out[0][i] = xyz[0];
+    out[1][i] = xyz[1];
+    out[2][i] = xyz[2];
+  }
+}
+
+template <typename Real>
+constexpr PlyType real_type = sizeof(Real) == 4 ? PlyType::float32 : PlyType::float64;
+
+template <typename Real>
+bool is_plain(const VertexLayout& layout) {
+  const auto [x, y, z] = layout.offset;
+  return !layout.swapped && y == x + sizeof(Real) && z == y + sizeof(Real) &&
+         std::all_of(layout.type.begin(), layout.type.end(), [](PlyType t) { return t == real_type<Real>; });
+}
+
+}  // namespace
+
+void VertexStore::gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index,
+                                std::size_t count, FaceBatch& out) const {
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    if (is_plain<float>(layout_)) {
+      gather_plain<float>(base + layout_.offset[0], layout_.stride, index[corner], count, out.position[corner]);
+    } else if (is_plain<double>(layout_)) {
+      gather_plain<double>(base + layout_.offset[0], layout_.stride, index[corner], count, out.position[corner]);
+    } else {
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::byte* record = base + std::size_t{index[corner][i]} * layout_.stride;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          out.position[corner][axis][i] = load_real(record + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+        }
+      }
+    }
+  }
+}
+
+void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
+                                    FaceBatch& out) const {
+  std::vector<std::byte> record(layout_.stride);
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint64_t at = file_offset_ + std::uint64_t{index[corner][i]} * layout_.stride;
+      if (::pread(fd_, record.data(), record.size(), static_cast<off_t>(at)) != static_cast<ssize_t>(record.size())) {
+        throw Error(ErrorKind::bad_input, "cannot read a vertex at byte " + grouped(at) +
+                                              "; was the file shortened while it was read?");
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        out.position[corner][axis][i] =
+            load_real(record.data() + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+      }
+    }
+  }
+}
+
+void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, std::size_t count, FaceBatch& out) const {
+  if (count == 0) return;
+  if (window_ == nullptr) return gather_mapped(kept_->data(), index, count, out);
+  if (watched_) {
+    std::uint32_t lowest = UINT32_MAX;
+    std::uint32_t highest = 0;
+    for (const std::uint32_t* corner : index) {
+      for (std::size_t i = 0; i < count; ++i) {
+        lowest = std::min(lowest, corner[i]);
+        highest = std::max(highest, corner[i]);
+      }
+    }
+    const std::uint64_t begin = lowest * layout_.stride;
+    const std::uint64_t end = highest * layout_.stride + layout_.stride;
+    // One batch alone may use a quarter; faces that jump farther are read one vertex at a time, which is
+    // slow but touches no page.
+    if (end - begin > memory_limit_ / 4) return gather_by_reading(index, count, out);
+    if (resident_.touch(begin, end) > memory_limit_ / 2) {
+      const std::scoped_lock lock(dropping_);
+      resident_.clear();
+      window_->drop_pages();
+      resident_.touch(begin, end);
+    }
+  }
+  gather_mapped(window_->data(), index, count, out);
+}
+
+void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const {
+  const std::uint64_t begin = first * layout_.stride;
+  const std::uint64_t end = begin + count * layout_.stride;
+  const std::byte* base = nullptr;
+  if (window_ == nullptr) {
+    base = kept_->data();
+  } else {
+    base = window_->data();
+    if (watched_ && resident_.touch(begin, end) > memory_limit_ / 2) {
+      const std::scoped_lock lock(dropping_);
+      resident_.clear();
+      window_->drop_pages();
+      resident_.touch(begin, end);
+    }
+  }
+  base += begin;
+  if (is_plain<float>(layout_)) {
+    for (std::size_t i = 0; i < count; ++i) {
+      std::array<float, 3> xyz;
+      std::memcpy(xyz.data(), base + i * layout_.stride + layout_.offset[0], sizeof xyz);
+      for (std::size_t axis = 0; axis < 3; ++axis) out[axis][i] = xyz[axis];
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      out[axis][i] = load_real(base + i * layout_.stride + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+    }
+  }
+}
+
+void VertexStore::rest() {
+  if (window_ == nullptr) return;
+  window_->drop_pages();
+  if (watched_) resident_.clear();
+  reservation_.release();
+}
+
+void VertexStore::wake() {
+  if (window_ == nullptr || reservation_) return;
+  reservation_ = job_.budget.reserve(resident_limit_, "looking up vertices");
+}
+
+void VertexStore::check_intact(const std::string& name) const {
+  if (window_ != nullptr && window_->damaged()) {
+    throw Error(ErrorKind::bad_input, "'" + name + "' was shortened by another program while its vertices were read; "
+                                          "run again when it is whole");
+  }
+}
+
+}  // namespace winnow

@@ -1,0 +1,97 @@
+// Vertex positions by index: looked up in the mapped file, or kept in memory or scratch.
+#pragma once
+
+#include "io/job.hpp"
+#include "io/mapped_window.hpp"
+#include "io/spool.hpp"
+#include "read/face_batch.hpp"
+#include "read/ply_header.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+// Where the coordinates stand in a record.
+struct VertexLayout {
+  std::size_t stride = 0;
+  std::array<std::size_t, 3> offset{};
+  std::array<PlyType, 3> type{};
+  bool swapped = false;  // big-endian
+};
+
+// Filled once, by one thread; then looked up by many.
+class VertexStore {
+ public:
+  // Resident pages of a mapping stay within `memory_limit`, and so does what is kept in memory.
+  VertexStore(Job& job, std::uint64_t memory_limit) : job_(job), memory_limit_(memory_limit) {}
+  ~VertexStore();
+  VertexStore(const VertexStore&) = delete;
+  VertexStore& operator=(const VertexStore&) = delete;
+
+  // Either: records that stand in a file which can be mapped ...
+  void map(const std::string& path, std::uint64_t offset, std::uint64_t count, const VertexLayout& layout);
+
+  // ... or: records handed over one stretch after the other.
+  void begin_keeping(bool double_positions);
+  void keep(std::span<const double> xyz);
+  void finish_keeping();
+
+  [[nodiscard]] std::uint64_t size() const { return count_; }
+
+  // Positions of three vertices for each of `count` faces, every index below size(). `index[corner][face]`.
+  void gather(const std::array<const std::uint32_t*, 3>& index, std::size_t count, FaceBatch& out) const;
+
+  // Positions in their order: `count` from `first` on, side by side into `out`.
+  void read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const;
+
+  // Between passes the pages of a mapping need not stay.
+  void rest();
+  void wake();
+
+  void check_intact(const std::string& name) const;
+
+ private:
+  // Pages of the mapping that may be resident, in blocks of what the system maps at one fault.
+  class ResidentBlocks {
+   public:
+    void reset(std::uint64_t bytes);
+    std::uint64_t touch(std::uint64_t begin, std::uint64_t end);  // returns the resident bytes
+    void clear();
+
+   private:
+    static constexpr unsigned block_bits = 16;
+    std::vector<std::atomic<std::uint8_t>> touched_;
+    std::atomic<std::uint64_t> resident_{0};
+  };
+
+  void open_mapping(const std::string& path, std::uint64_t offset, std::uint64_t bytes);
+  void gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index, std::size_t count,
+                     FaceBatch& out) const;
+  void gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count, FaceBatch& out) const;
+
+  Job& job_;
+  std::uint64_t memory_limit_;
+  std::uint64_t count_ = 0;
+  VertexLayout layout_;
+  std::unique_ptr<Spool> kept_;
+  std::vector<std::byte> packed_;  // keep()'s own
+  std::unique_ptr<boost::interprocess::file_mapping> file_;
+  std::unique_ptr<MappedWindow> window_;
+  int fd_ = -1;  // of the mapped file, for lookups too scattered for a mapping
+  std::uint64_t file_offset_ = 0;
+  std::uint64_t resident_limit_ = 0;
+  Reservation reservation_;  // for the mapping's resident pages
+  bool watched_ = false;  // the mapping is larger than the limit
+  mutable ResidentBlocks resident_;
+  mutable std::mutex dropping_;
+};
+
+}  // namespace winnow

@@ -1,0 +1,2 @@
+#include "program.hpp"
+namespace winnow::cli { void add_info(CLI::App&) {} }

@@ -1,0 +1,47 @@
+// The winnow program.
+#include "program.hpp"
+
+#include <winnow/error.hpp>
+#include <winnow/mapped_guard.hpp>
+#include <winnow/version.hpp>
+
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <new>
+
+int main(int argc, char** argv) {
+  using winnow::ErrorKind;
+
+  CLI::App app("winnow makes huge triangle meshes small, in bounded memory.");
+  app.name("winnow");
+  app.set_version_flag("--version", "winnow " WINNOW_VERSION);
+  app.require_subcommand(1);
+  app.footer("Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow COMMAND --help' shows the options of a command and examples.");
+  winnow::cli::add_simplify(app);
+  winnow::cli::add_info(app);
+  winnow::cli::add_generate(app);
+
+  // A reader that goes away, and a file-size limit, are write errors like any other.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const auto fail = [](const char* message, ErrorKind kind) {
+    std::cerr << "winnow: " << message << "\n";
+    return static_cast<int>(kind);
+  };
+  try {
+    winnow::guard_mapped_files();
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::Success& asked_for_text) {
+    return app.exit(asked_for_text);
+  } catch (const CLI::ParseError& error) {
+    return fail((std::string(error.what()) + "\nTry 'winnow --help' or 'winnow COMMAND --help'.").c_str(), ErrorKind::usage);
+  } catch (const winnow::Error& error) {
+    return fail(error.what(), error.kind());
+  } catch (const std::bad_alloc&) {
+    return fail("the system has no more memory; lower --memory or end other programs", ErrorKind::resources);
+  } catch (const std::exception& error) {
+    return fail(error.what(), ErrorKind::failed);
+  }
+}

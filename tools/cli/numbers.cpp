@@ -1,0 +1,115 @@
+#include "numbers.hpp"
+
+#include <winnow/error.hpp>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+namespace winnow::cli {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, const std::string& text, const char* examples) {
+  throw Error(ErrorKind::usage, option + " takes " + examples + ", not '" + text + "'");
+}
+
+// The number at the front; `rest` is what follows it.
+double parse_front(const std::string& option, const std::string& text, const char* examples, std::string_view& rest) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || !std::isfinite(value)) refuse(option, text, examples);
+  rest = std::string_view(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  return value;
+}
+
+std::uint64_t parse_scaled(const std::string& option, const std::string& text, const char* examples, double step) {
+  std::string_view rest;
+  double value = parse_front(option, text, examples, rest);
+  constexpr std::string_view units = "kMGT";
+  if (!rest.empty()) {
+    std::size_t unit = units.find(rest.front());
+    if (rest.front() == 'K') unit = 0;
+    if (rest.front() == 'm') unit = 1;
+    if (rest.front() == 'g') unit = 2;
+    if (unit == std::string_view::npos) refuse(option, text, examples);
+    rest.remove_prefix(1);
+    for (std::size_t i = 0; i <= unit; ++i) value *= step;
+    if (step == 1024 && rest == "iB") rest = {};
+    if (!rest.empty()) refuse(option, text, examples);
+  }
+  if (!(value >= 0 && value < 0x1p63)) refuse(option, text, examples);
+  // 0.3G faces is a whole number that no double holds exactly on the way.
+  return static_cast<std::uint64_t>(std::llround(value));
+}
+
+std::string format(const char* pattern, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), pattern, value);
+  return text.data();
+}
+
+}  // namespace
+
+std::uint64_t parse_count(const std::string& option, const std::string& text) {
+  return parse_scaled(option, text, "a count like 250000, 500k, 1.5M or 2G", 1000);
+}
+
+std::uint64_t parse_size(const std::string& option, const std::string& text) {
+  return parse_scaled(option, text, "a size like 512M or 2G", 1024);
+}
+
+double parse_ratio(const std::string& option, const std::string& text) {
+  constexpr const char* examples = "a ratio like 0.01 or 1%";
+  std::string_view rest;
+  const double value = parse_front(option, text, examples, rest);
+  if (rest == "%") return value / 100;
+  if (!rest.empty()) refuse(option, text, examples);
+  return value;
+}
+
+double parse_length(const std::string& option, const std::string& text) {
+  constexpr const char* examples = "a length like 2.5, in the units of the model";
+  std::string_view rest;
+  const double value = parse_front(option, text, examples, rest);
+  if (!rest.empty()) refuse(option, text, examples);
+  return value;
+}
+
+std::string show_count(std::uint64_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t at = digits.size(); at > 3;) {
+    at -= 3;
+    digits.insert(at, 1, ',');
+  }
+  return digits;
+}
+
+std::string show_bytes(std::uint64_t bytes) {
+  constexpr std::array units{"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+  auto value = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  for (; value >= 1000 && unit + 1 < units.size(); ++unit) value /= 1024;
+  return format(unit == 0 || value >= 100 ? "%.0f " : "%.1f ", value) + units.at(unit);
+}
+
+std::string show_rate(double per_second) {
+  if (per_second >= 1e9) return format("%.2f G", per_second / 1e9);
+  if (per_second >= 1e6) return format("%.1f M", per_second / 1e6);
+  if (per_second >= 1e3) return format("%.0f k", per_second / 1e3);
+  return format("%.0f ", per_second);
+}
+
+std::string show_seconds(double seconds) {
+  if (seconds < 10) return format("%.2f s", seconds);
+  if (seconds < 120) return format("%.1f s", seconds);
+  const auto whole = static_cast<std::uint64_t>(seconds + 0.5);
+  if (whole < 7200) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
+}
+
+std::string show_length(double length) { return format("%.6g", length); }
+
+}  // namespace winnow::cli

@@ -1,0 +1,53 @@
+// What all commands share: the options of speed and memory, signals, progress on the terminal.
+#pragma once
+
+#include <winnow/context.hpp>
+#include <winnow/simplify.hpp>
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace winnow::cli {
+
+// Texts of options that mean the same in every command; turned into a Context by prepare().
+struct CommonOptions {
+  std::string memory = "512M";
+  unsigned threads = 0;
+  std::string scratch;
+  std::string progress = "auto";
+  bool quiet = false;
+  bool json = false;
+
+  void add_to(CLI::App& command, bool with_scratch);
+};
+
+// Progress on standard error while it lives.
+class ProgressBar {
+ public:
+  ProgressBar(Context& context, const CommonOptions& options);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+// Fills `context` and lets SIGINT and SIGTERM cancel it. `output` decides where scratch goes by default: beside
+// a regular file, else to TMPDIR or /var/tmp (/tmp may be memory). Throws Error(usage).
+void prepare(Context& context, const CommonOptions& options, const std::string& output);
+
+Format parse_format(const std::string& option, const std::string& text);
+
+// For reports: standard output, or standard error where standard output carries the mesh.
+std::ostream& report_stream(const std::string& output);
+
+// One file a command.
+void add_simplify(CLI::App& app);
+void add_info(CLI::App& app);
+void add_generate(CLI::App& app);
+
+}  // namespace winnow::cli
