@@ -1,6 +1,7 @@
 #include "cluster/resolution.hpp"
 
 #include "base/hash.hpp"
+#include "base/logarithm.hpp"
 #include "base/per_slot.hpp"
 #include "read/for_each_batch.hpp"
 
@@ -15,19 +16,10 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-constexpr std::size_t crude_points = 1 << 15;
-constexpr std::size_t wanted_points = 250'000;
-constexpr double points_a_cell = 64;  // enough that a cell the surface only grazes is rarely missed
-constexpr double cells_a_block = 16;  // along an edge
+constexpr std::uint64_t crude_points = 1 << 15;
 // A clustered surface has about two faces a vertex, as any closed triangle mesh.
 constexpr double faces_a_cell = 2;
-
-std::uint64_t hash_point(const Point& p) {
-  // -0 and 0 are the same place.
-  const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.0); };
-  return mixed_hash(bits(p[0]) * 0x9e3779b97f4a7c15 ^ std::rotl(bits(p[1]) * 0xbf58476d1ce4e5b9, 21) ^
-                    std::rotl(bits(p[2]) * 0x94d049bb133111eb, 42));
-}
+constexpr double largest_edge = 1.001;  // of the box's longest side: all in one cell
 
 bool finite(const Point& p) {
   // Infinities and what is no number differ from themselves less themselves.
@@ -59,55 +51,94 @@ void add_to_box(const PositionView& view, Box& box) {
   }
 }
 
-// Points whose hash is below a bound that falls until few enough are left. The rest depends on the set of
-// points alone.
-struct ThinnedPoints {
-  std::uint64_t bound = UINT64_MAX;
-  std::vector<Point> points;
+// One position out of every `step`, at a place in its stretch that a hash picks, so that rows of a scanner
+// are not hit in step. Positions without vertices are those of first corners: enough to meet every vertex.
+void pick_points(const PositionView& view, std::uint64_t step, std::vector<Point>& points) {
+  if (view.corner != 0) return;
+  const std::uint64_t end = view.first + view.count;
+  for (std::uint64_t stretch = view.first / step; stretch * step < end; ++stretch) {
+    const std::uint64_t number = stretch * step + mixed_hash(stretch) % step;
+    if (number < view.first || number >= end) continue;
+    const Point point = point_at(view, number - view.first);
+    if (finite(point)) points.push_back(point);
+  }
+}
 
-  void add(const Point& point, std::uint64_t hash) {
-    if (hash > bound) return;
-    points.push_back(point);
-    if (points.size() > 2 * crude_points) thin(bound / 2);
+std::uint64_t hash_cell(const Point& point, const Grid& grid) {
+  std::array<std::uint32_t, 3> cell{};
+  for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] = static_cast<std::uint32_t>(grid.place(point[axis], axis));
+  return mixed_hash(pack_cell(cell[0], cell[1], cell[2]));
+}
+
+std::size_t distinct_cells(const std::vector<Point>& points, const Grid& grid) {
+  std::vector<std::uint64_t> hashes;
+  hashes.reserve(points.size());
+  for (const Point& point : points) hashes.push_back(hash_cell(point, grid));
+  std::sort(hashes.begin(), hashes.end());
+  return static_cast<std::size_t>(std::unique(hashes.begin(), hashes.end()) - hashes.begin());
+}
+
+// Counts different values by the share of a bitmap that their hashes leave empty (linear counting: Whang,
+// Vander-Zanden, Taylor 1990); with a bit and more for each value its error is far below a percent.
+class DistinctCounter {
+ public:
+  static constexpr std::uint64_t most_bits = std::uint64_t{1} << 25;
+
+  static std::uint64_t bits_for(double expected) {
+    const double wanted = std::min(4 * expected, static_cast<double>(most_bits));
+    return std::bit_ceil(std::max<std::uint64_t>(4096, static_cast<std::uint64_t>(wanted)));
   }
 
-  void thin(std::uint64_t to) {
-    bound = to;
-    std::erase_if(points, [&](const Point& p) { return hash_point(p) > bound; });
+  explicit DistinctCounter(std::uint64_t bits) : words_(bits / 64), shift_(64 - static_cast<unsigned>(std::countr_zero(bits))) {}
+
+  void add(std::uint64_t hash) { words_[hash >> shift_ >> 6] |= std::uint64_t{1} << (hash >> shift_ & 63); }
+
+  void merge(const DistinctCounter& other) {
+    for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
   }
 
-  void merge(ThinnedPoints& other) {
-    const std::uint64_t lower = std::min(bound, other.bound);
-    thin(lower);
-    other.thin(lower);
-    points.insert(points.end(), other.points.begin(), other.points.end());
-    while (points.size() > 2 * crude_points) thin(bound / 2);
+  [[nodiscard]] double count() const {
+    std::uint64_t set = 0;
+    for (const std::uint64_t word : words_) set += static_cast<std::uint64_t>(std::popcount(word));
+    const double bits = 64 * static_cast<double>(words_.size());
+    const double empty = std::max(1.0, bits - static_cast<double>(set));
+    return std::max(1.0, -bits * natural_logarithm(empty / bits));
   }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  unsigned shift_;
 };
 
-// How many different cells the points fall into, of those that `counts` says to count.
-template <typename Counts>
-std::size_t distinct_cells(const std::vector<Point>& points, const Grid& grid, Counts counts) {
-  // A table of hashes: two cells that share all 64 bits are not to be expected among 2^18.
-  std::vector<std::uint64_t> table(std::bit_ceil(2 * points.size() + 2));
-  std::size_t found = 0;
-  for (const Point& point : points) {
-    std::array<std::uint32_t, 3> cell{};
-    for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] = static_cast<std::uint32_t>(grid.place(point[axis], axis));
-    const std::uint64_t key = mixed_hash(pack_cell(cell[0], cell[1], cell[2])) | 1;
-    std::size_t at = key >> 32 & (table.size() - 1);
-    while (table[at] != 0 && table[at] != key) at = (at + 1) & (table.size() - 1);
-    if (table[at] == key) continue;
-    table[at] = key;
-    found += counts(cell) ? 1 : 0;
+// Cells of the finite positions. The quick hash is enough: its high bits choose the bit.
+void count_positions(const PositionView& view, const Grid& grid, DistinctCounter& counter) {
+  alignas(64) std::array<std::int64_t, FaceBatch::capacity> packed;
+  alignas(64) std::array<std::int64_t, FaceBatch::capacity> wrong;
+  packed.fill(0);
+  wrong.fill(0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double* p = view.axis[axis];
+    const double origin = grid.origin[axis];
+    const unsigned shift = static_cast<unsigned>(axis) * axis_bits;
+    for (std::size_t i = 0; i < view.count; ++i) {
+      const double place = (p[i] - origin) * grid.inverse;
+      const bool inside = (place >= 0) & (place < axis_cells);
+      wrong[i] |= inside ? 0 : 1;
+      packed[i] |= std::int64_t{static_cast<std::int32_t>(inside ? place : 0)} << shift;
+    }
   }
-  return found;
+  std::int64_t last = -1;
+  for (std::size_t i = 0; i < view.count; ++i) {
+    if (packed[i] == last || wrong[i] != 0) continue;
+    last = packed[i];
+    counter.add(mixed_hash(static_cast<std::uint64_t>(last)));
+  }
 }
 
 }  // namespace
 
 Box measure_box(Job& job, MeshReader& reader) {
-  job.progress.begin("measure", reader.facts().vertices.value_or(3 * reader.facts().faces.value_or(0)), "positions");
+  job.progress.begin("measure", 0, "positions");
   PerSlot<Box> boxes(job.threads, [] { return std::make_unique<Box>(); });
   for_each_position_batch(job, reader, [&](const PositionView& view) { add_to_box(view, boxes.local()); });
   Box box;
@@ -115,119 +146,93 @@ Box measure_box(Job& job, MeshReader& reader) {
   return box;
 }
 
-CellSample::CellSample(Job& job, MeshReader& reader, std::uint64_t wanted_faces) {
-  job.progress.begin("sample", reader.facts().vertices.value_or(reader.facts().faces.value_or(0)), "positions");
-  struct Crude {
+std::uint64_t CellCounts::memory(unsigned threads) {
+  return threads * sizes * DistinctCounter::most_bits / 8 + 4 * crude_points * sizeof(Point);
+}
+
+CellCounts::CellCounts(Job& job, MeshReader& reader, std::uint64_t positions, std::uint64_t wanted_faces) {
+  job.progress.begin("sample", positions, "positions");
+  struct Part {
     Box box;
-    ThinnedPoints thinned;
-    std::uint64_t positions = 0;
+    std::vector<Point> points;
   };
-  PerSlot<Crude> slots(job.threads, [] { return std::make_unique<Crude>(); });
+  PerSlot<Part> slots(job.threads, [] { return std::make_unique<Part>(); });
+  const std::uint64_t step = std::max<std::uint64_t>(1, positions / crude_points);
   for_each_position_batch(job, reader, [&](const PositionView& view) {
-    Crude& crude = slots.local();
-    add_to_box(view, crude.box);
-    for (std::size_t i = 0; i < view.count; ++i) {
-      const Point point = point_at(view, i);
-      if (!finite(point)) continue;
-      ++crude.positions;
-      crude.thinned.add(point, hash_point(point));
-    }
+    Part& part = slots.local();
+    add_to_box(view, part.box);
+    pick_points(view, step, part.points);
   });
-  ThinnedPoints thinned;
-  for (Crude* crude : slots.all()) {
-    box_.add(crude->box);
-    positions_ += crude->positions;
-    thinned.merge(crude->thinned);
+  std::vector<Point> points;
+  for (const Part* part : slots.all()) {
+    box_.add(part->box);
+    points.insert(points.end(), part->points.begin(), part->points.end());
   }
   slots.clear();
   if (box_.empty || !(box_.longest_side() > 0)) return;
-
   const double cells = std::max(1.0, static_cast<double>(wanted_faces) / faces_a_cell);
-  block_ = cells_a_block * crude_cell(thinned.points, cells);
-  // Thin the points to what a cell needs, and take as many blocks as fill the sample.
-  const double a_cell = std::max(1.0, static_cast<double>(positions_) / cells / points_a_cell);
-  const double blocks = std::max(1.0, static_cast<double>(positions_) / a_cell / wanted_points);
-  const auto bound = [](double one_in) { return one_in <= 1 ? UINT64_MAX : static_cast<std::uint64_t>(0x1p64 / one_in); };
-  point_bound_ = bound(a_cell);
-  block_bound_ = bound(blocks);
-  if (blocks <= 1) block_ = box_.longest_side() * 2;
-  sample_blocks(job, reader);
+  count_cells(job, reader, crude_cell(points, cells), cells);
 }
 
 // From points picked blindly: good while cells hold many of them; smaller cells are extrapolated, as on a
 // surface four times as many are half as wide.
-double CellSample::crude_cell(const std::vector<Point>& points, double cells) const {
-  const double trusted = static_cast<double>(points.size()) / 24;
-  const double wanted = std::min(cells, std::max(1.0, trusted));
+double CellCounts::crude_cell(const std::vector<Point>& points, double cells) const {
+  const double wanted = std::min(cells, std::max(1.0, static_cast<double>(points.size()) / 16));
   double low = box_.longest_side() / (axis_cells / 2);
-  double high = box_.longest_side() * 1.001;
-  for (int step = 0; step < 40 && high > low * 1.02; ++step) {
+  double high = box_.longest_side() * largest_edge;
+  while (high > low * 1.02) {
     const double middle = std::sqrt(low * high);
-    const auto found = static_cast<double>(distinct_cells(points, Grid::over(box_, middle), [](const auto&) { return true; }));
+    const auto found = static_cast<double>(distinct_cells(points, Grid::over(box_, middle)));
     (found > wanted ? low : high) = middle;
   }
   return high * std::sqrt(wanted / cells);
 }
 
-namespace {
-std::uint64_t block_hash(const Point& point, const Point& low, double block) {
-  std::array<std::uint32_t, 3> at{};
-  for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = static_cast<std::uint32_t>((point[axis] - low[axis]) / block);
-  return mixed_hash(pack_cell(at[0], at[1], at[2]));
-}
-}  // namespace
-
-void CellSample::sample_blocks(Job& job, MeshReader& reader) {
-  struct Part {
-    std::vector<Point> points;
-    std::uint64_t in_blocks = 0;
-  };
-  PerSlot<Part> slots(job.threads, [] { return std::make_unique<Part>(); });
-  for_each_position_batch(job, reader, [&](const PositionView& view) {
-    Part& part = slots.local();
-    for (std::size_t i = 0; i < view.count; ++i) {
-      const Point point = point_at(view, i);
-      if (!finite(point) || block_hash(point, box_.low, block_) > block_bound_) continue;
-      ++part.in_blocks;
-      if (hash_point(point) <= point_bound_) part.points.push_back(point);
-    }
-  });
-  std::uint64_t in_blocks = 0;
-  for (Part* part : slots.all()) {
-    points_.insert(points_.end(), part->points.begin(), part->points.end());
-    in_blocks += part->in_blocks;
+void CellCounts::count_cells(Job& job, MeshReader& reader, double crude, double cells) {
+  constexpr std::array<double, sizes> around{0.75, 1.0, 1.3};
+  std::array<Grid, sizes> grids;
+  for (std::size_t i = 0; i < sizes; ++i) {
+    const double edge = std::clamp(crude * around[i], box_.longest_side() / (axis_cells / 2), box_.longest_side() * largest_edge);
+    grids[i] = Grid::over(box_, edge);
+    edge_[i] = natural_logarithm(edge);
   }
-  scale_ = in_blocks == 0 ? 1 : static_cast<double>(positions_) / static_cast<double>(in_blocks);
+  const std::uint64_t bits = DistinctCounter::bits_for(2 * cells);
+  using Counters = std::vector<DistinctCounter>;
+  PerSlot<Counters> slots(job.threads, [&] { return std::make_unique<Counters>(sizes, DistinctCounter(bits)); });
+  for_each_position_batch(job, reader, [&](const PositionView& view) {
+    if (view.corner != 0) return;
+    Counters& counters = slots.local();
+    for (std::size_t i = 0; i < sizes; ++i) count_positions(view, grids[i], counters[i]);
+  });
+  Counters all(sizes, DistinctCounter(bits));
+  for (const Counters* counters : slots.all()) {
+    for (std::size_t i = 0; i < sizes; ++i) all[i].merge((*counters)[i]);
+  }
+  for (std::size_t i = 0; i < sizes; ++i) occupied_[i] = natural_logarithm(all[i].count());
 }
 
-double CellSample::expected_faces(double cell) const {
-  if (points_.empty()) return 0;
-  const Grid grid = Grid::over(box_, cell);
-  // A cell that straddles the border of a block belongs to the block its middle is in.
-  const auto counts = [&](const std::array<std::uint32_t, 3>& at) {
-    Point middle{};
-    for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] = box_.low[axis] + (at[axis] + 0.5) * cell;
-    return block_hash(middle, box_.low, block_) <= block_bound_;
-  };
-  return faces_a_cell * scale_ * static_cast<double>(distinct_cells(points_, grid, counts));
+double CellCounts::expected_faces(double cell) const {
+  // Straight lines between the three sizes, both ways on with the slope of the last piece.
+  const double at = natural_logarithm(cell);
+  const std::size_t piece = at < edge_[1] ? 0 : 1;
+  const double run = edge_[piece + 1] - edge_[piece];
+  const double slope = run > 0 ? (occupied_[piece + 1] - occupied_[piece]) / run : -2;
+  const double logarithm = occupied_[piece] + slope * (at - edge_[piece]);
+  // e^x by squaring a short series: only operations that round the same everywhere.
+  const double x = logarithm / 1024;
+  double power = 1 + x * (1 + x / 2 * (1 + x / 3 * (1 + x / 4 * (1 + x / 5))));
+  for (int i = 0; i < 10; ++i) power *= power;
+  return faces_a_cell * power;
 }
 
-double CellSample::cell_for(double faces) const {
+double CellCounts::cell_for(double faces) const {
   double low = box_.longest_side() / (axis_cells / 2);
-  double high = box_.longest_side() * 1.001;
-  if (points_.empty() || !(high > low)) return high > 0 ? high : 1;
-  // On a surface the count grows with the inverse square of the edge: each guess is close to the last.
-  double guess = std::clamp(block_ / cells_a_block, low, high);
-  for (int step = 0; step < 60 && high > low * 1.0005; ++step) {
-    const double found = expected_faces(guess);
-    if (found > faces) {
-      low = guess;
-    } else {
-      high = guess;
-    }
-    if (std::abs(found - faces) <= 0.002 * faces) return guess;
-    const double next = found > 0 ? guess * std::sqrt(found / faces) : guess;
-    guess = next > low * 1.0001 && next < high * 0.9999 && step < 8 ? next : std::sqrt(low * high);
+  double high = box_.longest_side() * largest_edge;
+  if (!(high > low)) return high > 0 ? high : 1;  // a single point
+  while (high > low * (1 + 1e-9)) {
+    const double middle = std::sqrt(low * high);
+    if (!(middle > low && middle < high)) break;
+    (expected_faces(middle) > faces ? low : high) = middle;
   }
   return high;
 }

@@ -1,4 +1,4 @@
-// The cell size that gives a wanted number of faces, found from a sample.
+// The cell size that gives a wanted number of faces, found before the first face is clustered.
 #pragma once
 
 #include "cluster/grid.hpp"
@@ -11,37 +11,34 @@
 
 namespace winnow {
 
-// A few positions of the input that predict how many cells a cell size occupies. A function of the
-// positions alone, in whatever order and by whatever thread they come.
-class CellSample {
+// How many cells the positions of an input occupy at cell sizes around the wanted one. A function of the
+// positions and their order in the file, whatever thread sees them when.
+class CellCounts {
  public:
-  // Two passes over the positions: the box and a crude idea of the cell size, then the sample for it.
-  CellSample(Job& job, MeshReader& reader, std::uint64_t wanted_faces);
+  // Two passes over the positions: the box and a crude guess from a few of them; then all of them are counted
+  // into cells of three sizes around the guess. `positions`: how many there are (corners, without vertices).
+  CellCounts(Job& job, MeshReader& reader, std::uint64_t positions, std::uint64_t wanted_faces);
 
   [[nodiscard]] const Box& box() const { return box_; }
+
+  // The cell edge for which the number of faces is expected to be `faces`, within the limits of the lattice.
+  [[nodiscard]] double cell_for(double faces) const;
 
   // Faces that clustering with this cell edge is expected to give.
   [[nodiscard]] double expected_faces(double cell) const;
 
-  // The cell edge for which expected_faces() is `faces`, within the limits of the lattice.
-  [[nodiscard]] double cell_for(double faces) const;
-
-  // Memory used while sampling, and kept.
-  static constexpr std::uint64_t memory(unsigned threads) { return (std::uint64_t{10} << 20) + threads * (std::uint64_t{3} << 20); }
+  static std::uint64_t memory(unsigned threads);  // the most it uses
 
  private:
   using Point = std::array<double, 3>;
+  static constexpr std::size_t sizes = 3;
 
   [[nodiscard]] double crude_cell(const std::vector<Point>& points, double cells) const;
-  void sample_blocks(Job& job, MeshReader& reader);
+  void count_cells(Job& job, MeshReader& reader, double crude, double cells);
 
   Box box_;
-  std::uint64_t positions_ = 0;  // finite ones
-  double block_ = 0;             // edge of a block, in model units
-  std::uint64_t block_bound_ = 0;  // blocks whose hash is below are in the sample
-  std::uint64_t point_bound_ = 0;  // of these, points whose hash is below
-  std::vector<Point> points_;
-  double scale_ = 1;  // all positions, per position in the sampled blocks
+  // Logarithms of cell edges, ascending, and of the cells occupied, descending.
+  std::array<double, sizes> edge_{}, occupied_{};
 };
 
 // The box of all finite positions, in one pass.

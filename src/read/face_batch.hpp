@@ -29,6 +29,8 @@ struct FaceBatch {
 struct PositionView {
   std::array<const double*, 3> axis{};
   std::size_t count = 0;
+  std::uint64_t first = 0;  // number of the first vertex; where there are only faces, of the first face
+  unsigned corner = 0;      // where there are only faces, which of their corners; else 0
 };
 
 }  // namespace winnow

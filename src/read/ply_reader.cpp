@@ -122,7 +122,7 @@ class PlyReader final : public MeshReader {
     for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
       const std::size_t count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
       vertices_.read(batch.first + from, count, out);
-      sink({{out[0], out[1], out[2]}, count});
+      sink({{out[0], out[1], out[2]}, count, batch.first + from, 0});
     }
     vertices_.check_intact(source_->name());
   }

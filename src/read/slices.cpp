@@ -76,8 +76,9 @@ void slice_corners(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink
 }
 
 void corners_as_positions(const FaceBatch& slice, const PositionSink& sink) {
-  for (const auto& corner : slice.position) {
-    sink({{corner[0].data(), corner[1].data(), corner[2].data()}, slice.count});
+  for (unsigned number = 0; number < 3; ++number) {
+    const auto& corner = slice.position[number];
+    sink({{corner[0].data(), corner[1].data(), corner[2].data()}, slice.count, slice.first, number});
   }
 }
 

@@ -35,7 +35,7 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, unsigned threads, bool quadri
   // smallest share decides.
   const std::uint64_t smallest_merge = SortedRuns<CellFace>::merge_memory();
   const std::uint64_t smallest_rest =
-      std::max({smallest_table * 8 / 3, smallest_faces * 4, smallest_merge * 8, CellSample::memory(threads)});
+      std::max({smallest_table * 8 / 3, smallest_faces * 4, smallest_merge * 8, CellCounts::memory(threads)});
   plan.smallest = (plan.fixed + smallest_rest + mebibyte - 1) / mebibyte * mebibyte;
   if (total < plan.smallest) {
     throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) + " is too small for " +

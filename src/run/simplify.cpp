@@ -101,7 +101,7 @@ class Simplification {
     const std::uint64_t target =
         options_.faces ? *options_.faces
                        : std::max<std::uint64_t>(4, static_cast<std::uint64_t>(*options_.ratio * static_cast<double>(available) + 0.5));
-    const CellSample sample(job_, reader_, target);
+    const CellCounts sample(job_, reader_, reader_.facts().vertices.value_or(available), target);
     if (sample.box().empty) refuse_empty();
 
     // What the sample foretells is corrected by what came of it.

@@ -1,0 +1,8 @@
+// The natural logarithm, the same to the bit on every machine, which the C library does not promise.
+#pragma once
+
+namespace winnow {
+
+double natural_logarithm(double value);  // of a positive, normal number; relative error below 10^-14
+
+}  // namespace winnow
