@@ -25,8 +25,8 @@ struct InfoReport {
   double mean_edge = 0;            // over the edges of all good faces, shared ones twice
   std::vector<std::string> attributes;  // "vertex: nx ny nz (float)", a line each
 
-  // Edges, counted by vertex index where the format has vertices, else by position. Absent where the
-  // budget was too small.
+  // Edges of the good faces. Vertices at the same position are one, so that formats with and without shared
+  // vertices give the same numbers. Absent where the budget was too small.
   struct Edges {
     std::uint64_t total = 0, boundary = 0, non_manifold = 0;  // with one face; with more than two
   };

@@ -1,2 +1,115 @@
+#include "numbers.hpp"
 #include "program.hpp"
-namespace winnow::cli { void add_info(CLI::App&) {} }
+
+#include <winnow/error.hpp>
+#include <winnow/info.hpp>
+
+#include <iostream>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+namespace winnow::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  std::string input, from;
+  CommonOptions common;
+};
+
+Json json_of(const InfoReport& report) {
+  Json json{{"format", report.format},
+            {"bytes", report.bytes},
+            {"faces", report.faces},
+            {"vertices", report.vertices},
+            {"bad_faces",
+             {{"degenerate", report.bad_faces.degenerate},
+              {"non_finite", report.bad_faces.non_finite},
+              {"out_of_range", report.bad_faces.out_of_range}}},
+            {"zero_area", report.zero_area},
+            {"box", nullptr},
+            {"area", report.area},
+            {"mean_edge", report.mean_edge},
+            {"attributes", report.attributes},
+            {"edges", nullptr}};
+  if (report.has_box) json["box"] = {{"min", report.box_min}, {"max", report.box_max}};
+  if (report.edges) {
+    json["edges"] = {{"total", report.edges->total}, {"boundary", report.edges->boundary}, {"non_manifold", report.edges->non_manifold}};
+  } else {
+    json["edges_memory"] = report.edges_memory;
+  }
+  json["seconds"] = report.seconds;
+  json["peak_memory_bytes"] = report.peak_memory_bytes;
+  json["notes"] = report.notes;
+  return json;
+}
+
+std::string triple(const std::array<double, 3>& values) {
+  return show_length(values[0]) + " " + show_length(values[1]) + " " + show_length(values[2]);
+}
+
+void show(const InfoReport& report, std::ostream& out) {
+  const auto line = [&](const char* name, const std::string& text) {
+    out << "  " << name << std::string(12 - std::string_view(name).size(), ' ') << text << "\n";
+  };
+  line("format", report.format + ", " + show_bytes(report.bytes));
+  line("faces", show_count(report.faces));
+  if (report.vertices > 0) line("vertices", show_count(report.vertices));
+  if (report.has_box) {
+    std::array<double, 3> size{};
+    for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = report.box_max[axis] - report.box_min[axis];
+    line("box", triple(report.box_min) + "  to  " + triple(report.box_max));
+    line("size", triple(size));
+  }
+  line("area", show_length(report.area));
+  line("mean edge", show_length(report.mean_edge));
+  if (report.edges) {
+    line("edges", show_count(report.edges->total) + ", of them " + show_count(report.edges->boundary) + " boundary and " +
+                      show_count(report.edges->non_manifold) + " non-manifold");
+  } else {
+    line("edges", "not counted: that takes --memory " + show_count((report.edges_memory + (1 << 20) - 1) >> 20) + "M");
+  }
+  const BadFaces& bad = report.bad_faces;
+  line("bad faces", bad.total() == 0 ? "none"
+                                     : show_count(bad.degenerate) + " repeat a corner, " + show_count(bad.non_finite) + " are not finite, " +
+                                           show_count(bad.out_of_range) + " name a vertex that does not exist");
+  if (report.zero_area > 0) line("zero area", show_count(report.zero_area) + " faces");
+  for (const std::string& attribute : report.attributes) line("also", attribute);
+  for (const std::string& note : report.notes) line("note", note);
+}
+
+void run(const Arguments& arguments) {
+  Context context;
+  prepare(context, arguments.common, "-");
+  InfoReport report;
+  {
+    const ProgressBar bar(context, arguments.common);
+    report = info(context, arguments.input, parse_format("--from", arguments.from));
+  }
+  if (arguments.common.json) {
+    std::cout << json_of(report).dump(2) << "\n";
+  } else if (!arguments.common.quiet) {
+    show(report, std::cout);
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("info", "Tell what is in a mesh file of any size");
+  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")->required()->type_name("IN");
+  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")->type_name("FORMAT");
+  arguments->common.add_to(*command, true);
+  command->footer(
+      "Examples:\n"
+      "  winnow info scan.ply\n"
+      "  winnow info scan.stl --json\n"
+      "  zstdcat scan.ply.zst | winnow info - --memory 2G");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace winnow::cli

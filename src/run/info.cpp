@@ -1,0 +1,77 @@
+#include <winnow/error.hpp>
+#include <winnow/info.hpp>
+
+#include "base/exact_sum.hpp"
+#include "base/per_slot.hpp"
+#include "base/text.hpp"
+#include "measure/edge_count.hpp"
+#include "measure/face_census.hpp"
+#include "read/for_each_batch.hpp"
+#include "read/mesh_reader.hpp"
+#include "run/arena.hpp"
+
+#include <algorithm>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
+
+struct InfoMemory {
+  ReaderMemory reader;
+  std::uint64_t edges = 0;
+
+  static InfoMemory divide(std::uint64_t total, unsigned threads) {
+    const std::uint64_t fixed = 12 * mebibyte + threads * 2 * mebibyte;
+    if (total < fixed + 8 * mebibyte) {
+      throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) + " is too small; the smallest that works is --memory " +
+                                            size_option(fixed + 8 * mebibyte));
+    }
+    const std::uint64_t rest = total - fixed;
+    return {{rest / 4, 2048}, rest - rest / 4};
+  }
+};
+
+InfoReport info_in_arena(Job& job, const std::string& input, Format from) {
+  const Stopwatch watch;
+  const InfoMemory memory = InfoMemory::divide(job.context.memory, job.threads);
+  const std::unique_ptr<MeshReader> reader = open_reader(job, open_source(job, input), from, Access::once, memory.reader);
+  const InputFacts& facts = reader->facts();
+
+  FaceCensus census(job, memory.edges);
+  job.progress.begin("read faces", facts.faces.value_or(0), "faces");
+  // Vertices that no face uses belong to the box, too.
+  if (facts.vertices) {
+    for_each_position_batch(job, *reader, [&](const PositionView& view) { census.add_positions(view); });
+  }
+  reader->begin_faces();
+  const bool corners_too = !facts.vertices;
+  for_each_face_batch(
+      job, *reader,
+      [&](const FaceBatch& faces) {
+        census.add_faces(faces);
+        if (corners_too) census.add_corners(faces);
+      },
+      {});
+
+  InfoReport report = census.finish();
+  report.format = facts.format;
+  report.bytes = reader->bytes();
+  report.vertices = facts.vertices.value_or(0);
+  report.attributes = facts.attributes;
+  if (!report.edges) report.edges_memory = (census.edge_memory_wanted() * 4 / 3 + 32 * mebibyte) / mebibyte * mebibyte;
+  report.seconds = watch.seconds();
+  report.peak_memory_bytes = peak_resident_bytes();
+  report.notes = job.notes;
+  return report;
+}
+
+}  // namespace
+
+InfoReport info(Context& context, const std::string& input, Format from) {
+  Job job(context);
+  return in_arena(job, [&] { return info_in_arena(job, input, from); });
+}
+
+}  // namespace winnow
