@@ -15,7 +15,7 @@ struct alignas(64) CellSum {
   CellKey key;           // while it is in a FrontCache: the PackedCell
   std::uint64_t weight;  // units of 2^-24 cell areas; 0: this entry is empty
   std::array<std::int64_t, 3> position;  // weight times the place within the cell (22 bits)
-  std::array<std::int64_t, 3> normal;    // weight times the unit normal (22 bits)
+  std::array<std::int64_t, 3> normal;    // weight times the unit normal (20 bits)
 
   static constexpr std::uint64_t used_bit = std::uint64_t{1} << 63;
   static constexpr std::uint64_t weight_bound = std::uint64_t{1} << 41;

@@ -24,7 +24,7 @@ void add_corner(CellSum& sum, const CornerSums& face, std::size_t corner, std::s
   const std::int64_t weight = face.weight[corner][i];
   sum.weight += static_cast<std::uint64_t>(weight);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    sum.position[axis] += weight * face.fraction[corner][axis][i];
+    sum.position[axis] += weight * (face.place[corner][axis][i] & ((std::int64_t{1} << fraction_bits) - 1));
     sum.normal[axis] += weight * face.normal[axis][i];
   }
 }
@@ -73,8 +73,12 @@ class ClustererOf final : public Clusterer {
     Worker& worker = workers_.local();
     KernelInput input{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      for (std::size_t axis = 0; axis < 3; ++axis) input.position[corner][axis] = faces.position[corner][axis].data();
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        input.position[corner][axis] = faces.position[corner][axis].data();
+        input.single_position[corner][axis] = faces.single_position[corner][axis].data();
+      }
     }
+    input.single = faces.single;
     input.count = faces.count;
     for (std::size_t axis = 0; axis < 3; ++axis) input.origin[axis] = settings_.grid.origin[axis];
     input.inverse = settings_.grid.inverse;
@@ -87,7 +91,7 @@ class ClustererOf final : public Clusterer {
     std::size_t across = 0;
     std::size_t bad = 0;
     for (std::size_t i = 0; i < faces.count; ++i) {
-      const std::uint8_t kind = worker.corners.kind[i];
+      const std::int64_t kind = worker.corners.kind[i];
       const bool good = faces.status[i] == FaceStatus::good;
       worker.inside[inside] = static_cast<std::uint16_t>(i);
       worker.across[across] = static_cast<std::uint16_t>(i);
@@ -99,11 +103,18 @@ class ClustererOf final : public Clusterer {
     const auto give_way = [&](const Sum& line) { worker.give_way(line, table_); };
     for (std::size_t k = 0; k < inside; ++k) {
       const std::size_t i = worker.inside[k];
-      add_face(worker.cache.entry(worker.corners.cell[0][i], static_cast<std::uint64_t>(worker.corners.total_weight[i]), give_way),
+      add_face(worker.cache.entry(static_cast<PackedCell>(worker.corners.cell[0][i]), static_cast<std::uint64_t>(worker.corners.total_weight[i]), give_way),
                worker.corners, i);
     }
     for (std::size_t k = 0; k < across; ++k) add_across(worker, worker.across[k], give_way);
-    for (std::size_t k = 0; k < bad; ++k) count_bad(worker, faces, worker.bad[k]);
+    for (std::size_t k = 0; k < bad; ++k) {
+      const std::size_t i = worker.bad[k];
+      if (worker.corners.kind[i] == close_corners && faces.status[i] == FaceStatus::good && !repeats_a_corner(faces, i)) {
+        add_across(worker, i, give_way);
+      } else {
+        count_bad(worker, faces, i);
+      }
+    }
     if (worker.corners.clamped) count_clamped(worker, faces.count);
   }
 
@@ -165,16 +176,23 @@ class ClustererOf final : public Clusterer {
   template <typename GiveWay>
   void add_across(Worker& worker, std::size_t i, const GiveWay& give_way) {
     const CornerSums& face = worker.corners;
-    const PackedCell a = face.cell[0][i];
-    const PackedCell b = face.cell[1][i];
-    const PackedCell c = face.cell[2][i];
+    const auto a = static_cast<PackedCell>(face.cell[0][i]);
+    const auto b = static_cast<PackedCell>(face.cell[1][i]);
+    const auto c = static_cast<PackedCell>(face.cell[2][i]);
     const bool kept = (a != b) & (a != c) & (b != c);
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      Sum& sum = worker.cache.entry(face.cell[corner][i], static_cast<std::uint64_t>(face.weight[corner][i]), give_way);
+      Sum& sum = worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]), static_cast<std::uint64_t>(face.weight[corner][i]), give_way);
       add_corner(sum, face, corner, i);
       if (kept) sum.weight |= CellSum::used_bit;
     }
     if (kept) worker.faces.add(morton_key(a), morton_key(b), morton_key(c));
+  }
+
+  static bool repeats_a_corner(const FaceBatch& faces, std::size_t i) {
+    const std::array<double, 3> a = faces.corner(0, i);
+    const std::array<double, 3> b = faces.corner(1, i);
+    const std::array<double, 3> c = faces.corner(2, i);
+    return a == b || a == c || b == c;
   }
 
   void count_bad(Worker& worker, const FaceBatch& faces, std::size_t i) {
@@ -185,10 +203,11 @@ class ClustererOf final : public Clusterer {
     } else if (faces.status[i] == FaceStatus::good && worker.corners.kind[i] == outside) {
       double farthest = 0;
       bool finite = true;
-      for (const auto& corner : faces.position) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::array<double, 3> xyz = faces.corner(corner, i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          finite &= std::isfinite(corner[axis][i]);
-          farthest = std::max(farthest, std::abs(settings_.grid.place(corner[axis][i], axis) - axis_cells / 2));
+          finite &= std::isfinite(xyz[axis]);
+          farthest = std::max(farthest, std::abs(settings_.grid.place(xyz[axis], axis) - axis_cells / 2));
         }
       }
       if (finite) {
@@ -207,7 +226,7 @@ class ClustererOf final : public Clusterer {
   static void count_clamped(Worker& worker, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::int32_t largest = std::max({worker.corners.weight[0][i], worker.corners.weight[1][i], worker.corners.weight[2][i]});
-      if (worker.corners.kind[i] <= several_cells && largest >= 1 << weight_limit_bits) ++worker.counts.clamped;
+      if (worker.corners.kind[i] <= close_corners && largest >= 1 << weight_limit_bits) ++worker.counts.clamped;
     }
   }
 

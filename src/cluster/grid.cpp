@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "cluster/kernel/corner_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,11 @@ double Box::diagonal() const {
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) sum += (high[axis] - low[axis]) * (high[axis] - low[axis]);
   return std::sqrt(sum);
+}
+
+double Grid::cell_of(double coordinate, std::size_t axis) const {
+  constexpr double scale = 1 << fraction_bits;
+  return std::floor(std::nearbyint((coordinate - origin[axis]) * (inverse * scale)) / scale);
 }
 
 void refuse_cell(double cell, double side) {
@@ -70,7 +76,7 @@ Grid Grid::over(const Box& box, double cell) {
   Grid grid = with_cell(cell);
   grid.origin = box.low;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!(grid.place(box.high[axis], axis) < axis_cells)) refuse_cell(cell, box.longest_side());
+    if (!(grid.cell_of(box.high[axis], axis) < axis_cells)) refuse_cell(cell, box.longest_side());
   }
   return grid;
 }
@@ -78,9 +84,8 @@ Grid Grid::over(const Box& box, double cell) {
 double Grid::edge_for(const Box& box, std::uint64_t cells) {
   const double side = box.longest_side();
   if (!(side > 0)) return 1;  // a single point: any cell holds it
-  double edge = side / static_cast<double>(cells);
-  while (!(side * (1 / edge) < static_cast<double>(cells))) edge = std::nextafter(edge, HUGE_VAL);
-  return edge;
+  // Two of the lattice's smallest steps short of the last cell's end.
+  return side / (static_cast<double>(cells) - 0x1p-21);
 }
 
 }  // namespace winnow

@@ -20,16 +20,21 @@ struct Box {
   [[nodiscard]] double diagonal() const;
 };
 
-// A position's place on the lattice is (position - origin) * inverse; its cell is the whole part. That one
-// formula, in double, decides everywhere.
+// A position's place on the lattice is (position - origin) * inverse, rounded to whole 2^-22 cells; its cell
+// is the whole part of that. This one formula, in double, decides everywhere.
 struct Grid {
   std::array<double, 3> origin{};
   double cell = 0;     // edge of a cell, in model units
   double inverse = 0;  // 1 / cell
 
+  // In cells, not rounded.
   [[nodiscard]] double place(double coordinate, std::size_t axis) const {
     return (coordinate - origin[axis]) * inverse;
   }
+
+  // The whole part of the rounded place: what the corner kernel finds. Out of 0 to 2^21 - 1 for a coordinate
+  // that is not on the lattice.
+  [[nodiscard]] double cell_of(double coordinate, std::size_t axis) const;
 
   // With a cell edge and no box: the lattice point below the first finite vertex, less 2^20 cells, so that
   // a file and a pipe give the same lattice, with as much room on either side.

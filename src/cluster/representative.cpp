@@ -9,6 +9,7 @@ namespace winnow {
 namespace {
 
 constexpr double fraction_scale = 1 << fraction_bits;
+constexpr double normal_scale = 1 << normal_bits;
 
 // Pulls the minimiser towards the mean where the planes leave it free (along an edge, on a flat face), as a
 // part of the planes' total weight. 10^-3 to 10^-2 are equally good by measurement (bench/RESULTS.md);
@@ -40,10 +41,10 @@ double round_into_cell(double coordinate, const Grid& grid, std::size_t axis, st
   auto value = static_cast<Real>(coordinate);
   constexpr Real infinity = std::numeric_limits<Real>::infinity();
   for (int step = 0; step < 64; ++step) {
-    const double place = grid.place(static_cast<double>(value), axis);
-    if (place < cell) {
+    const double found = grid.cell_of(static_cast<double>(value), axis);
+    if (found < cell) {
       value = std::nextafter(value, infinity);
-    } else if (place >= static_cast<double>(cell) + 1) {
+    } else if (found > cell) {
       value = std::nextafter(value, -infinity);
     } else {
       break;
@@ -79,7 +80,7 @@ std::array<double, 3> WholeCell::mean_place() const {
 // Garland and Heckbert's quadric of the planes n·x = d, each with its corner's weight: minimises the mean of
 // (n·x - d)^2 plus pull * |x - mean|^2, by x = mean + t with (A + pull) t = b - A mean.
 std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean) const {
-  const double scale = static_cast<double>(weight_) * fraction_scale;
+  const double scale = static_cast<double>(weight_) * normal_scale;
   std::array<double, 5> a{};
   for (std::size_t i = 0; i < 5; ++i) a[i] = static_cast<double>(squares_[i]) / scale;
   const auto [xx, xy, xz, yy, yz] = a;
@@ -106,7 +107,7 @@ IndexedVertex WholeCell::vertex(const ClusterSettings& settings) const {
   const std::array<std::uint32_t, 3> cell = morton_cell(key_);
   std::array<double, 3> place = mean_place();
   if (settings.placement == Placement::quadric) place = quadric_place(place);
-  const double scale = static_cast<double>(weight_) * fraction_scale;
+  const double scale = static_cast<double>(weight_) * normal_scale;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double coordinate = settings.grid.origin[axis] + (cell[axis] + place[axis]) * settings.grid.cell;
     vertex.position[axis] = settings.double_positions

@@ -11,10 +11,6 @@ using Point = std::array<double, 3>;
 
 bool finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
-Point corner_of(const FaceBatch& faces, std::size_t corner, std::size_t i) {
-  return {faces.position[corner][0][i], faces.position[corner][1][i], faces.position[corner][2][i]};
-}
-
 Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 double length(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
@@ -45,7 +41,7 @@ void FaceCensus::add_positions(const PositionView& view) {
 void FaceCensus::add_corners(const FaceBatch& faces) {
   Part& part = parts_.local();
   for (std::size_t i = 0; i < faces.count; ++i) {
-    for (std::size_t corner = 0; corner < 3; ++corner) add_point(part, corner_of(faces, corner, i));
+    for (std::size_t corner = 0; corner < 3; ++corner) add_point(part, faces.corner(corner, i));
   }
 }
 
@@ -55,7 +51,7 @@ void FaceCensus::add_faces(const FaceBatch& faces) {
   std::size_t kept = 0;
   part.faces += faces.count;
   for (std::size_t i = 0; i < faces.count; ++i) {
-    const std::array<Point, 3> p{corner_of(faces, 0, i), corner_of(faces, 1, i), corner_of(faces, 2, i)};
+    const std::array<Point, 3> p{faces.corner(0, i), faces.corner(1, i), faces.corner(2, i)};
     if (faces.status[i] == FaceStatus::out_of_range) {
       ++part.bad.out_of_range;
     } else if (faces.status[i] == FaceStatus::good && !(finite(p[0]) && finite(p[1]) && finite(p[2]))) {

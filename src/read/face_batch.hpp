@@ -21,13 +21,25 @@ struct FaceBatch {
   std::size_t count = 0;
   std::uint64_t first = 0;     // number of the first face, from 0 over the whole input
   bool all_good = true;        // no status but good
-  alignas(64) std::array<std::array<std::array<double, capacity>, 3>, 3> position;  // [corner][axis][face]
+  bool single = false;         // positions are in `single_position`, as the file has them; else in `position`
+  template <typename Real>
+  using Positions = std::array<std::array<std::array<Real, capacity>, 3>, 3>;  // [corner][axis][face]
+  alignas(64) Positions<double> position;
+  alignas(64) Positions<float> single_position;
   std::array<FaceStatus, capacity> status;
+
+  [[nodiscard]] std::array<double, 3> corner(std::size_t corner, std::size_t face) const {
+    std::array<double, 3> xyz{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      xyz[axis] = single ? double{single_position[corner][axis][face]} : position[corner][axis][face];
+    }
+    return xyz;
+  }
 };
 
 // Positions without their faces.
 struct PositionView {
-  std::array<const double*, 3> axis{};
+  std::array<const double*, 3> axis{};  // at most FaceBatch::capacity of each
   std::size_t count = 0;
   std::uint64_t first = 0;  // number of the first vertex; where there are only faces, of the first face
   unsigned corner = 0;      // where there are only faces, which of their corners; else 0

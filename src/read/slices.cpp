@@ -19,6 +19,7 @@ void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*
     }
     slice.all_good = false;
     if (size == 0) {
+      slice.single = false;
       for (auto& corner : slice.position) {
         for (auto& axis : corner) std::fill_n(axis.begin(), slice.count, 0.0);
       }
@@ -44,6 +45,7 @@ void for_each_slice(const RawBatch& batch, FaceBatch& slice, const FaceSink& sin
       slice.status[i] = batch.status[from + i];
       slice.all_good &= slice.status[i] == FaceStatus::good;
     }
+    slice.single = false;
     fill(from);
     sink(slice);
   }
@@ -76,9 +78,15 @@ void slice_corners(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink
 }
 
 void corners_as_positions(const FaceBatch& slice, const PositionSink& sink) {
+  std::array<std::array<double, FaceBatch::capacity>, 3> wide;
   for (unsigned number = 0; number < 3; ++number) {
     const auto& corner = slice.position[number];
-    sink({{corner[0].data(), corner[1].data(), corner[2].data()}, slice.count, slice.first, number});
+    PositionView view{{corner[0].data(), corner[1].data(), corner[2].data()}, slice.count, slice.first, number};
+    for (std::size_t axis = 0; axis < 3 && slice.single; ++axis) {
+      std::copy_n(slice.single_position[number][axis].begin(), slice.count, wide[axis].begin());
+      view.axis[axis] = wide[axis].data();
+    }
+    sink(view);
   }
 }
 

@@ -126,8 +126,8 @@ class StlReader : public MeshReader {
 
   static void look_for_finite(const FaceBatch& faces, std::optional<std::array<double, 3>>& found) {
     for (std::size_t i = 0; i < faces.count && !found; ++i) {
-      for (const auto& corner : faces.position) {
-        const std::array<double, 3> xyz{corner[0][i], corner[1][i], corner[2][i]};
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::array<double, 3> xyz = faces.corner(corner, i);
         if (!found && std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2])) found = xyz;
       }
     }
@@ -181,6 +181,7 @@ class BinaryStlReader final : public StlReader {
     const std::byte* record = batch.block.bytes.data() + 12;  // behind the face's normal
     slice.status.fill(FaceStatus::good);
     slice.all_good = true;
+    slice.single = true;
     for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
       slice.count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
       slice.first = batch.first + from;
@@ -188,7 +189,7 @@ class BinaryStlReader final : public StlReader {
         std::array<float, 9> corners;
         std::memcpy(corners.data(), record, sizeof corners);
         for (std::size_t corner = 0; corner < 3; ++corner) {
-          for (std::size_t axis = 0; axis < 3; ++axis) slice.position[corner][axis][i] = corners[3 * corner + axis];
+          for (std::size_t axis = 0; axis < 3; ++axis) slice.single_position[corner][axis][i] = corners[3 * corner + axis];
         }
       }
       sink(slice);

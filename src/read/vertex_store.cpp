@@ -88,7 +88,7 @@ namespace {
 // The layout nearly every file has gets a loop of its own.
 template <typename Real>
 void gather_plain(const std::byte* base, std::size_t stride, const std::uint32_t* index, std::size_t count,
-                  std::array<std::array<double, FaceBatch::capacity>, 3>& out) {
+                  std::array<std::array<Real, FaceBatch::capacity>, 3>& out) {
   for (std::size_t i = 0; i < count; ++i) {
     std::array<Real, 3> xyz;
     std::memcpy(xyz.data(), base + std::size_t{index[i]} * stride, sizeof xyz);
@@ -112,9 +112,10 @@ bool is_plain(const VertexLayout& layout) {
 
 void VertexStore::gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index,
                                 std::size_t count, FaceBatch& out) const {
+  out.single = is_plain<float>(layout_);
   for (std::size_t corner = 0; corner < 3; ++corner) {
-    if (is_plain<float>(layout_)) {
-      gather_plain<float>(base + layout_.offset[0], layout_.stride, index[corner], count, out.position[corner]);
+    if (out.single) {
+      gather_plain<float>(base + layout_.offset[0], layout_.stride, index[corner], count, out.single_position[corner]);
     } else if (is_plain<double>(layout_)) {
       gather_plain<double>(base + layout_.offset[0], layout_.stride, index[corner], count, out.position[corner]);
     } else {
@@ -131,6 +132,7 @@ void VertexStore::gather_mapped(const std::byte* base, const std::array<const st
 void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
                                     FaceBatch& out) const {
   std::vector<std::byte> record(layout_.stride);
+  out.single = false;
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint64_t at = file_offset_ + std::uint64_t{index[corner][i]} * layout_.stride;

@@ -13,29 +13,31 @@
 
 namespace winnow {
 
-// 22 bits for a place within a cell or a part of a unit normal, 2^24 weight units a cell area, and at most 2^30
-// units a corner (64 cell areas). A product has 52 bits; sums of products stay below 2^63 while the sum of
-// weights stays below 2^41, which CellSum tests.
+// A place on the lattice is a whole number of 2^-22 cells, 43 bits an axis. Unit normals have 20 bits. Weights
+// count 2^-24 cell areas, at most 2^28 of them a corner (16 cell areas). A product of weight and fraction has 50
+// bits, and three of them still fit a double exactly; sums of products stay below 2^63 while the sum of weights
+// stays below 2^41, which CellSum tests.
 inline constexpr int fraction_bits = 22;
+inline constexpr int normal_bits = 20;
 inline constexpr int area_bits = 24;
-inline constexpr int weight_limit_bits = 30;
+inline constexpr int weight_limit_bits = 28;
 
 inline constexpr std::size_t kernel_capacity = 512;  // faces; that of FaceBatch
 
-enum FaceKind : std::uint8_t {
-  one_cell = 0,        // all corners in one cell
+enum FaceKind : std::int64_t {
+  one_cell = 0,       // all corners in one cell
   several_cells = 1,
-  repeated_corner = 2,  // two corners at the same position
-  outside = 3,          // a corner that is not finite, or outside of the lattice
+  close_corners = 2,  // two corners at the same place of the lattice; maybe at the same position
+  outside = 3,        // a corner that is not finite, or outside of the lattice
 };
 
 // Arrays side by side, indexed by face. `[corner]` and `[axis]` come before it.
 struct CornerSums {
-  alignas(64) std::uint64_t cell[3][kernel_capacity];  // PackedCell
+  alignas(64) std::int64_t place[3][3][kernel_capacity];  // cell and fraction: 21 and 22 bits
+  alignas(64) std::int64_t cell[3][kernel_capacity];      // PackedCell
+  alignas(64) std::int64_t kind[kernel_capacity];         // FaceKind
   alignas(64) std::int32_t weight[3][kernel_capacity];
-  alignas(64) std::int32_t fraction[3][3][kernel_capacity];  // place within the corner's cell, 0 to 2^22
-  alignas(64) std::int32_t normal[3][kernel_capacity];       // unit normal times 2^22; 0 without area
-  alignas(64) std::uint8_t kind[kernel_capacity];            // FaceKind
+  alignas(64) std::int32_t normal[3][kernel_capacity];  // unit normal times 2^20; 0 without area
   // Sums over the three corners, for faces of one cell.
   alignas(64) std::int64_t total_weight[kernel_capacity];
   alignas(64) std::int64_t total_position[3][kernel_capacity];
@@ -43,12 +45,15 @@ struct CornerSums {
   bool clamped;  // a weight reached the limit, maybe in a face beyond the last
 
   // Only where quadrics were asked for: the plane of the face, seen from the middle of each corner's cell.
-  alignas(64) std::int32_t squares[5][kernel_capacity];    // nx nx, nx ny, nx nz, ny ny, ny nz, times 2^22
-  alignas(64) std::int32_t moment[3][3][kernel_capacity];  // [corner][axis]: distance times normal, times 2^22
+  alignas(64) std::int32_t squares[5][kernel_capacity];    // nx nx, nx ny, nx nz, ny ny, ny nz, times 2^20
+  alignas(64) std::int32_t moment[3][3][kernel_capacity];  // [corner][axis]: distance times normal, times 2^20
 };
 
 struct KernelInput {
-  const double* position[3][3];  // [corner][axis], aligned to 64 bytes, readable to a multiple of 16 faces
+  // Either of float or of double: [corner][axis], aligned to 64 bytes, readable to a multiple of 16 faces.
+  const float* single_position[3][3];
+  const double* position[3][3];
+  bool single;
   std::size_t count;
   double origin[3];
   double inverse;
