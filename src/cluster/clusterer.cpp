@@ -47,12 +47,8 @@ void add_face(CellSum& sum, const CornerSums& face, std::size_t i) {
 
 void add_face(QuadricCellSum& sum, const CornerSums& face, std::size_t i) {
   add_face(static_cast<CellSum&>(sum), face, i);
-  for (std::size_t k = 0; k < 5; ++k) sum.squares[k] += face.total_weight[i] * face.squares[k][i];
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      sum.moment[k] += std::int64_t{face.weight[corner][i]} * face.moment[corner][k][i];
-    }
-  }
+  for (std::size_t k = 0; k < 5; ++k) sum.squares[k] += face.total_squares[k][i];
+  for (std::size_t k = 0; k < 3; ++k) sum.moment[k] += face.total_moment[k][i];
 }
 
 template <typename Sum>

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 struct Arguments {
   std::string input, output;
   std::string cell, grid, faces, ratio;
-  std::string placement = "mean";
+  std::string placement = "quadric";
   std::string from, to;
   bool normals = false, strict = false, force = false, dry_run = false;
   CommonOptions common;
@@ -30,7 +30,7 @@ SimplifyOptions options_of(const Arguments& arguments) {
   if (!arguments.grid.empty()) options.grid = parse_count("--grid", arguments.grid);
   if (!arguments.faces.empty()) options.faces = parse_count("--faces", arguments.faces);
   if (!arguments.ratio.empty()) options.ratio = parse_ratio("--ratio", arguments.ratio);
-  options.placement = arguments.placement == "quadric" ? Placement::quadric : Placement::mean;
+  options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
   options.normals = arguments.normals;
   options.strict = arguments.strict;
   options.force = arguments.force;
@@ -170,7 +170,7 @@ void add_simplify(CLI::App& app) {
   command->add_option("--grid", arguments->grid, "Grid cells along the longest side")->type_name("N")->group(fineness);
 
   const std::string result = "What the result is";
-  command->add_option("--placement", arguments->placement, "Where in its cell a vertex goes: mean (smooth) or quadric (keeps edges)")
+  command->add_option("--placement", arguments->placement, "Where in its cell a vertex goes: quadric (default, the closest to the surface) or mean (a quarter faster)")
       ->check(CLI::IsMember({"mean", "quadric"}))
       ->type_name("HOW")
       ->group(result);

@@ -209,6 +209,23 @@ void find_planes(std::size_t from, std::size_t n, const Scratch& s, CornerSums& 
   }
 }
 
+void add_up_planes(std::size_t from, std::size_t n, CornerSums& out) {
+  for (std::size_t k = 0; k < 5; ++k) {
+    for (std::size_t i = from; i < from + n; ++i) {
+      const double w = static_cast<double>(out.weight[0][i]) + out.weight[1][i] + out.weight[2][i];
+      out.total_squares[k][i] = bits_of(w * out.squares[k][i] + rounder) - rounder_bits;
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = from; i < from + n; ++i) {
+      const double sum = static_cast<double>(out.weight[0][i]) * out.moment[0][axis][i] +
+                         static_cast<double>(out.weight[1][i]) * out.moment[1][axis][i] +
+                         static_cast<double>(out.weight[2][i]) * out.moment[2][axis][i];
+      out.total_moment[axis][i] = bits_of(sum + rounder) - rounder_bits;
+    }
+  }
+}
+
 }  // namespace
 
 void WINNOW_JOIN(corner_kernel_, WINNOW_KERNEL)(const KernelInput& input, CornerSums& out) {
@@ -226,7 +243,10 @@ void WINNOW_JOIN(corner_kernel_, WINNOW_KERNEL)(const KernelInput& input, Corner
     sort_out(from, n, out);
     clamped |= weigh_corners(from, n, scratch, out);
     add_up(from, n, out);
-    if (input.quadrics) find_planes(from, n, scratch, out);
+    if (input.quadrics) {
+      find_planes(from, n, scratch, out);
+      add_up_planes(from, n, out);
+    }
   }
   out.clamped = clamped != 0;
 }

@@ -47,6 +47,9 @@ struct CornerSums {
   // Only where quadrics were asked for: the plane of the face, seen from the middle of each corner's cell.
   alignas(64) std::int32_t squares[5][kernel_capacity];    // nx nx, nx ny, nx nz, ny ny, ny nz, times 2^20
   alignas(64) std::int32_t moment[3][3][kernel_capacity];  // [corner][axis]: distance times normal, times 2^20
+  // Sums over the three corners, for faces of one cell.
+  alignas(64) std::int64_t total_squares[5][kernel_capacity];
+  alignas(64) std::int64_t total_moment[3][kernel_capacity];
 };
 
 struct KernelInput {
