@@ -10,6 +10,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -44,13 +45,18 @@ ByteSink::ByteSink(Job& job, std::string path, bool force) : job_(job), path_(st
   } else {
     if (status.st_nlink != 0 && !force_) refuse_existing(path_);
     const std::filesystem::path target(path_);
-    aside_ = directory_of(path_) + "/." + target.filename().string() + ".winnow-XXXXXX";
+    const std::string prefix = "." + target.filename().string() + ".winnow-";
+    if (remove_stale_files(directory_of(path_), prefix) > 0) {
+      job_.note("an earlier run was killed while it wrote '" + path_ + "'; what it had written was removed");
+    }
+    aside_ = directory_of(path_) + "/" + prefix + "XXXXXX";
     fd_ = ::mkostemp(aside_.data(), O_CLOEXEC);
     if (fd_ < 0) {
       const int code = errno;
       aside_.clear();
       fail(code);
     }
+    ::flock(fd_, LOCK_EX | LOCK_NB);
     // mkostemp's mode is for secrets; a mesh gets what any new file gets, or what the replaced file had.
     const mode_t mask = ::umask(0);
     ::umask(mask);

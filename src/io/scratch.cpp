@@ -16,8 +16,6 @@ namespace winnow {
 
 namespace {
 
-constexpr const char* name_prefix = "winnow-scratch-";
-
 [[noreturn]] void scratch_error(const std::string& directory, const std::string& doing, int code) {
   std::string text = "cannot " + doing + " scratch in '" + directory + "': " + std::strerror(code);
   if (code == ENOSPC || code == EDQUOT || code == EFBIG) {
@@ -32,8 +30,8 @@ int open_nameless(const std::string& directory) {
   int fd = ::open(directory.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
   if (fd >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return fd;
   // This file system knows no nameless files: take the name away at once. The lock tells
-  // Scratch::remove_stale that somebody is between the two steps.
-  std::string name = directory + "/" + name_prefix + "XXXXXX";
+  // remove_stale_files() that somebody is between the two steps.
+  std::string name = directory + "/" + scratch_prefix + "XXXXXX";
   fd = ::mkostemp(name.data(), O_CLOEXEC);
   if (fd >= 0) {
     ::flock(fd, LOCK_EX | LOCK_NB);
@@ -54,7 +52,7 @@ void Scratch::count(std::uint64_t bytes) {
   }
 }
 
-unsigned Scratch::remove_stale(const std::string& directory) {
+unsigned remove_stale_files(const std::string& directory, const std::string& name_prefix) {
   unsigned removed = 0;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {

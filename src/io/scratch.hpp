@@ -20,9 +20,6 @@ class Scratch {
   [[nodiscard]] std::uint64_t written() const { return written_; }  // bytes, all files, ever
   [[nodiscard]] std::uint64_t peak() const { return peak_; }        // most bytes in use at one time
 
-  // Removes scratch files that an earlier process left behind between their creation and their unlinking,
-  // on file systems without nameless files. Returns how many.
-  static unsigned remove_stale(const std::string& directory);
 
  private:
   friend class ScratchFile;
@@ -32,6 +29,13 @@ class Scratch {
   std::string directory_;
   std::atomic<std::uint64_t> written_{0}, in_use_{0}, peak_{0};
 };
+
+// Removes the files in `directory` whose names begin so and which nobody holds a lock on: what a process that
+// was killed left behind. Returns how many.
+unsigned remove_stale_files(const std::string& directory, const std::string& name_prefix);
+
+// How scratch files are called for the moment they have a name (on file systems without nameless files).
+inline constexpr const char* scratch_prefix = "winnow-scratch-";
 
 // One such file: written by appending, read at any place. Appending is for one thread at a time.
 class ScratchFile {

@@ -178,6 +178,7 @@ SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::
   const MemoryPlan plan = MemoryPlan::divide(job.context.memory, job.threads, quadrics(options));
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output);
+  remove_stale_files(job.scratch.directory(), scratch_prefix);
   ByteSink sink(job, output, options.force);
   SimplifyReport report;
 
