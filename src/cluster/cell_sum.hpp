@@ -59,7 +59,12 @@ struct CellFace {
   std::array<CellKey, 3> cell;
   std::uint32_t along, against;
 
-  static bool before(const CellFace& a, const CellFace& b) { return a.cell < b.cell; }
+  // Written out: this decides how fast faces are sorted.
+  static bool before(const CellFace& a, const CellFace& b) {
+    if (a.cell[0] != b.cell[0]) return a.cell[0] < b.cell[0];
+    if (a.cell[1] != b.cell[1]) return a.cell[1] < b.cell[1];
+    return a.cell[2] < b.cell[2];
+  }
 
   static bool combine(CellFace& into, const CellFace& from) {
     const std::uint64_t along = std::uint64_t{into.along} + from.along;

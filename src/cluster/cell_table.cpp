@@ -36,10 +36,13 @@ Sum& CellTable<Sum>::slot(Part& part, CellKey key) const {
   return entries[at];
 }
 
-// By half: with doubling, a budget would on average hold the table three quarters empty.
+// Fourfold while there is plenty, as every growth clears and fills pages anew; then by half: with doubling, a
+// budget would on average hold the table three quarters empty.
 template <typename Sum>
 bool CellTable<Sum>::grow(Part& part) {
-  const std::size_t capacity = part.capacity == 0 ? first_capacity : part.capacity + part.capacity / 2;
+  const std::size_t share = budget_.total() / parts_.size() / sizeof(Sum);
+  const bool plenty = part.capacity * 16 < share;
+  const std::size_t capacity = part.capacity == 0 ? first_capacity : plenty ? part.capacity * 4 : part.capacity + part.capacity / 2;
   Pages memory = Pages::try_allocate(budget_, capacity * sizeof(Sum));
   if (!memory) return false;
   const Pages old = std::exchange(part.memory, std::move(memory));
@@ -116,8 +119,8 @@ std::vector<std::unique_ptr<RecordCursor<Sum>>> CellTable<Sum>::sort_parts() {
       if (!entry.empty()) entries[kept++] = entry;
     }
     const std::span<Sum> sums = entries.first(kept);
-    std::sort(sums.begin(), sums.end(), Sum::before);
-    std::sort(part.overflow.begin(), part.overflow.end(), Sum::before);
+    std::sort(sums.begin(), sums.end(), Before<Sum>());
+    std::sort(part.overflow.begin(), part.overflow.end(), Before<Sum>());
   });
   std::vector<std::unique_ptr<RecordCursor<Sum>>> sources;
   for (Part& part : parts_) {

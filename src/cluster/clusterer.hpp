@@ -27,7 +27,7 @@ struct ClusterMemory {
   static std::uint64_t per_thread(bool quadrics);
   // The least that `table` and `faces` can be.
   static std::uint64_t smallest_table(std::size_t parts, bool quadrics);
-  static constexpr std::uint64_t smallest_faces_per_thread = std::uint64_t{1} << 20;
+  static constexpr std::uint64_t smallest_faces_per_thread = std::uint64_t{2} << 20;
 };
 
 struct FirstBad {

@@ -156,7 +156,7 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
                   std::array<IndexedVertex, 3> corner;
                   std::array<std::uint32_t, 3> number{};
                   for (std::size_t i = 0; i < 3; ++i) {
-                    const VertexIndex::Reader::Found found = reader.find(triple.cell[i]);
+                    const VertexIndex::Reader::Found& found = reader.find(triple.cell[i]);
                     corner[i] = found.vertex;
                     number[i] = static_cast<std::uint32_t>(found.number);
                   }

@@ -1,5 +1,7 @@
 #include "cluster/vertex_index.hpp"
 
+#include "base/hash.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -31,7 +33,8 @@ void VertexIndex::finish() {
   for (std::size_t i = 1; i < ranges; ++i) range_start_[i] += range_start_[i - 1];
 }
 
-VertexIndex::Reader::Reader(const VertexIndex& index) : index_(index) {
+VertexIndex::Reader::Reader(const VertexIndex& index) : index_(index), recent_(std::size_t{1} << recent_bits) {
+  for (Found& found : recent_) found.vertex.key = UINT64_MAX;  // no cell has this key
   if (!index.records_.in_memory()) cache_.resize(reader_blocks);
 }
 
@@ -50,7 +53,13 @@ std::span<const IndexedVertex> VertexIndex::Reader::block(std::uint64_t number) 
   return cached.vertices;
 }
 
-VertexIndex::Reader::Found VertexIndex::Reader::find(CellKey key) {
+const VertexIndex::Reader::Found& VertexIndex::Reader::find(CellKey key) {
+  Found& recent = recent_[quick_hash(key) >> (64 - recent_bits)];
+  if (recent.vertex.key != key) recent = search(key);
+  return recent;
+}
+
+VertexIndex::Reader::Found VertexIndex::Reader::search(CellKey key) {
   // The block is the last whose first key is not above `key`. Keys behind the last block's first are above
   // every range.
   const std::size_t range = std::min<std::size_t>(key >> index_.range_shift_, index_.range_start_.size() - 2);

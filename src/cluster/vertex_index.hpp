@@ -46,13 +46,17 @@ class VertexIndex {
       IndexedVertex vertex;
     };
     // `key` must be in the index.
-    Found find(CellKey key);
+    const Found& find(CellKey key);
     IndexedVertex at(std::uint64_t number);
 
    private:
+    static constexpr unsigned recent_bits = 9;
+
+    Found search(CellKey key);
     std::span<const IndexedVertex> block(std::uint64_t number);
 
     const VertexIndex& index_;
+    std::vector<Found> recent_;  // faces come in key order, so their vertices are asked for again soon
     struct Cached {
       std::uint64_t number = UINT64_MAX;
       std::vector<IndexedVertex> vertices;

@@ -1,6 +1,7 @@
 #include "generate/stream.hpp"
 
 #include "base/hash.hpp"
+#include "generate/pipeline_step.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -84,25 +85,17 @@ class Streaming {
   void run();
 
  private:
-  // The pipeline alone makes sure that no two steps meet in a block, in the numbering or in the writing. The
-  // locks, never contended, show that to ThreadSanitizer, which does not see into Debian's oneTBB; this
-  // passes everything to the working threads and, at the end, back.
-  class Handover {
-   public:
-    Handover(Streaming& streaming, std::vector<Block>& blocks) : streaming_(streaming), blocks_(blocks) {
-      pass();
+  // When the pipeline is through, by whatever way: the steps' work belongs to the calling thread again.
+  struct TakeBack {
+    TakeBack(Streaming& s, std::vector<Block>& b) : streaming(s), blocks(b) {}
+    ~TakeBack() {
+      const std::scoped_lock own(streaming.numbering_, streaming.writing_);
+      for (Block& block : blocks) const std::scoped_lock working(block.working);
     }
-    ~Handover() { pass(); }
-    Handover(const Handover&) = delete;
-    Handover& operator=(const Handover&) = delete;
-
-   private:
-    void pass() {
-      const std::scoped_lock own(streaming_.numbering_, streaming_.writing_);
-      for (Block& block : blocks_) const std::scoped_lock working(block.working);
-    }
-    Streaming& streaming_;
-    std::vector<Block>& blocks_;
+    TakeBack(const TakeBack&) = delete;
+    TakeBack& operator=(const TakeBack&) = delete;
+    Streaming& streaming;
+    std::vector<Block>& blocks;
   };
 
   bool begin(Block& block);
@@ -194,11 +187,14 @@ void Streaming::run() {
   std::vector<Block> blocks(tokens);
   std::size_t turn = 0;
 
+  constexpr auto serial = tbb::filter_mode::serial_in_order;
+  constexpr auto parallel = tbb::filter_mode::parallel;
   job_.progress.begin("generate", file_.shape.faces, "faces");
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, job_.threads);
   tbb::task_arena arena(static_cast<int>(job_.threads));
-  const Handover handover(*this, blocks);
-  const auto next = [&](tbb::flow_control& control) -> Block* {
+  // The pipeline alone makes sure that no two steps meet in a block, in the numbering or in the writing. The
+  // locks, never contended, show that to ThreadSanitizer (see pipeline_step.hpp).
+  const auto number = [&](tbb::flow_control& control) -> Block* {
     const std::scoped_lock numbering(numbering_);
     Block& block = blocks[turn];
     turn = (turn + 1) % tokens;
@@ -207,22 +203,24 @@ void Streaming::run() {
     control.stop();
     return nullptr;
   };
+  const auto make = [&](Block* block) {
+    const std::scoped_lock working(block->working);
+    job_.progress.check_cancelled();
+    block->ids.resize(block->count);
+    std::iota(block->ids.begin(), block->ids.end(), block->first);
+    block->bytes.clear();
+    block->of_faces ? fill_faces(*block) : fill_vertices(*block);
+    return block;
+  };
+  const auto write = [&](Block* block) {
+    const std::scoped_lock both(writing_, block->working);
+    finish(*block);
+  };
+  const TakeBack take_back(*this, blocks);
   arena.execute([&] {
-    const auto number = tbb::make_filter<void, Block*>(tbb::filter_mode::serial_in_order, next);
-    const auto make = tbb::make_filter<Block*, Block*>(tbb::filter_mode::parallel, [&](Block* block) {
-      const std::scoped_lock working(block->working);
-      job_.progress.check_cancelled();
-      block->ids.resize(block->count);
-      std::iota(block->ids.begin(), block->ids.end(), block->first);
-      block->bytes.clear();
-      block->of_faces ? fill_faces(*block) : fill_vertices(*block);
-      return block;
-    });
-    const auto write = tbb::make_filter<Block*, void>(tbb::filter_mode::serial_in_order, [&](Block* block) {
-      const std::scoped_lock all(writing_, block->working);
-      finish(*block);
-    });
-    tbb::parallel_pipeline(tokens, number & make & write);
+    tbb::parallel_pipeline(tokens, tbb::make_filter<void, Block*>(serial, PipelineStep(number)) &
+                                       tbb::make_filter<Block*, Block*>(parallel, PipelineStep(make)) &
+                                       tbb::make_filter<Block*, void>(serial, PipelineStep(write)));
   });
 }
 

@@ -14,6 +14,12 @@
 
 namespace winnow {
 
+// Record::before as an object: a pointer to it would not be inlined into sorting.
+template <typename Record>
+struct Before {
+  bool operator()(const Record& a, const Record& b) const { return Record::before(a, b); }
+};
+
 // Gives records in ascending order.
 template <typename Record>
 class RecordCursor {
