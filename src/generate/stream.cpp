@@ -24,8 +24,13 @@ constexpr std::size_t block_size = std::size_t{1} << 14;  // vertices or faces; 
 // Finds out which corners of a block are the same vertex: a table with one place for each hash. Whoever
 // loses his place to another is computed again, which costs time but changes nothing.
 class SharedCorners {
+  static constexpr unsigned place_bits = 15;
+  static constexpr std::size_t places = std::size_t{1} << place_bits;
+
  public:
-  SharedCorners() : tag_(places), slot_(places) {}
+  static constexpr std::uint64_t table_bytes = places * (sizeof(std::uint64_t) + sizeof(std::uint32_t));
+
+  SharedCorners() : tag_(places), slot_(places) { ids_.reserve(3 * block_size); }
 
   void clear() {
     std::fill(tag_.begin(), tag_.end(), UINT64_MAX);
@@ -44,8 +49,6 @@ class SharedCorners {
   [[nodiscard]] std::span<const std::uint64_t> ids() const { return ids_; }
 
  private:
-  static constexpr unsigned place_bits = 15;
-  static constexpr std::size_t places = std::size_t{1} << place_bits;
   std::vector<std::uint64_t> tag_;
   std::vector<std::uint32_t> slot_;
   std::vector<std::uint64_t> ids_;
@@ -67,10 +70,12 @@ struct Block {
   SharedCorners shared;
 };
 
-// What a block comes to hold: no corner shared, 50 bytes a face.
+// What a block comes to hold at most: an STL file in which no corner is shared.
 constexpr std::uint64_t block_bytes =
-    block_size * (3 * (sizeof(std::uint64_t) + sizeof(Point)) + sizeof(MeshFace) + 3 * sizeof(std::uint32_t) +
-                  sizeof(Corners) + 64 + 3 * sizeof(std::uint64_t));
+    block_size * (sizeof(std::uint64_t) + sizeof(MeshFace) + 3 * sizeof(std::uint32_t) +  // ids, faces, slots
+                  3 * (sizeof(std::uint64_t) + sizeof(Point)) + sizeof(Corners) +  // corners, shared or not
+                  50) +                                                            // encoded
+    SharedCorners::table_bytes;
 
 class Streaming {
  public:

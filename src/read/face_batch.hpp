@@ -16,7 +16,7 @@ enum class FaceStatus : std::uint8_t {
 // A slice of the input, small enough to stay in a core's nearest caches. Arrays side by side, so that
 // loops over them vectorise.
 struct FaceBatch {
-  static constexpr std::size_t capacity = 512;
+  static constexpr std::size_t capacity = 128;
 
   std::size_t count = 0;
   std::uint64_t first = 0;     // number of the first face, from 0 over the whole input

@@ -22,7 +22,7 @@ inline constexpr int normal_bits = 20;
 inline constexpr int area_bits = 24;
 inline constexpr int weight_limit_bits = 28;
 
-inline constexpr std::size_t kernel_capacity = 512;  // faces; that of FaceBatch
+inline constexpr std::size_t kernel_capacity = 128;  // faces; that of FaceBatch
 
 enum FaceKind : std::int64_t {
   one_cell = 0,       // all corners in one cell
