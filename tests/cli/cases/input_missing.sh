@@ -1,0 +1,1 @@
+"$WINNOW" simplify none.ply -o small.ply --grid 10

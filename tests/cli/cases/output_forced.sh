@@ -1,0 +1,4 @@
+"$WINNOW" generate scan --faces 2000 -o scan.ply -q
+touch small.ply
+"$WINNOW" simplify scan.ply -o small.ply --grid 10 --force -q
+[[ -s small.ply ]]

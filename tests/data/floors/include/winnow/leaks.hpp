@@ -1,0 +1,6 @@
+#pragma once
+#include <tbb/task.h>
+#include <unistd.h>
+#include <vector>
+#include "ok.hpp"
+#include <winnow/ok.hpp>

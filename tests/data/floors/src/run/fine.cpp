@@ -1,0 +1,3 @@
+#include "base/up.hpp"
+#include "write/x.hpp"
+#include "run/y.hpp"

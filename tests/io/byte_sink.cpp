@@ -1,0 +1,241 @@
+// An output appears whole or not at all.
+#include "io/byte_sink.hpp"
+
+#include "support/files.hpp"
+#include "support/job.hpp"
+#include "support/random.hpp"
+#include "support/sources.hpp"
+
+#include <csignal>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+namespace winnow {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+void write_all(ByteSink& sink, const std::string& text) { sink.write(test::bytes_of(text)); }
+
+unsigned mode_of(const std::string& path) {
+  struct stat status {};
+  REQUIRE(::stat(path.c_str(), &status) == 0);
+  return status.st_mode & 07777U;
+}
+
+// The umask of the process, for as long as the object lives.
+class Umask {
+ public:
+  explicit Umask(mode_t mask) : before_(::umask(mask)) {}
+  ~Umask() { ::umask(before_); }
+  Umask(const Umask&) = delete;
+  Umask& operator=(const Umask&) = delete;
+
+ private:
+  mode_t before_;
+};
+
+}  // namespace
+
+TEST_CASE("an output is under its name only when it is finished") {
+  const test::Directory directory;
+  const std::string path = directory.file("out.ply");
+  test::Random random(100);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{262'144}, std::size_t{20'000'000}}) {
+    const std::string content = random.bytes(size);
+    test::TestJob test;
+    ByteSink sink(test.job, path, false);
+    std::size_t at = 0;
+    for (const std::size_t part : random.parts(size, 600'000)) {
+      write_all(sink, content.substr(at, part));
+      at += part;
+    }
+    CAPTURE(size);
+    CHECK(sink.written() == size);
+    CHECK_FALSE(test::exists(path));
+    sink.finish();
+    CHECK(test::bytes_of_file(path) == content);
+    CHECK(directory.names() == Names{"out.ply"});
+    std::filesystem::remove(path);
+  }
+}
+
+TEST_CASE("an output that is not finished leaves nothing") {
+  const test::Directory directory;
+  for (const bool force : {false, true}) {
+    test::TestJob test;
+    {
+      ByteSink sink(test.job, directory.file("out.ply"), force);
+      write_all(sink, std::string(1'000'000, 'x'));
+      CHECK(directory.names().size() == 1);  // it is written in the same directory
+    }
+    CHECK(directory.names().empty());
+  }
+}
+
+TEST_CASE("an output that is not finished leaves the old file as it was") {
+  const test::Directory directory;
+  const std::string path = directory.file("out.ply");
+  test::write_file(path, "old");
+  {
+    test::TestJob test;
+    ByteSink sink(test.job, path, true);
+    write_all(sink, std::string(1'000'000, 'x'));
+    CHECK(test::bytes_of_file(path) == "old");
+  }
+  CHECK(test::bytes_of_file(path) == "old");
+  CHECK(directory.names() == Names{"out.ply"});
+}
+
+TEST_CASE("an existing file is refused at once") {
+  const test::Directory directory;
+  const std::string path = directory.file("out.ply");
+  test::write_file(path, "old");
+  test::TestJob test;
+  const Error error = test::error_of([&] { ByteSink(test.job, path, false); });
+  CHECK(error.kind() == ErrorKind::usage);
+  CHECK(std::string(error.what()).find("--force") != std::string::npos);
+  CHECK(test::bytes_of_file(path) == "old");
+  CHECK(directory.names() == Names{"out.ply"});
+}
+
+TEST_CASE("a file that appears meanwhile is not replaced") {
+  const test::Directory directory;
+  const std::string path = directory.file("out.ply");
+  {
+    test::TestJob test;
+    ByteSink sink(test.job, path, false);
+    write_all(sink, "mine");
+    test::write_file(path, "theirs");
+    CHECK(test::error_of([&] { sink.finish(); }).kind() == ErrorKind::usage);
+  }
+  CHECK(test::bytes_of_file(path) == "theirs");
+  CHECK(directory.names() == Names{"out.ply"});
+}
+
+TEST_CASE("a replaced file hands its mode on") {
+  const test::Directory directory;
+  const std::string path = directory.file("out.ply");
+  for (const unsigned mode : {0600U, 0644U, 0664U, 0755U, 0400U}) {
+    const Umask mask(077);
+    test::TestJob test;
+    std::filesystem::remove(path);
+    test::write_file(path, "old");
+    REQUIRE(::chmod(path.c_str(), mode) == 0);
+    ByteSink sink(test.job, path, true);
+    write_all(sink, "new");
+    sink.finish();
+    CAPTURE(mode);
+    CHECK(mode_of(path) == mode);
+    CHECK(test::bytes_of_file(path) == "new");
+  }
+}
+
+TEST_CASE("a new file gets the mode of any new file") {
+  const test::Directory directory;
+  for (const mode_t mask : {0, 022, 077}) {
+    const Umask now(mask);
+    const std::string path = directory.file("out" + std::to_string(mask));
+    test::TestJob test;
+    ByteSink sink(test.job, path, false);
+    sink.finish();
+    CHECK(mode_of(path) == (0666U & ~mask));
+    const mode_t after = ::umask(mask);
+    CHECK(after == mask);  // looking at it did not change it
+  }
+}
+
+TEST_CASE("what is no regular file is written straight and not replaced") {
+  const test::Directory directory;
+  const std::string path = directory.file("pipe");
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  REQUIRE(reader >= 0);
+  test::TestJob test;
+  ByteSink sink(test.job, path, false);  // needs no force
+  write_all(sink, "through");
+  sink.finish();
+  std::string got(100, '\0');
+  got.resize(static_cast<std::size_t>(::read(reader, got.data(), got.size())));
+  ::close(reader);
+  CHECK(got == "through");
+  CHECK(std::filesystem::is_fifo(path));
+  CHECK(directory.names() == Names{"pipe"});
+
+  ByteSink nothing(test.job, "/dev/null", false);
+  write_all(nothing, "gone");
+  CHECK_NOTHROW(nothing.finish());
+}
+
+TEST_CASE("a full disk is an error") {
+  test::TestJob test;
+  const Error error = test::error_of([&] {
+    ByteSink sink(test.job, "/dev/full", false);
+    for (int i = 0; i < 10; ++i) write_all(sink, std::string(100'000, 'x'));
+    sink.finish();
+  });
+  CHECK(error.kind() == ErrorKind::resources);
+  CHECK(std::string(error.what()).find("/dev/full") != std::string::npos);
+}
+
+TEST_CASE("a reader that went away is an error") {
+  const auto before = ::signal(SIGPIPE, SIG_IGN);
+  const test::Directory directory;
+  const std::string path = directory.file("pipe");
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  test::TestJob test;
+  ByteSink sink(test.job, path, false);
+  ::close(reader);
+  const Error error = test::error_of([&] {
+    write_all(sink, std::string(1'000'000, 'x'));
+    sink.finish();
+  });
+  CHECK(error.kind() == ErrorKind::resources);
+  ::signal(SIGPIPE, before);
+}
+
+TEST_CASE("a reader that does not read does not keep a cancelled run") {
+  const test::Directory directory;
+  const std::string path = directory.file("pipe");
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  test::TestJob test;
+  ByteSink sink(test.job, path, false);
+  std::thread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    test.context.cancel();
+  });
+  const Stopwatch watch;
+  CHECK(test::error_of([&] { write_all(sink, std::string(5'000'000, 'x')); }).kind() == ErrorKind::cancelled);
+  CHECK(watch.seconds() < 5);
+  later.join();
+  ::close(reader);
+}
+
+TEST_CASE("a cancelled run does not finish its output") {
+  const test::Directory directory;
+  {
+    test::TestJob test;
+    ByteSink sink(test.job, directory.file("out.ply"), false);
+    write_all(sink, "nearly");
+    test.context.cancel();
+    CHECK(test::error_of([&] { sink.finish(); }).kind() == ErrorKind::cancelled);
+  }
+  CHECK(directory.names().empty());
+}
+
+TEST_CASE("a place where nothing can be written is an error at once") {
+  const test::Directory directory;
+  test::TestJob test;
+  CHECK(test::error_of([&] { ByteSink(test.job, directory.path(), false); }).kind() == ErrorKind::usage);
+  CHECK(test::error_of([&] { ByteSink(test.job, directory.file("no/such/place.ply"), true); }).kind() == ErrorKind::resources);
+}
+
+}  // namespace winnow

@@ -1,0 +1,3 @@
+// Catch's own main: see winnow_tests --help.
+#define CATCH_CONFIG_MAIN
+#include <catch2/catch.hpp>

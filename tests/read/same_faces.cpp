@@ -1,0 +1,111 @@
+// Mapped, read or piped, plain or packed: the same faces and positions.
+#include "support/files.hpp"
+#include "support/ply_file.hpp"
+#include "support/reading.hpp"
+#include "support/sources.hpp"
+#include "support/stl_file.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace winnow {
+
+using test::difference;
+
+namespace {
+
+struct Content {
+  std::vector<test::SeenFace> faces;
+  std::vector<test::Point> positions;
+  std::optional<test::Point> first;
+};
+
+// The way a run reads, for each access.
+Content read(test::TestJob& test, const std::string& path, Access access, const ReaderMemory& memory) {
+  const auto reader = open_reader(test.job, open_source(test.job, path), Format::automatic, access, memory);
+  Content content;
+  if (access != Access::once) {
+    content.positions = read_positions(test.job, *reader);
+    if (access == Access::repeatedly) CHECK(difference(read_positions(test.job, *reader), content.positions) == "");
+  } else {
+    content.first = reader->first_finite_position();
+  }
+  content.faces = read_faces(test.job, *reader);
+  if (access == Access::repeatedly) {
+    reader->rest();
+    CHECK(difference(read_faces(test.job, *reader), content.faces) == "");
+    CHECK(difference(read_positions(test.job, *reader), content.positions) == "");
+  }
+  return content;
+}
+
+std::vector<std::string> example_files() {
+  test::Random random(310);
+  std::vector<std::string> files;
+  // More than a window of either kind.
+  const test::Polygons triangles = test::random_polygons(random, 60'000, 130'000, 3);
+  const test::Polygons polygons = test::random_polygons(random, 20'000, 40'000, 5);
+  for (int form = 0; form < 3; ++form) {
+    test::PlyStyle style;
+    style.form = static_cast<PlyForm>(form);
+    files.push_back(ply_file(triangles, style));
+    style.coordinate.fill(PlyType::float64);
+    files.push_back(ply_file(polygons, style));
+    style.faces_first = true;
+    files.push_back(ply_file(polygons, style));
+    style.faces_first = false;
+    style.ornaments = &random;
+    files.push_back(ply_file(polygons, style));
+  }
+  std::vector<test::Triangle> faces = test::random_triangles(random, 70'000);
+  faces[0][0] = {NAN, 0, 0};
+  faces[0][1][2] = INFINITY;
+  files.push_back(test::binary_stl(faces));
+  files.push_back(test::binary_stl(faces, {"solid", 5, "tail"}));
+  faces.resize(20'000);
+  files.push_back(test::ascii_stl(faces));
+  return files;
+}
+
+}  // namespace
+
+TEST_CASE("faces and positions do not depend on how the bytes come", "[threads]") {
+  const test::Directory directory;
+  const std::string path = directory.file("mesh");
+  int number = 0;
+  for (const std::string& file : example_files()) {
+    test::write_file(path, file);
+    const std::string packed = test::zstd_file(path);
+    for (const Access access : {Access::once, Access::positions_first, Access::repeatedly}) {
+      std::optional<Content> right;
+      const auto same = [&](const char* how, const Content& content) {
+        CAPTURE(number, how, static_cast<int>(access));
+        if (!right) {
+          right = content;
+          REQUIRE(content.faces.size() > 10'000);
+          REQUIRE((access == Access::once) == content.positions.empty());
+          return;
+        }
+        CHECK(difference(content.faces, right->faces) == "");
+        CHECK(difference(content.positions, right->positions) == "");
+        CHECK(content.first == right->first);
+      };
+      // A small memory for vertices makes them move to scratch, and mapped pages be dropped.
+      for (const ReaderMemory& memory : {ReaderMemory{test::usual_vertex_memory, 8192}, ReaderMemory{std::uint64_t{1} << 20, 600}}) {
+        for (const bool map : {false, true}) {
+          test::TestJob test({.map_input = map});
+          same(map ? "mapped" : "read", read(test, path, access, memory));
+        }
+        {
+          const test::FedPipe pipe(file);
+          test::TestJob test;
+          same("pipe", read(test, pipe.path(), access, memory));
+        }
+        test::TestJob test({.threads = 1});
+        same("packed", read(test, packed, access, memory));
+      }
+    }
+    ++number;
+  }
+}
+
+}  // namespace winnow

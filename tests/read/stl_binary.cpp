@@ -1,0 +1,118 @@
+// Binary STL, honest and not.
+#include "support/job.hpp"
+#include "support/reading.hpp"
+#include "support/sources.hpp"
+#include "support/stl_file.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace winnow {
+
+using test::difference;
+
+namespace {
+
+struct Read {
+  std::vector<test::SeenFace> faces;
+  std::string format;
+  std::vector<std::string> notes;
+};
+
+Read read(const std::string& file, test::MemorySource::Kind kind) {
+  test::TestJob test;
+  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file, kind), Format::automatic, Access::once,
+                                  {test::usual_vertex_memory, 256});
+  Read out;
+  out.format = reader->facts().format;
+  out.faces = test::read_faces(test.job, *reader);
+  out.notes = test.job.notes;
+  CHECK(reader->bytes() == file.size());
+  return out;
+}
+
+constexpr auto both_kinds = {test::MemorySource::Kind::file, test::MemorySource::Kind::pipe};
+
+}  // namespace
+
+TEST_CASE("a binary STL is read as it was written") {
+  test::Random random(270);
+  for (const std::size_t count : {1, 2, 255, 256, 257, 5000}) {
+    const std::vector<test::Triangle> faces = test::random_triangles(random, count);
+    for (const auto kind : both_kinds) {
+      const Read got = read(test::binary_stl(faces), kind);
+      CAPTURE(count, static_cast<int>(kind));
+      CHECK(difference(got.faces, as_seen(faces)) == "");
+      CHECK(got.format == "STL binary");
+      CHECK(got.notes.empty());
+    }
+  }
+}
+
+TEST_CASE("a binary STL may begin with the word solid") {
+  test::Random random(271);
+  for (const std::string header : {"solid", "solid exported by a program", "SOLID facet normal", "  solid x", "solid\nfacet normal 0 0 1\nouter loop\n"}) {
+    for (const std::size_t count : {1, 3, 1000}) {
+      const std::vector<test::Triangle> faces = test::random_triangles(random, count);
+      for (const auto kind : both_kinds) {
+        for (const std::int64_t declared : {std::int64_t{-1}, std::int64_t{0}}) {
+          if (declared == 0 && kind == test::MemorySource::Kind::file && count == 0) continue;
+          CAPTURE(header, count, static_cast<int>(kind), declared);
+          const Read got = read(test::binary_stl(faces, {header, declared, ""}), kind);
+          CHECK(got.format == "STL binary");
+          CHECK(difference(got.faces, as_seen(faces)) == "");
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a wrong count is settled by the size, and told") {
+  test::Random random(272);
+  const std::vector<test::Triangle> faces = test::random_triangles(random, 1000);
+  for (const std::int64_t count : {std::int64_t{0}, std::int64_t{1}, std::int64_t{999}, std::int64_t{1001}, std::int64_t{4294967295}}) {
+    for (const auto kind : both_kinds) {
+      const Read got = read(test::binary_stl(faces, {"x", count, ""}), kind);
+      CAPTURE(count, static_cast<int>(kind));
+      CHECK(difference(got.faces, as_seen(faces)) == "");
+      REQUIRE(got.notes.size() == 1);
+      CHECK(got.notes[0].find("1,000") != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("what is left behind the last face is told and left out") {
+  test::Random random(273);
+  const std::vector<test::Triangle> faces = test::random_triangles(random, 1000);
+  for (const std::size_t trailing : {1, 49}) {
+    for (const auto kind : both_kinds) {
+      const Read got = read(test::binary_stl(faces, {"x", -1, std::string(trailing, 'z')}), kind);
+      CAPTURE(trailing, static_cast<int>(kind));
+      CHECK(difference(got.faces, as_seen(faces)) == "");
+      REQUIRE(got.notes.size() == 1);
+      CHECK(got.notes[0].find(std::to_string(trailing)) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("an STL of no faces is one of no faces") {
+  for (const auto kind : both_kinds) CHECK(read(test::binary_stl({}), kind).faces.empty());
+}
+
+TEST_CASE("faces and positions can be read again and again from a file") {
+  test::Random random(274);
+  const std::vector<test::Triangle> faces = test::random_triangles(random, 3000);
+  std::vector<test::Point> corners;
+  for (const test::Triangle& face : faces) corners.insert(corners.end(), face.begin(), face.end());
+  for (const std::string& file : {test::binary_stl(faces), test::ascii_stl(faces)}) {
+    test::TestJob test;
+    const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic, Access::repeatedly,
+                                    {test::usual_vertex_memory, 256});
+    for (int pass = 0; pass < 3; ++pass) {
+      CHECK(reader->first_finite_position() == faces[0][0]);
+      CHECK(difference(read_positions(test.job, *reader), corners) == "");
+      CHECK(difference(read_faces(test.job, *reader), as_seen(faces)) == "");
+    }
+  }
+}
+
+}  // namespace winnow

@@ -1,0 +1,87 @@
+// Every way in stays within the budget: the peak of the child's resident set, mapped pages included.
+#include "support/budget.hpp"
+
+#include <fstream>
+
+namespace winnow::test {
+
+namespace {
+
+constexpr std::uint64_t faces = 2'000'000;
+const Words coarse{"--cell", "0.01", "--threads", "2"};
+
+void check_pipe(const Directory& directory, const std::string& input, const Words& options) {
+  const std::string memory = smallest_memory(input, options);
+  const std::string output = directory.file("out.ply");
+  Program program(Words{"simplify", "-", "-o", output, "--json", "--memory", memory} + options, {.in = "|"});
+  std::ifstream file(input, std::ios::binary);
+  std::string part(1 << 16, '\0');
+  while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0) {
+    if (!program.write(part.substr(0, static_cast<std::size_t>(file.gcount())))) break;
+  }
+  INFO("a pipe of " << input << " " << joined(options));
+  check_peak(program.wait(), memory);
+  ::unlink(output.c_str());
+}
+
+}  // namespace
+
+TEST_CASE("a PLY file stays within the budget", "[budget]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", faces, input);
+  for (const char* memory : {"smallest", "64M", "128M"}) check_budget(directory, input, coarse, memory);
+  for (const Words& options : {Words{"--grid", "300"}, Words{"--faces", "300k"},
+                               Words{"--ratio", "50%", "--placement", "quadric"}}) {
+    check_budget(directory, input, options, "smallest");
+  }
+}
+
+TEST_CASE("an STL file stays within the budget", "[budget]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.stl");
+  generate("scan", faces, input);
+  for (const char* memory : {"smallest", "64M", "128M"}) check_budget(directory, input, coarse, memory);
+  for (const Words& options : {Words{"--grid", "300"}, Words{"--faces", "300k"}}) {
+    check_budget(directory, input, options, "smallest");
+  }
+}
+
+TEST_CASE("a pipe stays within the budget", "[budget]") {
+  const Directory directory;
+  for (const char* name : {"scan.ply", "scan.stl"}) {
+    const std::string input = directory.file(name);
+    generate("scan", faces, input);
+    check_pipe(directory, input, coarse);
+    check_pipe(directory, input, {"--faces", "300k"});
+  }
+}
+
+TEST_CASE("ASCII stays within the budget", "[budget]") {
+  const Directory directory;
+  const std::string binary = directory.file("scan.ply");
+  generate("scan", faces / 2, binary);
+  check_budget(directory, ascii_file(binary, directory.file("ascii.ply")), coarse, "smallest");
+  const std::string stl = directory.file("scan.stl");
+  generate("scan", faces / 4, stl);
+  check_budget(directory, ascii_file(stl, directory.file("ascii.stl")), coarse, "smallest");
+}
+
+TEST_CASE("compressed input stays within the budget", "[budget]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", faces, input);
+  check_budget(directory, zstd_file(input), coarse, "smallest");
+  check_budget(directory, gzip_file(input), coarse, "smallest");
+}
+
+TEST_CASE("many threads stay within the budget", "[budget]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", faces, input);
+  check_budget(directory, input, {"--faces", "300k", "--threads", "16"}, "smallest");
+  check_budget(directory, input, {"--cell", "0.003", "--threads", "64", "--placement", "quadric"},
+               "smallest");
+}
+
+}  // namespace winnow::test

@@ -1,0 +1,95 @@
+// Context::cancel in every stage of a run, at its very beginning: Error(cancelled), and nothing is left.
+#include <winnow/error.hpp>
+#include <winnow/simplify.hpp>
+
+#include "support/simplified.hpp"
+
+#include <set>
+
+namespace winnow::test {
+
+namespace {
+
+using Stages = std::set<std::string>;
+
+void check_every_stage(const Directory& directory, const std::string& input, const SimplifyOptions& options, const Stages& expected) {
+  const std::string output = directory.file("out.ply");
+  Context context;
+  context.threads = 2;
+  context.memory = std::uint64_t{40} << 20;
+  context.scratch = directory.path();
+  context.map_input = true;
+  Stages stages;
+  context.progress = [&](const Progress& progress) { stages.insert(progress.stage); };
+  winnow::simplify(context, input, output, options);
+  ::unlink(output.c_str());
+  CHECK(stages == expected);
+  const Words before = directory.names();
+  for (const std::string& stage : stages) {
+    Context again;
+    again.threads = 2;
+    again.memory = context.memory;
+    again.scratch = directory.path();
+    again.map_input = true;
+    again.progress = [&](const Progress& progress) {
+      if (progress.stage == stage) again.cancel();
+    };
+    int code = 0;
+    try {
+      simplify(again, input, output, options);
+    } catch (const Error& error) {
+      code = error.exit_code();
+    }
+    INFO(input << ", cancelled in stage '" << stage << "'");
+    CHECK(code == 130);
+    CHECK(directory.names() == before);
+  }
+}
+
+SimplifyOptions with_cell() {
+  SimplifyOptions options;
+  options.cell = 0.002;
+  return options;
+}
+
+SimplifyOptions with_grid() {
+  SimplifyOptions options;
+  options.grid = 300;
+  return options;
+}
+
+SimplifyOptions with_faces() {
+  SimplifyOptions options;
+  options.faces = 20'000;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("a run is cancelled in every stage", "[faults][threads]") {
+  const Directory directory;
+  const std::string ply = directory.file("scan.ply");
+  generate("scan", 100'000, ply);
+  const std::string stl = directory.file("scan.stl");
+  generate("scan", 100'000, stl);
+  const std::string packed_ply = gzip_file(ply);
+  const std::string packed_stl = zstd_file(stl);
+  check_every_stage(directory, ply, with_cell(), {"cluster", "write"});
+  check_every_stage(directory, stl, with_grid(), {"measure", "cluster", "write"});
+  check_every_stage(directory, ply, with_faces(), {"sample", "cluster", "write"});
+  check_every_stage(directory, packed_ply, with_cell(), {"read vertices", "cluster", "write"});
+  check_every_stage(directory, packed_stl, with_faces(),
+                    {"copy the input to scratch", "count faces", "sample", "cluster", "write"});
+}
+
+TEST_CASE("a context that was cancelled before does nothing", "[faults]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", 2'000, input);
+  Context context;
+  context.cancel();
+  CHECK_THROWS_AS(simplify(context, input, directory.file("out.ply"), with_grid()), Error);
+  CHECK(directory.names() == Words{"scan.ply"});
+}
+
+}  // namespace winnow::test

@@ -1,0 +1,24 @@
+// A mesh as text and the same mesh in binary give the same bytes.
+#include "support/simplified.hpp"
+
+namespace winnow::test {
+
+TEST_CASE("the same bytes from ASCII and binary of the same floats", "[same_bytes]") {
+  const Directory directory;
+  for (const char* format : {".ply", ".stl"}) {
+    for (const char* surface : {"scan", "terrain", "part"}) {
+      const std::string binary = directory.file(std::string(surface) + format);
+      generate(surface, 20'000, binary);
+      const std::string ascii = ascii_file(binary, directory.file(std::string(surface) + "-ascii" + format));
+      for (const Words& options : {Words{"--cell", "0.03"}, Words{"--grid", "50"}, Words{"--faces", "3000"},
+                                   Words{"--ratio", "20%"}}) {
+        INFO(surface << format << " " << joined(options));
+        const Simplified want = simplified(directory, binary, options);
+        CHECK(simplified(directory, ascii, options).hash == want.hash);
+        if (options[0] == "--grid") CHECK(simplified(directory, gzip_file(ascii), options).hash == want.hash);
+      }
+    }
+  }
+}
+
+}  // namespace winnow::test

@@ -1,0 +1,77 @@
+// Outputs have not changed since they were last looked at: golden.txt beside this file. Whoever changes a
+// result on purpose renews it, looks at what changed and why, and commits it with the change:
+//   build/release/tests/winnow_tests "renew the golden outputs"
+#include "support/simplified.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <map>
+
+namespace winnow::test {
+
+namespace {
+
+std::string golden_path() {
+  return std::string(WINNOW_TEST_DATA) + "/../run/same_bytes_golden.txt";
+}
+
+// What is run, by a name: the surfaces of `winnow generate` and the two meshes of tests/data.
+std::map<std::string, std::string> current() {
+  const Directory directory;
+  std::map<std::string, std::string> inputs;
+  for (const char* surface : {"scan", "terrain", "part"}) {
+    for (const char* format : {".ply", ".stl"}) {
+      const std::string name = std::string(surface) + format;
+      generate(surface, 30'000, inputs[name] = directory.file(name), {"--seed", "7"});
+    }
+  }
+  generate("terrain", 30'000, inputs["far.ply"] = directory.file("far.ply"),
+           {"--offset", "431000,5412000,300"});
+  for (const char* name : {"whale_cranium.ply.zst", "white_mountains.ply.zst"}) {
+    inputs[name] = std::string(WINNOW_TEST_DATA) + "/" + name;
+  }
+  std::map<std::string, std::string> found;
+  for (const auto& [name, path] : inputs) {
+    for (const Words& options :
+         {Words{"--grid", "60"}, Words{"--grid", "60", "--placement", "quadric", "--normals"},
+          Words{"--faces", "3000"}, Words{"--ratio", "0.5"}}) {
+      const Words placed = joined(options).find("--placement") == std::string::npos
+                               ? options + Words{"--placement", "mean"}
+                               : options;
+      found[name + " " + joined(placed)] = simplified(directory, path, placed).hash;
+    }
+    found[name + " --grid 60 --placement mean --to stl"] =
+        simplified(directory, path, {"--grid", "60", "--placement", "mean"}, {}, "out.stl").hash;
+  }
+  for (const char* name : {"scan.ply", "scan.stl", "far.ply"}) {
+    found[std::string(name) + " --cell 0.05 --placement mean"] =
+        simplified(directory, inputs[name], {"--cell", "0.05", "--placement", "mean"}).hash;
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("outputs have not changed", "[same_bytes]") {
+  std::ifstream file(golden_path());
+  std::map<std::string, std::string> golden;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    golden[line.substr(17)] = line.substr(0, 16);
+  }
+  const std::map<std::string, std::string> found = current();
+  CHECK(golden.size() == found.size());
+  for (const auto& [name, hash] : found) {
+    INFO(name);
+    CHECK(hash == golden[name]);
+  }
+}
+
+TEST_CASE("renew the golden outputs", "[.]") {
+  std::ofstream file(golden_path());
+  file << "# FNV-1a of outputs of winnow simplify; read and renewed by same_bytes_golden.cpp, which says "
+          "how.\n";
+  for (const auto& [name, hash] : current()) file << hash << " " << name << "\n";
+}
+
+}  // namespace winnow::test

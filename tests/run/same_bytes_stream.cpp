@@ -1,0 +1,90 @@
+// File, redirection, pipe, gzip and zstd give the same bytes, and so does writing to a pipe.
+#include "support/simplified.hpp"
+
+namespace winnow::test {
+
+namespace {
+
+const std::vector<Words> all_resolutions{
+    {"--cell", "0.02"}, {"--grid", "70"}, {"--faces", "5000"}, {"--ratio", "20%"}};
+
+Simplified through_pipe(const Directory& directory, const std::string& bytes, const Words& options) {
+  const std::string output = directory.file("piped.ply");
+  Program program(Words{"simplify", "-", "-o", output, "--json"} + options, {.in = "|"});
+  CHECK(program.write(bytes));
+  const Run run = program.wait();
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  Simplified result{hash_of_file(output), run.json()};
+  ::unlink(output.c_str());
+  return result;
+}
+
+void compare_routes(const std::string& surface, const std::string& format) {
+  const Directory directory;
+  const std::string input = directory.file(surface + "." + format);
+  generate(surface, 60'000, input);
+  const std::string gzip = gzip_file(input);
+  const std::string zstd = zstd_file(input);
+  const std::string bytes = bytes_of_file(input);
+  for (const Words& options : all_resolutions) {
+    INFO(surface << "." << format << " " << joined(options));
+    const Simplified file = simplified(directory, input, options);
+    CHECK(simplified(directory, "-", options, {.in = input}).hash == file.hash);
+    CHECK(simplified(directory, gzip, options).hash == file.hash);
+    CHECK(simplified(directory, zstd, options).hash == file.hash);
+    CHECK(simplified(directory, "-", options, {.in = zstd}).hash == file.hash);
+    const Simplified piped = through_pipe(directory, bytes, options);
+    CHECK(piped.hash == file.hash);
+    CHECK(through_pipe(directory, bytes_of_file(gzip), options).hash == file.hash);
+    for (const char* count : {"input", "output", "cells", "turned_faces", "fused_faces", "clamped_faces",
+                              "cell_size", "runs", "notes"}) {
+      INFO(count);
+      CHECK(piped.report[count] == file.report[count]);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the same bytes from all of file pipe gzip zstd PLY", "[same_bytes]") {
+  compare_routes("scan", "ply");
+}
+TEST_CASE("the same bytes from all of file pipe gzip zstd STL", "[same_bytes]") {
+  compare_routes("part", "stl");
+}
+
+TEST_CASE("a pipe whose vertices do not fit into memory gives the same bytes", "[same_bytes]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", 1'600'000, input);
+  const Words options{"--cell", "0.02", "--threads", "1"};
+  const Simplified file = simplified(directory, input, options);
+  const Simplified piped = through_pipe(directory, bytes_of_file(input),
+                                        options + Words{"--memory", smallest_memory(input, options)});
+  CHECK(file.report["spilled_bytes"] == 0);
+  CHECK(piped.report["spilled_bytes"] > 0);
+  CHECK(piped.hash == file.hash);
+}
+
+TEST_CASE("the same bytes to a file a redirected file and a pipe", "[same_bytes]") {
+  const Directory directory;
+  const std::string input = directory.file("terrain.ply");
+  generate("terrain", 60'000, input);
+  for (const char* format : {"ply", "stl"}) {
+    const Words options{"--grid", "100", "--to", format};
+    const std::string whole = directory.file("whole");
+    winnow_ok(Words{"simplify", input, "-o", whole, "-q"} + options);
+    const std::string redirected = directory.file("redirected");
+    winnow_ok(Words{"simplify", input, "-o", "-", "-q"} + options, {.out = redirected});
+    CHECK(hash_of_file(redirected) == hash_of_file(whole));
+    Program program(Words{"simplify", input, "-o", "-", "-q"} + options, {.out = "|"});
+    std::string bytes;
+    for (std::string part = program.read(); !part.empty(); part = program.read()) bytes += part;
+    CHECK(program.wait().code == 0);
+    CHECK(bytes == bytes_of_file(whole));
+    ::unlink(whole.c_str());
+  }
+}
+
+}  // namespace winnow::test

@@ -1,0 +1,35 @@
+// A mesh read through the library, as plain lists.
+#pragma once
+
+#include "read/mesh_reader.hpp"
+#include "support/job.hpp"
+#include "support/polygons.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace winnow::test {
+
+inline constexpr std::uint64_t usual_vertex_memory = std::uint64_t{32} << 20;
+
+// All faces in their order, with all threads of the job. Throws std::logic_error where the batches do not fit
+// together.
+std::vector<SeenFace> read_faces(Job& job, MeshReader& reader);
+
+// All positions in their order; where there are only faces, corner by corner of each.
+std::vector<Point> read_positions(Job& job, MeshReader& reader);
+
+struct ReadStyle {
+  Format format = Format::automatic;
+  Access access = Access::once;
+  ReaderMemory memory{usual_vertex_memory, 8192};
+};
+
+// The faces of a whole content.
+std::vector<SeenFace> faces_of(Job& job, std::unique_ptr<ByteSource> source, const ReadStyle& style = {});
+std::vector<SeenFace> faces_of(const std::string& content, const ReadStyle& style = {});  // as a file ...
+std::vector<SeenFace> faces_of_pipe(const std::string& content,
+                                    const ReadStyle& style = {});  // ... or as a pipe
+
+}  // namespace winnow::test

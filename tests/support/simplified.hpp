@@ -1,0 +1,57 @@
+// Runs of `winnow simplify` whose outputs are compared.
+#pragma once
+
+#include "support/files.hpp"
+#include "support/program.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+namespace winnow::test {
+
+using Words = std::vector<std::string>;
+
+inline Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+inline std::string joined(const Words& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+// The hash of the mesh, and the report.
+struct Simplified {
+  std::string hash;
+  nlohmann::json report;
+};
+
+// `winnow simplify input -o out.<format>` in `directory`; the output is removed again.
+inline Simplified simplified(const Directory& directory, const std::string& input, const Words& options,
+                             const Setup& setup = {}, const std::string& output = "out.ply") {
+  const std::string path = directory.file(output);
+  const Run run = winnow_ok(Words{"simplify", input, "-o", path, "--json"} + options, setup);
+  Simplified result{hash_of_file(path), run.json()};
+  ::unlink(path.c_str());
+  return result;
+}
+
+// The smallest --memory that works for `input`, by the message that a smaller one gets.
+inline std::string smallest_memory(const std::string& input, const Words& options) {
+  const Run run = run_winnow(Words{"simplify", input, "-o", "never-written.ply", "--memory", "1M"} + options);
+  const std::string before = "the smallest that works is --memory ";
+  const std::size_t at = run.err.find(before);
+  INFO(run.err);
+  REQUIRE(run.code == 4);
+  REQUIRE(at != std::string::npos);
+  const std::size_t begin = at + before.size();
+  return run.err.substr(begin, run.err.find('M', begin) + 1 - begin);
+}
+
+}  // namespace winnow::test
