@@ -18,12 +18,12 @@ enum class Surface {
 
 struct GenerateOptions {
   Surface surface = Surface::scan;
-  std::uint64_t faces = 1'000'000;       // the nearest number that the surface's grid allows is made
-  std::uint32_t seed = 1;                // another number, another surface of the same kind
-  Format to = Format::automatic;         // PLY (indexed) unless the output's name ends in .stl
-  bool shuffle = false;                  // faces in a scattered order instead of the scanner's
+  std::uint64_t faces = 1'000'000;        // the nearest number that the surface's grid allows is made
+  std::uint32_t seed = 1;                 // another number, another surface of the same kind
+  Format to = Format::automatic;          // PLY (indexed) unless the output's name ends in .stl
+  bool shuffle = false;                   // faces in a scattered order instead of the scanner's
   std::array<double, 3> offset{0, 0, 0};  // added to every position; PLY is then written in double
-  bool force = false;                    // replace an existing output file
+  bool force = false;                     // replace an existing output file
 };
 
 struct GenerateReport {

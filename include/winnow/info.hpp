@@ -13,17 +13,17 @@
 namespace winnow {
 
 struct InfoReport {
-  std::string format;              // "PLY binary little-endian", "STL ascii", ... with ", gzip" or ", zstd"
-  std::uint64_t bytes = 0;         // after decompression
-  std::uint64_t faces = 0;         // triangles, bad ones included; polygons count as their triangles
-  std::uint64_t vertices = 0;      // vertices stored; 0 for formats without (STL)
+  std::string format;          // "PLY binary little-endian", "STL ascii", ... with ", gzip" or ", zstd"
+  std::uint64_t bytes = 0;     // after decompression
+  std::uint64_t faces = 0;     // triangles, bad ones included; polygons count as their triangles
+  std::uint64_t vertices = 0;  // vertices stored; 0 for formats without (STL)
   BadFaces bad_faces;
-  std::uint64_t zero_area = 0;     // faces with three distinct corners on one line; they are not bad
-  bool has_box = false;            // whether any vertex is finite
+  std::uint64_t zero_area = 0;  // faces with three distinct corners on one line; they are not bad
+  bool has_box = false;         // whether any vertex is finite
   std::array<double, 3> box_min{}, box_max{};  // over all finite vertices, used or not
-  double area = 0;                 // of all good faces, in model units squared
-  double mean_edge = 0;            // over the edges of all good faces, shared ones twice
-  std::vector<std::string> attributes;  // "vertex: nx ny nz (float)", a line each
+  double area = 0;                             // of all good faces, in model units squared
+  double mean_edge = 0;                        // over the edges of all good faces, shared ones twice
+  std::vector<std::string> attributes;         // "vertex: nx ny nz (float)", a line each
 
   // Edges of the good faces. Vertices at the same position are one, so that formats with and without shared
   // vertices give the same numbers. Absent where the budget was too small.

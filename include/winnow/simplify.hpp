@@ -66,10 +66,10 @@ struct SimplifyReport {
   // output to original. In the units of the model.
   double error_bound = 0;
 
-  std::uint64_t runs = 1;                    // times the faces were clustered; 2 where the sample misled
-  std::uint64_t spilled_bytes = 0;           // written to scratch, all kinds together
-  std::uint64_t peak_scratch_bytes = 0;      // most scratch in use at one time
-  std::uint64_t peak_memory_bytes = 0;       // the process's largest resident set so far
+  std::uint64_t runs = 1;                // times the faces were clustered; 2 where the sample misled
+  std::uint64_t spilled_bytes = 0;       // written to scratch, all kinds together
+  std::uint64_t peak_scratch_bytes = 0;  // most scratch in use at one time
+  std::uint64_t peak_memory_bytes = 0;   // the process's largest resident set so far
   struct {
     double total = 0, read = 0, cluster = 0, write = 0;  // read: before the first face is clustered
   } seconds;
@@ -82,12 +82,12 @@ struct SimplifyPlan {
     std::string name;
     std::uint64_t bytes = 0;
   };
-  std::vector<Part> memory;              // how the budget is divided
-  std::uint64_t smallest_memory = 0;     // the smallest budget that works for this input
-  std::vector<std::string> passes;       // what is read, in order
-  std::optional<std::uint64_t> faces;    // what the header promises, where it does
+  std::vector<Part> memory;            // how the budget is divided
+  std::uint64_t smallest_memory = 0;   // the smallest budget that works for this input
+  std::vector<std::string> passes;     // what is read, in order
+  std::optional<std::uint64_t> faces;  // what the header promises, where it does
   std::optional<std::uint64_t> vertices;
-  std::optional<std::uint64_t> scratch_worst;   // no input of this size needs more scratch, in bytes
+  std::optional<std::uint64_t> scratch_worst;     // no input of this size needs more scratch, in bytes
   std::optional<std::uint64_t> scratch_expected;  // a coherent scan at a tenth of its faces
   std::optional<double> seconds_expected;         // a rough guess from a rate measured once
 };

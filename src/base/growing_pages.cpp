@@ -14,7 +14,9 @@ namespace winnow {
 namespace {
 constexpr std::size_t step = std::size_t{2} << 20;
 
-constexpr std::size_t round_up(std::size_t bytes) { return (bytes + step - 1) / step * step; }
+constexpr std::size_t round_up(std::size_t bytes) {
+  return (bytes + step - 1) / step * step;
+}
 }  // namespace
 
 GrowingPages::GrowingPages(Budget& budget, std::size_t limit) : budget_(&budget), limit_(round_up(limit)) {

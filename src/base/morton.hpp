@@ -6,7 +6,7 @@
 
 namespace winnow {
 
-using CellKey = std::uint64_t;           // bits 0, 3, 6, ... are x; 1, 4, 7, ... y; 2, 5, 8, ... z
+using CellKey = std::uint64_t;  // bits 0, 3, 6, ... are x; 1, 4, 7, ... y; 2, 5, 8, ... z
 inline constexpr unsigned axis_bits = 21;
 inline constexpr std::uint32_t axis_cells = 1U << axis_bits;
 

@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t huge_page = std::size_t{2} << 20;
 }
 
-Pages::Pages(Reservation reservation, std::size_t bytes) : reservation_(std::move(reservation)), size_(bytes) {
+Pages::Pages(Reservation reservation, std::size_t bytes)
+    : reservation_(std::move(reservation)), size_(bytes) {
   void* memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) {
     throw Error(ErrorKind::resources, "the system refused " + human_bytes(bytes) + " of memory");

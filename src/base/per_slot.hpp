@@ -15,10 +15,12 @@ namespace winnow {
 template <typename T>
 class PerSlot {
  public:
-  PerSlot(unsigned slots, std::function<std::unique_ptr<T>()> make) : make_(std::move(make)), objects_(slots) {}
+  PerSlot(unsigned slots, std::function<std::unique_ptr<T>()> make)
+      : make_(std::move(make)), objects_(slots) {}
 
   T& local() {
-    std::unique_ptr<T>& mine = objects_[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
+    std::unique_ptr<T>& mine =
+        objects_[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
     if (mine == nullptr) mine = make_();
     return *mine;
   }

@@ -12,8 +12,8 @@ namespace winnow {
 // One cache line. The highest bit of `weight` says that an output face uses the cell; the sum below it stays
 // under 2^41. A cell needing more has several entries, and the last merge adds them up in 128 bits.
 struct alignas(64) CellSum {
-  CellKey key;           // while it is in a FrontCache: the PackedCell
-  std::uint64_t weight;  // units of 2^-24 cell areas; 0: this entry is empty
+  CellKey key;                           // while it is in a FrontCache: the PackedCell
+  std::uint64_t weight;                  // units of 2^-24 cell areas; 0: this entry is empty
   std::array<std::int64_t, 3> position;  // weight times the place within the cell (22 bits)
   std::array<std::int64_t, 3> normal;    // weight times the unit normal (20 bits)
 
@@ -28,7 +28,8 @@ struct alignas(64) CellSum {
   // Adds `from`, of the same cell; false, and nothing done, where the sum could overflow.
   static bool combine(CellSum& into, const CellSum& from) {
     if (!into.has_room(from.weight & ~used_bit)) return false;
-    into.weight = ((into.weight & ~used_bit) + (from.weight & ~used_bit)) | ((into.weight | from.weight) & used_bit);
+    into.weight =
+        ((into.weight & ~used_bit) + (from.weight & ~used_bit)) | ((into.weight | from.weight) & used_bit);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       into.position[axis] += from.position[axis];
       into.normal[axis] += from.normal[axis];

@@ -18,8 +18,12 @@ constexpr std::size_t first_capacity = 512;
 
 // Linear probing stays short up to here, and from here to full() there is room for what is under way when
 // spilling is asked for.
-constexpr std::size_t high_water(std::size_t capacity) { return capacity - capacity / 4; }
-constexpr std::size_t full(std::size_t capacity) { return capacity - capacity / 10; }
+constexpr std::size_t high_water(std::size_t capacity) {
+  return capacity - capacity / 4;
+}
+constexpr std::size_t full(std::size_t capacity) {
+  return capacity - capacity / 10;
+}
 
 }  // namespace
 
@@ -42,7 +46,9 @@ template <typename Sum>
 bool CellTable<Sum>::grow(Part& part) {
   const std::size_t share = budget_.total() / parts_.size() / sizeof(Sum);
   const bool plenty = part.capacity * 16 < share;
-  const std::size_t capacity = part.capacity == 0 ? first_capacity : plenty ? part.capacity * 4 : part.capacity + part.capacity / 2;
+  const std::size_t capacity = part.capacity == 0 ? first_capacity
+                               : plenty           ? part.capacity * 4
+                                                  : part.capacity + part.capacity / 2;
   Pages memory = Pages::try_allocate(budget_, capacity * sizeof(Sum));
   if (!memory) return false;
   const Pages old = std::exchange(part.memory, std::move(memory));

@@ -63,7 +63,9 @@ class ClustererOf final : public Clusterer {
         face_memory_(job.budget.reserve(memory.faces, "the list of faces")),
         table_(job, memory.table, memory.table_parts),
         face_runs_(job),
-        workers_(job.threads, [this] { return std::make_unique<Worker>(job_, memory_.faces / job_.threads, face_runs_); }) {}
+        workers_(job.threads, [this] {
+          return std::make_unique<Worker>(job_, memory_.faces / job_.threads, face_runs_);
+        }) {}
 
   void add(const FaceBatch& faces) override {
     Worker& worker = workers_.local();
@@ -99,13 +101,15 @@ class ClustererOf final : public Clusterer {
     const auto give_way = [&](const Sum& line) { worker.give_way(line, table_); };
     for (std::size_t k = 0; k < inside; ++k) {
       const std::size_t i = worker.inside[k];
-      add_face(worker.cache.entry(static_cast<PackedCell>(worker.corners.cell[0][i]), static_cast<std::uint64_t>(worker.corners.total_weight[i]), give_way),
+      add_face(worker.cache.entry(static_cast<PackedCell>(worker.corners.cell[0][i]),
+                                  static_cast<std::uint64_t>(worker.corners.total_weight[i]), give_way),
                worker.corners, i);
     }
     for (std::size_t k = 0; k < across; ++k) add_across(worker, worker.across[k], give_way);
     for (std::size_t k = 0; k < bad; ++k) {
       const std::size_t i = worker.bad[k];
-      if (worker.corners.kind[i] == close_corners && faces.status[i] == FaceStatus::good && !repeats_a_corner(faces, i)) {
+      if (worker.corners.kind[i] == close_corners && faces.status[i] == FaceStatus::good &&
+          !repeats_a_corner(faces, i)) {
         add_across(worker, i, give_way);
       } else {
         count_bad(worker, faces, i);
@@ -177,7 +181,8 @@ class ClustererOf final : public Clusterer {
     const auto c = static_cast<PackedCell>(face.cell[2][i]);
     const bool kept = (a != b) & (a != c) & (b != c);
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      Sum& sum = worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]), static_cast<std::uint64_t>(face.weight[corner][i]), give_way);
+      Sum& sum = worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]),
+                                    static_cast<std::uint64_t>(face.weight[corner][i]), give_way);
       add_corner(sum, face, corner, i);
       if (kept) sum.weight |= CellSum::used_bit;
     }
@@ -221,8 +226,10 @@ class ClustererOf final : public Clusterer {
 
   static void count_clamped(Worker& worker, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      const std::int32_t largest = std::max({worker.corners.weight[0][i], worker.corners.weight[1][i], worker.corners.weight[2][i]});
-      if (worker.corners.kind[i] <= close_corners && largest >= 1 << weight_limit_bits) ++worker.counts.clamped;
+      const std::int32_t largest =
+          std::max({worker.corners.weight[0][i], worker.corners.weight[1][i], worker.corners.weight[2][i]});
+      if (worker.corners.kind[i] <= close_corners && largest >= 1 << weight_limit_bits)
+        ++worker.counts.clamped;
     }
   }
 
@@ -240,8 +247,8 @@ class ClustererOf final : public Clusterer {
 
 std::uint64_t ClusterMemory::per_thread(bool quadrics) {
   const std::uint64_t line = quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
-  return sizeof(CornerSums) + (line << FrontCache<CellSum>::index_bits) + 2 * pending_entries * line + sizeof(FaceBatch) +
-         (std::uint64_t{256} << 10);  // stack, scratch of the kernel
+  return sizeof(CornerSums) + (line << FrontCache<CellSum>::index_bits) + 2 * pending_entries * line +
+         sizeof(FaceBatch) + (std::uint64_t{256} << 10);  // stack, scratch of the kernel
 }
 
 std::uint64_t ClusterMemory::smallest_table(std::size_t parts, bool quadrics) {
@@ -258,8 +265,10 @@ void ClusterCounts::add(const ClusterCounts& other) {
   outside = std::max(outside, other.outside);
 }
 
-std::unique_ptr<Clusterer> Clusterer::make(Job& job, const ClusterSettings& settings, const ClusterMemory& memory) {
-  if (settings.placement == Placement::quadric) return std::make_unique<ClustererOf<QuadricCellSum>>(job, settings, memory);
+std::unique_ptr<Clusterer> Clusterer::make(Job& job, const ClusterSettings& settings,
+                                           const ClusterMemory& memory) {
+  if (settings.placement == Placement::quadric)
+    return std::make_unique<ClustererOf<QuadricCellSum>>(job, settings, memory);
   return std::make_unique<ClustererOf<CellSum>>(job, settings, memory);
 }
 

@@ -64,7 +64,8 @@ struct ClusterSettings {
 
 class Clusterer {
  public:
-  static std::unique_ptr<Clusterer> make(Job& job, const ClusterSettings& settings, const ClusterMemory& memory);
+  static std::unique_ptr<Clusterer> make(Job& job, const ClusterSettings& settings,
+                                         const ClusterMemory& memory);
   virtual ~Clusterer() = default;
 
   // From any thread of the arena the job runs in.

@@ -10,7 +10,8 @@ FaceList::FaceList(Job& /*job*/, std::uint64_t memory, SortedRuns<CellFace>& run
     : budget_(memory), pages_(budget_, memory / (2 << 20) * (2 << 20)), runs_(runs) {}
 
 void FaceList::add(CellKey a, CellKey b, CellKey c) {
-  if ((count_ + 1) * sizeof(CellFace) > pages_.usable() && !pages_.grow_to((count_ + 1) * sizeof(CellFace))) make_room();
+  if ((count_ + 1) * sizeof(CellFace) > pages_.usable() && !pages_.grow_to((count_ + 1) * sizeof(CellFace)))
+    make_room();
   // Each exchange mirrors the face.
   bool along = true;
   const auto order = [&along](CellKey& low, CellKey& high) {

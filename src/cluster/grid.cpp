@@ -41,7 +41,8 @@ double Grid::cell_of(double coordinate, std::size_t axis) const {
 
 void refuse_cell(double cell, double side) {
   // A part in a thousand more, so that the named edge works whatever is rounded on the way.
-  throw Error(ErrorKind::usage, "cells of " + shortest(cell) + " are too small for a model " + shortest(side) +
+  throw Error(ErrorKind::usage, "cells of " + shortest(cell) + " are too small for a model " +
+                                    shortest(side) +
                                     " across: at most 2,097,152 cells an axis; the smallest that work are " +
                                     shortest(side / axis_cells * 1.001));
 }

@@ -17,7 +17,8 @@ constexpr double normal_scale = 1 << normal_bits;
 constexpr double pull = 5e-3;
 
 // Solves the symmetric positive definite system m x = b by Cholesky's method.
-std::array<double, 3> solve(double xx, double xy, double xz, double yy, double yz, double zz, const std::array<double, 3>& b) {
+std::array<double, 3> solve(double xx, double xy, double xz, double yy, double yz, double zz,
+                            const std::array<double, 3>& b) {
   const double l00 = std::sqrt(xx);
   const double l10 = xy / l00;
   const double l20 = xz / l00;
@@ -87,9 +88,10 @@ std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean
   // The squares of a unit normal add up to one; corners without a normal leave a little less.
   const double zz = std::max(0.0, 1 - xx - yy);
   const std::array<double, 3> m{mean[0] - 0.5, mean[1] - 0.5, mean[2] - 0.5};  // from the cell's middle
-  const std::array<double, 3> rest{static_cast<double>(moment_[0]) / scale - (xx * m[0] + xy * m[1] + xz * m[2]),
-                                   static_cast<double>(moment_[1]) / scale - (xy * m[0] + yy * m[1] + yz * m[2]),
-                                   static_cast<double>(moment_[2]) / scale - (xz * m[0] + yz * m[1] + zz * m[2])};
+  const std::array<double, 3> rest{
+      static_cast<double>(moment_[0]) / scale - (xx * m[0] + xy * m[1] + xz * m[2]),
+      static_cast<double>(moment_[1]) / scale - (xy * m[0] + yy * m[1] + yz * m[2]),
+      static_cast<double>(moment_[2]) / scale - (xz * m[0] + yz * m[1] + zz * m[2])};
   const std::array<double, 3> step = solve(xx + pull, xy, xz, yy + pull, yz, zz + pull, rest);
   std::array<double, 3> place{};
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -26,7 +26,9 @@ bool finite(const Point& p) {
   return p[0] - p[0] == 0 && p[1] - p[1] == 0 && p[2] - p[2] == 0;
 }
 
-Point point_at(const PositionView& view, std::size_t i) { return {view.axis[0][i], view.axis[1][i], view.axis[2][i]}; }
+Point point_at(const PositionView& view, std::size_t i) {
+  return {view.axis[0][i], view.axis[1][i], view.axis[2][i]};
+}
 
 void add_to_box(const PositionView& view, Box& box) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -66,7 +68,8 @@ void pick_points(const PositionView& view, std::uint64_t step, std::vector<Point
 
 std::uint64_t hash_cell(const Point& point, const Grid& grid) {
   std::array<std::uint32_t, 3> cell{};
-  for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] = static_cast<std::uint32_t>(grid.place(point[axis], axis));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    cell[axis] = static_cast<std::uint32_t>(grid.place(point[axis], axis));
   return mixed_hash(pack_cell(cell[0], cell[1], cell[2]));
 }
 
@@ -89,7 +92,8 @@ class DistinctCounter {
     return std::bit_ceil(std::max<std::uint64_t>(4096, static_cast<std::uint64_t>(wanted)));
   }
 
-  explicit DistinctCounter(std::uint64_t bits) : words_(bits / 64), shift_(64 - static_cast<unsigned>(std::countr_zero(bits))) {}
+  explicit DistinctCounter(std::uint64_t bits)
+      : words_(bits / 64), shift_(64 - static_cast<unsigned>(std::countr_zero(bits))) {}
 
   void add(std::uint64_t hash) { words_[hash >> shift_ >> 6] |= std::uint64_t{1} << (hash >> shift_ & 63); }
 
@@ -192,13 +196,15 @@ void CellCounts::count_cells(Job& job, MeshReader& reader, double crude, double 
   constexpr std::array<double, sizes> around{0.75, 1.0, 1.3};
   std::array<Grid, sizes> grids;
   for (std::size_t i = 0; i < sizes; ++i) {
-    const double edge = std::clamp(crude * around[i], box_.longest_side() / (axis_cells / 2), box_.longest_side() * largest_edge);
+    const double edge = std::clamp(crude * around[i], box_.longest_side() / (axis_cells / 2),
+                                   box_.longest_side() * largest_edge);
     grids[i] = Grid::over(box_, edge);
     edge_[i] = natural_logarithm(edge);
   }
   const std::uint64_t bits = DistinctCounter::bits_for(2 * cells);
   using Counters = std::vector<DistinctCounter>;
-  PerSlot<Counters> slots(job.threads, [&] { return std::make_unique<Counters>(sizes, DistinctCounter(bits)); });
+  PerSlot<Counters> slots(job.threads,
+                          [&] { return std::make_unique<Counters>(sizes, DistinctCounter(bits)); });
   for_each_position_batch(job, reader, [&](const PositionView& view) {
     if (view.corner != 0) return;
     Counters& counters = slots.local();

@@ -81,14 +81,16 @@ bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
     u[axis] = corner[1].position[axis] - corner[0].position[axis];
     v[axis] = corner[2].position[axis] - corner[0].position[axis];
   }
-  return (u[1] * v[2] - u[2] * v[1]) * mean[0] + (u[2] * v[0] - u[0] * v[2]) * mean[1] + (u[0] * v[1] - u[1] * v[0]) * mean[2] < 0;
+  return (u[1] * v[2] - u[2] * v[1]) * mean[0] + (u[2] * v[0] - u[0] * v[2]) * mean[1] +
+             (u[0] * v[1] - u[1] * v[0]) * mean[2] <
+         0;
 }
 
 }  // namespace
 
 template <typename Sum>
-void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings& settings, std::uint64_t memory,
-                      ClusteredMesh& mesh) {
+void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings& settings,
+                      std::uint64_t memory, ClusteredMesh& mesh) {
   mesh.vertices = std::make_unique<VertexIndex>(job, memory);
   Sum next{};
   bool more = cells.next(next);
@@ -100,7 +102,9 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings&
                                                        chunk.reserve(chunk_cells);
                                                        while (more && chunk.size() < chunk_cells) {
                                                          WholeCell cell(next.key);
-                                                         for (; more && next.key == cell.key(); more = cells.next(next)) cell.add(next);
+                                                         for (; more && next.key == cell.key();
+                                                              more = cells.next(next))
+                                                           cell.add(next);
                                                          ++mesh.cells;
                                                          if (cell.used()) chunk.push_back(cell);
                                                        }
@@ -121,19 +125,22 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings&
               [&](const std::vector<IndexedVertex>& vertices) { mesh.vertices->append(vertices); }));
   mesh.vertices->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
-    throw Error(ErrorKind::failed, "the result has " + grouped(mesh.vertices->size()) +
-                                       " vertices, more than output formats can count; choose larger cells or fewer faces");
+    throw Error(ErrorKind::failed,
+                "the result has " + grouped(mesh.vertices->size()) +
+                    " vertices, more than output formats can count; choose larger cells or fewer faces");
   }
 }
 
-template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, const ClusterSettings&, std::uint64_t, ClusteredMesh&);
-template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&, const ClusterSettings&, std::uint64_t,
-                                               ClusteredMesh&);
+template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, const ClusterSettings&, std::uint64_t,
+                                        ClusteredMesh&);
+template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&, const ClusterSettings&,
+                                               std::uint64_t, ClusteredMesh&);
 
 void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
   FaceFuser fuser(faces);
-  PerSlot<VertexIndex::Reader> readers(job.threads, [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
+  PerSlot<VertexIndex::Reader> readers(job.threads,
+                                       [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
   std::atomic<std::uint64_t> turned{0};
   tbb::parallel_pipeline(
       2 * job.threads,
@@ -169,11 +176,11 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
                 turned += turned_here;
                 return numbers;
               }) &
-          tbb::make_filter<std::vector<std::uint32_t>, void>(tbb::filter_mode::serial_in_order,
-                                                             [&](const std::vector<std::uint32_t>& numbers) {
-                                                               mesh.faces->append(std::as_bytes(std::span(numbers)));
-                                                               mesh.face_count += numbers.size() / 3;
-                                                             }));
+          tbb::make_filter<std::vector<std::uint32_t>, void>(
+              tbb::filter_mode::serial_in_order, [&](const std::vector<std::uint32_t>& numbers) {
+                mesh.faces->append(std::as_bytes(std::span(numbers)));
+                mesh.face_count += numbers.size() / 3;
+              }));
   mesh.faces->finish();
   mesh.turned = turned;
 }

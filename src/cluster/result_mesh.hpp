@@ -10,8 +10,8 @@ namespace winnow {
 // Cells come in key order; those that no output face uses leave no vertex. Fills mesh.vertices and cells.
 // Throws Error(failed) beyond 2^32 - 1 vertices.
 template <typename Sum>
-void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings& settings, std::uint64_t memory,
-                      ClusteredMesh& mesh);
+void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings& settings,
+                      std::uint64_t memory, ClusteredMesh& mesh);
 
 // Faces come in key order; the same three cells give one face. Each is turned to agree with the normals of
 // its cells. Fills the rest of `mesh`.

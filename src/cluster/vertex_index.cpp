@@ -27,13 +27,15 @@ void VertexIndex::finish() {
   const auto wanted = static_cast<unsigned>(std::bit_width(first_keys_.size())) + 1;
   range_shift_ = bits > wanted ? bits - wanted : 0;
   const std::size_t ranges = (last >> range_shift_) + 2;
-  reservation_ = job_.budget.reserve(ranges * sizeof(std::uint32_t) + first_keys_.capacity() * sizeof(CellKey), "the vertex index");
+  reservation_ = job_.budget.reserve(
+      ranges * sizeof(std::uint32_t) + first_keys_.capacity() * sizeof(CellKey), "the vertex index");
   range_start_.assign(ranges, 0);
   for (const CellKey key : first_keys_) ++range_start_[(key >> range_shift_) + 1];
   for (std::size_t i = 1; i < ranges; ++i) range_start_[i] += range_start_[i - 1];
 }
 
-VertexIndex::Reader::Reader(const VertexIndex& index) : index_(index), recent_(std::size_t{1} << recent_bits) {
+VertexIndex::Reader::Reader(const VertexIndex& index)
+    : index_(index), recent_(std::size_t{1} << recent_bits) {
   for (Found& found : recent_) found.vertex.key = UINT64_MAX;  // no cell has this key
   if (!index.records_.in_memory()) cache_.resize(reader_blocks);
 }
@@ -64,7 +66,8 @@ VertexIndex::Reader::Found VertexIndex::Reader::search(CellKey key) {
   // every range.
   const std::size_t range = std::min<std::size_t>(key >> index_.range_shift_, index_.range_start_.size() - 2);
   const auto begin = index_.first_keys_.begin();
-  const auto block_after = std::upper_bound(begin + index_.range_start_[range], begin + index_.range_start_[range + 1], key);
+  const auto block_after =
+      std::upper_bound(begin + index_.range_start_[range], begin + index_.range_start_[range + 1], key);
   const auto number = static_cast<std::uint64_t>(block_after - begin) - 1;
   const std::span<const IndexedVertex> vertices = block(number);
   const auto found = std::lower_bound(vertices.begin(), vertices.end(), key,

@@ -31,7 +31,8 @@ std::string directory_of(const std::string& path) {
 
 }  // namespace
 
-ByteSink::ByteSink(Job& job, std::string path, bool force) : job_(job), path_(std::move(path)), force_(force) {
+ByteSink::ByteSink(Job& job, std::string path, bool force)
+    : job_(job), path_(std::move(path)), force_(force) {
   buffer_.reserve(buffer_bytes);
   struct stat status {};
   if (path_ == "-") {
@@ -39,7 +40,8 @@ ByteSink::ByteSink(Job& job, std::string path, bool force) : job_(job), path_(st
     fd_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
     if (fd_ < 0) fail(errno);
   } else if (::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
-    if (S_ISDIR(status.st_mode)) throw Error(ErrorKind::usage, "'" + path_ + "' is a directory; name a file in it");
+    if (S_ISDIR(status.st_mode))
+      throw Error(ErrorKind::usage, "'" + path_ + "' is a directory; name a file in it");
     fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     if (fd_ < 0) fail(errno);
   } else {

@@ -17,8 +17,8 @@ namespace winnow {
 class ByteSink {
  public:
   // A file's name, or "-" for standard output. A regular file is written aside, in the same directory, and
-  // renamed by finish(); what an earlier run that was killed left aside is removed. Anything else is written straight. An existing regular file is an Error(usage)
-  // unless `force`; at once, not at the end.
+  // renamed by finish(); what an earlier run that was killed left aside is removed. Anything else is written
+  // straight. An existing regular file is an Error(usage) unless `force`; at once, not at the end.
   ByteSink(Job& job, std::string path, bool force);
   ~ByteSink();
   ByteSink(const ByteSink&) = delete;

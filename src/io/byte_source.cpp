@@ -20,7 +20,8 @@ namespace winnow {
 
 void Block::check_intact(const std::string& name) const {
   if (window != nullptr && window->damaged()) {
-    throw Error(ErrorKind::bad_input, "'" + name + "' was shortened by another program while it was read, near byte " +
+    throw Error(ErrorKind::bad_input, "'" + name +
+                                          "' was shortened by another program while it was read, near byte " +
                                           grouped(offset) + "; run again when it is whole");
   }
 }
@@ -40,8 +41,13 @@ constexpr std::size_t window_bytes = std::size_t{2} << 20;
 class MappedSource final : public ByteSource {
  public:
   // `keep` holds whatever `path` refers to alive (a nameless scratch file).
-  MappedSource(std::string name, const std::string& path, std::uint64_t size, std::shared_ptr<const void> keep)
-      : ByteSource(std::move(name), ""), path_(path), keep_(std::move(keep)), file_(map_file(path)), size_(size) {}
+  MappedSource(std::string name, const std::string& path, std::uint64_t size,
+               std::shared_ptr<const void> keep)
+      : ByteSource(std::move(name), ""),
+        path_(path),
+        keep_(std::move(keep)),
+        file_(map_file(path)),
+        size_(size) {}
 
   Block take(std::size_t bytes) override {
     const std::size_t wanted = std::min<std::uint64_t>(bytes, size_ - position_);
@@ -139,10 +145,12 @@ class StreamSource final : public ByteSource {
 std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path) {
   const bool standard = path == "-";
   std::string name = standard ? "standard input" : path;
-  const int fd = standard ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int fd =
+      standard ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) throw Error(ErrorKind::bad_input, "cannot open '" + name + "': " + std::strerror(errno));
   auto file = std::make_unique<DescriptorStream>(job, fd, name);
-  if (file->is_directory()) throw Error(ErrorKind::bad_input, "'" + path + "' is a directory, not a mesh file");
+  if (file->is_directory())
+    throw Error(ErrorKind::bad_input, "'" + path + "' is a directory, not a mesh file");
 
   std::vector<std::byte> head(4);
   std::size_t filled = 0;
@@ -158,7 +166,8 @@ std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path) {
     if (job.context.map_input && *file->size() > 0) {
       const std::string map_path = standard ? "/proc/self/fd/" + std::to_string(file->descriptor()) : path;
       const std::uint64_t size = *file->size();
-      return std::make_unique<MappedSource>(std::move(name), map_path, size, std::shared_ptr<DescriptorStream>(std::move(file)));
+      return std::make_unique<MappedSource>(std::move(name), map_path, size,
+                                            std::shared_ptr<DescriptorStream>(std::move(file)));
     }
     file->seek(0);
     return std::make_unique<StreamSource>(std::move(name), "", std::move(file));

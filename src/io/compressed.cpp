@@ -39,7 +39,8 @@ class StreamDevice {
 
   std::streamsize read(char* into, std::streamsize length) {
     try {
-      const std::size_t got = stream_->read(std::as_writable_bytes(std::span(into, static_cast<std::size_t>(length))));
+      const std::size_t got =
+          stream_->read(std::as_writable_bytes(std::span(into, static_cast<std::size_t>(length))));
       return got == 0 ? -1 : static_cast<std::streamsize>(got);
     } catch (...) {
       *failure_ = std::current_exception();

@@ -30,7 +30,9 @@ DescriptorStream::DescriptorStream(Job& job, int fd, std::string name)
 #endif
 }
 
-DescriptorStream::~DescriptorStream() { ::close(fd_); }
+DescriptorStream::~DescriptorStream() {
+  ::close(fd_);
+}
 
 std::size_t DescriptorStream::read(std::span<std::byte> into) {
   for (;;) {
@@ -44,19 +46,22 @@ std::size_t DescriptorStream::read(std::span<std::byte> into) {
                               : ::read(fd_, into.data(), into.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) {
-      throw Error(ErrorKind::bad_input, "cannot read '" + name_ + "' at byte " + grouped(position_) + ": " +
-                                            std::strerror(errno));
+      throw Error(ErrorKind::bad_input,
+                  "cannot read '" + name_ + "' at byte " + grouped(position_) + ": " + std::strerror(errno));
     }
     if (got == 0 && size_ && position_ < *size_) {
-      throw Error(ErrorKind::bad_input, "'" + name_ + "' was shortened by another program while it was read, near byte " +
-                                            grouped(position_) + "; run again when it is whole");
+      throw Error(ErrorKind::bad_input,
+                  "'" + name_ + "' was shortened by another program while it was read, near byte " +
+                      grouped(position_) + "; run again when it is whole");
     }
     position_ += static_cast<std::uint64_t>(got);
     return static_cast<std::size_t>(got);
   }
 }
 
-void DescriptorStream::seek(std::uint64_t position) { position_ = position; }
+void DescriptorStream::seek(std::uint64_t position) {
+  position_ = position;
+}
 
 std::size_t PrefixedStream::read(std::span<std::byte> into) {
   if (given_ == prefix_.size()) return rest_->read(into);

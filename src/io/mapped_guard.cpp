@@ -83,7 +83,9 @@ void forget(int ticket) noexcept {
   if (ticket >= 0) slots[static_cast<std::size_t>(ticket)].begin = 0;
 }
 
-bool was_hit(int ticket) noexcept { return ticket >= 0 && slots[static_cast<std::size_t>(ticket)].hit; }
+bool was_hit(int ticket) noexcept {
+  return ticket >= 0 && slots[static_cast<std::size_t>(ticket)].hit;
+}
 
 }  // namespace mapped_guard
 

@@ -31,7 +31,9 @@ MappedWindow::MappedWindow(const ipc::file_mapping& file, std::uint64_t offset, 
   guard_ = mapped_guard::watch(region_.get_address(), region_.get_size());
 }
 
-MappedWindow::~MappedWindow() { mapped_guard::forget(guard_); }
+MappedWindow::~MappedWindow() {
+  mapped_guard::forget(guard_);
+}
 
 namespace {
 struct WholePages {
@@ -57,7 +59,9 @@ void MappedWindow::drop_pages() const {
   ::madvise(pages.begin, pages.bytes, MADV_DONTNEED);
 }
 
-bool MappedWindow::damaged() const { return mapped_guard::was_hit(guard_); }
+bool MappedWindow::damaged() const {
+  return mapped_guard::was_hit(guard_);
+}
 
 ipc::file_mapping map_file(const std::string& path) {
   try {

@@ -19,7 +19,8 @@ struct BlockHead {
 
 // One decoder a thread is enough for any number of files: blocks are independent of each other.
 ZSTD_DCtx* decoder() {
-  thread_local const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+  thread_local const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
+                                                                                  ZSTD_freeDCtx);
   return context.get();
 }
 
@@ -43,8 +44,8 @@ void PackedFile::append(std::span<const std::byte> block) {
   if (pending_.size() + sizeof(BlockHead) + bound > write_bytes) flush();
   const std::size_t at = pending_.size();
   pending_.resize(at + sizeof(BlockHead) + bound);
-  const std::size_t packed = ZSTD_compress2(encoder_->context.get(), pending_.data() + at + sizeof(BlockHead), bound,
-                                            block.data(), block.size());
+  const std::size_t packed = ZSTD_compress2(encoder_->context.get(), pending_.data() + at + sizeof(BlockHead),
+                                            bound, block.data(), block.size());
   if (ZSTD_isError(packed) != 0) throw Error(ErrorKind::failed, "zstd failed on a scratch block");
   const BlockHead head{static_cast<std::uint32_t>(packed), static_cast<std::uint32_t>(block.size())};
   std::memcpy(pending_.data() + at, &head, sizeof head);
@@ -73,9 +74,11 @@ bool PackedReader::next(std::vector<std::byte>& block) {
   file_.read(at_ + sizeof head, packed_);
   at_ += sizeof head + head.packed;
   block.resize(head.plain);
-  const std::size_t plain = ZSTD_decompressDCtx(decoder(), block.data(), block.size(), packed_.data(), packed_.size());
+  const std::size_t plain =
+      ZSTD_decompressDCtx(decoder(), block.data(), block.size(), packed_.data(), packed_.size());
   if (plain != block.size()) {
-    throw Error(ErrorKind::resources, "a scratch file is damaged: a block's checksum does not fit; the disk may be failing");
+    throw Error(ErrorKind::resources,
+                "a scratch file is damaged: a block's checksum does not fit; the disk may be failing");
   }
   return true;
 }

@@ -97,6 +97,8 @@ void ScratchFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
   }
 }
 
-std::string ScratchFile::path() const { return "/proc/self/fd/" + std::to_string(fd_); }
+std::string ScratchFile::path() const {
+  return "/proc/self/fd/" + std::to_string(fd_);
+}
 
 }  // namespace winnow

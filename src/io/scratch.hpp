@@ -20,7 +20,6 @@ class Scratch {
   [[nodiscard]] std::uint64_t written() const { return written_; }  // bytes, all files, ever
   [[nodiscard]] std::uint64_t peak() const { return peak_; }        // most bytes in use at one time
 
-
  private:
   friend class ScratchFile;
   void count(std::uint64_t bytes);
@@ -45,8 +44,8 @@ class ScratchFile {
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
 
-  void append(std::span<const std::byte> bytes);                          // throws Error(resources)
-  void read(std::uint64_t offset, std::span<std::byte> bytes) const;      // throws Error(resources)
+  void append(std::span<const std::byte> bytes);                      // throws Error(resources)
+  void read(std::uint64_t offset, std::span<std::byte> bytes) const;  // throws Error(resources)
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[nodiscard]] std::string path() const;  // a name by which this process can open it again
 

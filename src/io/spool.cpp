@@ -56,7 +56,8 @@ void Spool::read(std::uint64_t offset, std::span<std::byte> into) const {
   }
 }
 
-void Spool::for_each_part(std::size_t unit, const std::function<void(std::span<const std::byte>)>& each) const {
+void Spool::for_each_part(std::size_t unit,
+                          const std::function<void(std::span<const std::byte>)>& each) const {
   const std::size_t part = std::max<std::size_t>(1, write_bytes / unit) * unit;
   std::vector<std::byte> buffer(in_memory() ? 0 : part);
   for (std::uint64_t at = 0; at < size_; at += part) {

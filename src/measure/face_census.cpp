@@ -9,11 +9,17 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-bool finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+bool finite(const Point& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
 
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point difference(const Point& a, const Point& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
-double length(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
+double length(const Point& p) {
+  return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+}
 
 Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -35,7 +41,8 @@ void FaceCensus::add_point(Part& part, const Point& point) {
 
 void FaceCensus::add_positions(const PositionView& view) {
   Part& part = parts_.local();
-  for (std::size_t i = 0; i < view.count; ++i) add_point(part, {view.axis[0][i], view.axis[1][i], view.axis[2][i]});
+  for (std::size_t i = 0; i < view.count; ++i)
+    add_point(part, {view.axis[0][i], view.axis[1][i], view.axis[2][i]});
 }
 
 void FaceCensus::add_corners(const FaceBatch& faces) {
@@ -70,7 +77,8 @@ void FaceCensus::add_faces(const FaceBatch& faces) {
         ++part.sides;
         end[corner] = EdgeCount::hash_position(p[corner]);
       }
-      for (std::size_t corner = 0; corner < 3; ++corner) sides[kept++] = EdgeCount::hash_edge(end[corner], end[(corner + 1) % 3]);
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        sides[kept++] = EdgeCount::hash_edge(end[corner], end[(corner + 1) % 3]);
     }
   }
   edges_.add({sides.data(), kept});

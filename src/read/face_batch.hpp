@@ -19,9 +19,9 @@ struct FaceBatch {
   static constexpr std::size_t capacity = 128;
 
   std::size_t count = 0;
-  std::uint64_t first = 0;     // number of the first face, from 0 over the whole input
-  bool all_good = true;        // no status but good
-  bool single = false;         // positions are in `single_position`, as the file has them; else in `position`
+  std::uint64_t first = 0;  // number of the first face, from 0 over the whole input
+  bool all_good = true;     // no status but good
+  bool single = false;      // positions are in `single_position`, as the file has them; else in `position`
   template <typename Real>
   using Positions = std::array<std::array<std::array<Real, capacity>, 3>, 3>;  // [corner][axis][face]
   alignas(64) Positions<double> position;

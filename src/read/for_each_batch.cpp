@@ -12,17 +12,17 @@ bool run_pass(Job& job, Next next, Decode decode, const std::function<bool()>& s
   PerSlot<FaceBatch> slices(job.threads, [] { return std::make_unique<FaceBatch>(); });
   bool more = true;
   tbb::parallel_pipeline(batches_in_flight(job.threads),
-                         tbb::make_filter<void, std::shared_ptr<RawBatch>>(
-                             tbb::filter_mode::serial_in_order,
-                             [&](tbb::flow_control& control) {
-                               auto batch = std::make_shared<RawBatch>();
-                               if (!stop || !stop()) {
-                                 more = next(*batch);
-                                 if (more) return batch;
-                               }
-                               control.stop();
-                               return batch;
-                             }) &
+                         tbb::make_filter<void, std::shared_ptr<RawBatch>>(tbb::filter_mode::serial_in_order,
+                                                                           [&](tbb::flow_control& control) {
+                                                                             auto batch =
+                                                                                 std::make_shared<RawBatch>();
+                                                                             if (!stop || !stop()) {
+                                                                               more = next(*batch);
+                                                                               if (more) return batch;
+                                                                             }
+                                                                             control.stop();
+                                                                             return batch;
+                                                                           }) &
                              tbb::make_filter<std::shared_ptr<RawBatch>, void>(
                                  tbb::filter_mode::parallel, [&](const std::shared_ptr<RawBatch>& batch) {
                                    decode(*batch, slices.local());
@@ -33,7 +33,8 @@ bool run_pass(Job& job, Next next, Decode decode, const std::function<bool()>& s
 
 }  // namespace
 
-bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink, const std::function<bool()>& stop) {
+bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
+                         const std::function<bool()>& stop) {
   return run_pass(
       job, [&](RawBatch& batch) { return reader.next_faces(batch); },
       [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_faces(batch, slice, sink); }, stop);

@@ -14,11 +14,14 @@ namespace winnow {
 // open. `stop`, asked between batches, ends the pass early; it can be continued by calling again.
 
 // Returns false at the end of the input, true where `stop` ended the pass.
-bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink, const std::function<bool()>& stop);
+bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
+                         const std::function<bool()>& stop);
 
 void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink);
 
 // Raw batches under way at one time, for the plan.
-constexpr std::size_t batches_in_flight(unsigned threads) { return 2 * std::size_t{threads} + 1; }
+constexpr std::size_t batches_in_flight(unsigned threads) {
+  return 2 * std::size_t{threads} + 1;
+}
 
 }  // namespace winnow

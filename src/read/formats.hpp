@@ -5,11 +5,13 @@
 
 namespace winnow {
 
-std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory);
+std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory);
 InputOutlook look_at_ply(ByteSource& source);
 
 // STL, binary or ASCII, by content.
-std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory);
+std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory);
 InputOutlook look_at_stl(ByteSource& source);
 
 }  // namespace winnow

@@ -24,7 +24,7 @@ struct InputFacts {
   std::optional<std::uint64_t> vertices;  // absent for formats without
   bool double_positions = false;
   bool normals = false;
-  std::vector<std::string> attributes;    // "vertex: nx, ny, nz (float)"
+  std::vector<std::string> attributes;  // "vertex: nx, ny, nz (float)"
 };
 
 // A stretch of the input, cut at whole faces (or positions) but not yet decoded.
@@ -80,22 +80,22 @@ class MeshReader {
 
 // Memory that a reader may use besides the blocks in flight.
 struct ReaderMemory {
-  std::uint64_t vertices = 0;       // for stored or mapped vertices
+  std::uint64_t vertices = 0;      // for stored or mapped vertices
   std::size_t batch_faces = 8192;  // faces a raw batch
 };
 
 // Finds the format by content where `format` says automatic. Takes the source; copies it to scratch first
 // where `access` asks for what the source cannot do.
-std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format, Access access,
-                                        const ReaderMemory& memory);
+std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format,
+                                        Access access, const ReaderMemory& memory);
 
 // The same, without touching more than the first bytes: what would be read, and how.
 struct InputOutlook {
   InputFacts facts;
   std::optional<std::uint64_t> bytes;
-  bool copied_first = false;     // the whole input goes to scratch before anything else
-  bool vertices_kept = false;    // vertices are decoded into memory or scratch, not looked up in the file
-  bool faces_kept = false;       // faces stand before the vertices and wait in scratch
+  bool copied_first = false;   // the whole input goes to scratch before anything else
+  bool vertices_kept = false;  // vertices are decoded into memory or scratch, not looked up in the file
+  bool faces_kept = false;     // faces stand before the vertices and wait in scratch
   std::string compression;
 };
 InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access);

@@ -25,11 +25,12 @@ bool needs_copy(const ByteSource& source, Format format, Access access) {
 
 }  // namespace
 
-std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format, Access access,
-                                        const ReaderMemory& memory) {
+std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format,
+                                        Access access, const ReaderMemory& memory) {
   format = format_of(*source, format);
   if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
-  return format == Format::ply ? open_ply(job, std::move(source), memory) : open_stl(job, std::move(source), memory);
+  return format == Format::ply ? open_ply(job, std::move(source), memory)
+                               : open_stl(job, std::move(source), memory);
 }
 
 InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access access) {
@@ -38,7 +39,8 @@ InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access acc
   outlook.bytes = source.size();
   outlook.copied_first = needs_copy(source, format, access);
   outlook.compression = source.compression();
-  if (format == Format::ply && source.map_name().empty() && !outlook.copied_first) outlook.vertices_kept = true;
+  if (format == Format::ply && source.map_name().empty() && !outlook.copied_first)
+    outlook.vertices_kept = true;
   return outlook;
 }
 

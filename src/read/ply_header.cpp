@@ -122,7 +122,8 @@ class HeaderParser {
     if (words.size() < 3) fail("declares an element without a name or a count");
     PlyElement element;
     element.name = words[1];
-    const auto [end, error] = std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
+    const auto [end, error] =
+        std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
     // Beyond 2^48 nothing can be stored, and sizes in bytes would no longer fit into 64 bits.
     if (error != std::errc{} || end != words[2].data() + words[2].size() || element.count >> 48 != 0) {
       fail("declares an impossible count '" + std::string(words[2].substr(0, 40)) + "'");
@@ -161,9 +162,15 @@ class HeaderParser {
 
 }  // namespace
 
-std::size_t size_of(PlyType type) { return type_names.at(static_cast<std::size_t>(type)).size; }
-bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
-const char* name_of(PlyType type) { return type_names.at(static_cast<std::size_t>(type)).old_name.data(); }
+std::size_t size_of(PlyType type) {
+  return type_names.at(static_cast<std::size_t>(type)).size;
+}
+bool is_integer(PlyType type) {
+  return type != PlyType::float32 && type != PlyType::float64;
+}
+const char* name_of(PlyType type) {
+  return type_names.at(static_cast<std::size_t>(type)).old_name.data();
+}
 
 const PlyProperty* PlyElement::find(const std::string& property) const {
   for (const PlyProperty& candidate : properties) {
@@ -178,7 +185,8 @@ bool PlyElement::fixed_size() const {
 
 std::size_t PlyElement::smallest_size() const {
   std::size_t size = 0;
-  for (const PlyProperty& property : properties) size += size_of(property.list ? property.count_type : property.type);
+  for (const PlyProperty& property : properties)
+    size += size_of(property.list ? property.count_type : property.type);
   return size;
 }
 
@@ -189,6 +197,8 @@ const PlyElement* PlyHeader::find(const std::string& element) const {
   return nullptr;
 }
 
-PlyHeader read_ply_header(ByteSource& source) { return HeaderParser(source).parse(); }
+PlyHeader read_ply_header(ByteSource& source) {
+  return HeaderParser(source).parse();
+}
 
 }  // namespace winnow

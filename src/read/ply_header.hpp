@@ -29,7 +29,7 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 
   [[nodiscard]] const PlyProperty* find(const std::string& property) const;
-  [[nodiscard]] bool fixed_size() const;         // no lists
+  [[nodiscard]] bool fixed_size() const;            // no lists
   [[nodiscard]] std::size_t smallest_size() const;  // of one record in a binary file, lists empty
 };
 

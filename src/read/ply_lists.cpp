@@ -14,7 +14,9 @@ void PlyLists::begin_record(RawBatch& batch) {
   values_.now_reading(element_.name.c_str(), records_);
   for (const PlyProperty& property : element_.properties) {
     if (&property == &list_) break;
-    values_.skip(property.type, property.list ? static_cast<std::uint64_t>(std::max<std::int64_t>(0, values_.integer(property.count_type))) : 1);
+    values_.skip(property.type, property.list ? static_cast<std::uint64_t>(std::max<std::int64_t>(
+                                                    0, values_.integer(property.count_type)))
+                                              : 1);
   }
   const std::int64_t count = values_.integer(list_.count_type);
   left_ = count < 0 ? 0 : static_cast<std::uint64_t>(count);
@@ -32,7 +34,9 @@ void PlyLists::end_record() {
   bool behind = false;
   for (const PlyProperty& property : element_.properties) {
     if (behind) {
-      values_.skip(property.type, property.list ? static_cast<std::uint64_t>(std::max<std::int64_t>(0, values_.integer(property.count_type))) : 1);
+      values_.skip(property.type, property.list ? static_cast<std::uint64_t>(std::max<std::int64_t>(
+                                                      0, values_.integer(property.count_type)))
+                                                : 1);
     }
     behind |= &property == &list_;
   }
@@ -66,7 +70,8 @@ void PlyLists::next_index(RawBatch& batch) {
 }
 
 void PlyLists::read(RawBatch& batch, std::uint64_t most, std::uint64_t most_records) {
-  const std::uint64_t until = most_records > element_.count - records_ ? element_.count : records_ + most_records;
+  const std::uint64_t until =
+      most_records > element_.count - records_ ? element_.count : records_ + most_records;
   while (batch.count < most) {
     if (left_ > 0) {
       next_index(batch);

@@ -36,8 +36,8 @@ class PlyLists {
   PlyValues& values_;
   bool strips_;
   std::uint64_t records_ = 0;
-  std::uint64_t left_ = 0;        // indices of the current list still to come
-  std::uint64_t seen_ = 0;        // indices of the current fan or strip
+  std::uint64_t left_ = 0;  // indices of the current list still to come
+  std::uint64_t seen_ = 0;  // indices of the current fan or strip
   std::uint32_t first_ = 0, before_ = 0, last_ = 0;
 };
 

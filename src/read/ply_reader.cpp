@@ -59,18 +59,22 @@ InputFacts facts_of(const PlyHeader& header) {
   for (const PlyElement& element : header.elements) {
     std::string line = element.name + ":";
     for (const PlyProperty& property : element.properties) {
-      const bool geometry = (element.name == "vertex" && (property.name == "x" || property.name == "y" || property.name == "z")) ||
+      const bool geometry = (element.name == "vertex" &&
+                             (property.name == "x" || property.name == "y" || property.name == "z")) ||
                             (property.list && &property == index_list(element));
-      if (!geometry) line += " " + property.name + (property.list ? " (list of " : " (") + name_of(property.type) + ")";
+      if (!geometry)
+        line += " " + property.name + (property.list ? " (list of " : " (") + name_of(property.type) + ")";
     }
     if (line != element.name + ":") facts.attributes.push_back(line);
     if (&element != vertex) continue;
     for (const char* axis : {"x", "y", "z"}) {
       const PlyProperty* property = element.find(axis);
-      facts.double_positions |= property != nullptr && (property->type == PlyType::float64 || property->type == PlyType::int32 ||
-                                                        property->type == PlyType::uint32);
+      facts.double_positions |=
+          property != nullptr && (property->type == PlyType::float64 || property->type == PlyType::int32 ||
+                                  property->type == PlyType::uint32);
     }
-    facts.normals = element.find("nx") != nullptr && element.find("ny") != nullptr && element.find("nz") != nullptr;
+    facts.normals =
+        element.find("nx") != nullptr && element.find("ny") != nullptr && element.find("nz") != nullptr;
   }
   return facts;
 }
@@ -118,7 +122,8 @@ class PlyReader final : public MeshReader {
   }
 
   void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override {
-    const std::array<double*, 3> out{slice.position[0][0].data(), slice.position[0][1].data(), slice.position[0][2].data()};
+    const std::array<double*, 3> out{slice.position[0][0].data(), slice.position[0][1].data(),
+                                     slice.position[0][2].data()};
     for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
       const std::size_t count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
       vertices_.read(batch.first + from, count, out);
@@ -191,12 +196,13 @@ class PlyReader final : public MeshReader {
     std::uint64_t left = rest + 1;  // the last ASCII line may lack its end
     for (const PlyElement& element : header_.elements) {
       // In ASCII every value takes at least a digit and a separator.
-      const std::size_t record = header_.form == PlyForm::ascii ? 2 * element.properties.size() : element.smallest_size();
+      const std::size_t record =
+          header_.form == PlyForm::ascii ? 2 * element.properties.size() : element.smallest_size();
       if (record != 0 && element.count > left / record) {
-        throw Error(ErrorKind::bad_input,
-                    "'" + source_->name() + "' is too short for its header: element '" + element.name + "' says " +
-                        grouped(element.count) + ", but only " + human_bytes(rest) +
-                        " follow the header; it was cut short, or the count is wrong");
+        throw Error(ErrorKind::bad_input, "'" + source_->name() + "' is too short for its header: element '" +
+                                              element.name + "' says " + grouped(element.count) +
+                                              ", but only " + human_bytes(rest) +
+                                              " follow the header; it was cut short, or the count is wrong");
       }
       left -= element.count * record;
     }
@@ -217,7 +223,8 @@ class PlyReader final : public MeshReader {
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (found[axis]) continue;
-      throw Error(ErrorKind::bad_input, "'" + source_->name() + "': the PLY element 'vertex' has no property '" +
+      throw Error(ErrorKind::bad_input, "'" + source_->name() +
+                                            "': the PLY element 'vertex' has no property '" +
                                             std::string(1, static_cast<char>('x' + axis)) + "'");
     }
     return layout;
@@ -257,17 +264,20 @@ class PlyReader final : public MeshReader {
       const std::size_t count = std::min<std::uint64_t>(8192, element.count - done);
       const Block block = source_->take(count * layout.stride);
       if (block.bytes.size() < count * layout.stride) {
-        throw Error(ErrorKind::bad_input, "'" + source_->name() + "' ends at byte " + grouped(source_->position()) +
-                                              ", inside vertex " + grouped(done + block.bytes.size() / layout.stride) +
-                                              " of " + grouped(element.count) + ": it was cut short");
+        throw Error(ErrorKind::bad_input, "'" + source_->name() + "' ends at byte " +
+                                              grouped(source_->position()) + ", inside vertex " +
+                                              grouped(done + block.bytes.size() / layout.stride) + " of " +
+                                              grouped(element.count) + ": it was cut short");
       }
       xyz.resize(3 * count);
       const std::byte* record = block.bytes.data();
-      const bool floats = !layout.swapped && layout.type == std::array{PlyType::float32, PlyType::float32, PlyType::float32};
+      const bool floats =
+          !layout.swapped && layout.type == std::array{PlyType::float32, PlyType::float32, PlyType::float32};
       for (std::size_t i = 0; i < count; ++i, record += layout.stride) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          xyz[3 * i + axis] = floats ? load<float>(record + layout.offset[axis], false)
-                                     : load_real(record + layout.offset[axis], layout.type[axis], layout.swapped);
+          xyz[3 * i + axis] =
+              floats ? load<float>(record + layout.offset[axis], false)
+                     : load_real(record + layout.offset[axis], layout.type[axis], layout.swapped);
         }
       }
       vertices_.keep(xyz);
@@ -281,7 +291,8 @@ class PlyReader final : public MeshReader {
     std::vector<double> xyz;
     std::vector<int> axis_of;
     for (const PlyProperty& property : element.properties) {
-      const bool axis = !property.list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+      const bool axis =
+          !property.list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
       axis_of.push_back(axis ? property.name[0] - 'x' : -1);
     }
     for (std::uint64_t done = 0; done < element.count; ++done) {
@@ -304,7 +315,8 @@ class PlyReader final : public MeshReader {
 
   void skip_property(const PlyProperty& property) {
     std::uint64_t count = 1;
-    if (property.list) count = static_cast<std::uint64_t>(std::max<std::int64_t>(0, values_->integer(property.count_type)));
+    if (property.list)
+      count = static_cast<std::uint64_t>(std::max<std::int64_t>(0, values_->integer(property.count_type)));
     values_->skip(property.type, count);
   }
 
@@ -434,7 +446,8 @@ class PlyReader final : public MeshReader {
 
 }  // namespace
 
-std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory) {
+std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory) {
   return std::make_unique<PlyReader>(job, std::move(source), memory);
 }
 

@@ -10,7 +10,9 @@
 
 namespace winnow {
 
-std::string PlyValues::record() const { return std::string(record_) + " " + grouped(number_); }
+std::string PlyValues::record() const {
+  return std::string(record_) + " " + grouped(number_);
+}
 
 namespace {
 
@@ -45,8 +47,9 @@ class BinaryValues final : public PlyValues {
       block_ = source_.take(std::max(bytes, block_size));
       at_ = 0;
       if (block_.bytes.size() < bytes) {
-        throw Error(ErrorKind::bad_input, "'" + source_.name() + "' ends at byte " + grouped(source_.position()) +
-                                              ", inside " + record() + ": it was cut short, or its header is wrong");
+        throw Error(ErrorKind::bad_input, "'" + source_.name() + "' ends at byte " +
+                                              grouped(source_.position()) + ", inside " + record() +
+                                              ": it was cut short, or its header is wrong");
       }
     }
     at_ += bytes;
@@ -67,7 +70,8 @@ class AsciiValues final : public PlyValues {
     if (!source.seekable()) return;
     source.seek(0);
     const Block header = source.take(here);
-    tokens_.start_line(1 + static_cast<std::uint64_t>(std::count(header.bytes.begin(), header.bytes.end(), std::byte{'\n'})));
+    tokens_.start_line(1 + static_cast<std::uint64_t>(
+                               std::count(header.bytes.begin(), header.bytes.end(), std::byte{'\n'})));
   }
 
   double real(PlyType /*type*/) override {
@@ -95,14 +99,16 @@ class AsciiValues final : public PlyValues {
     const std::string_view word = tokens_.next();
     if (word.empty()) {
       throw Error(ErrorKind::bad_input, "'" + source_.name() + "' ends at line " + grouped(tokens_.line()) +
-                                            ", inside " + record() + ": it was cut short, or its header is wrong");
+                                            ", inside " + record() +
+                                            ": it was cut short, or its header is wrong");
     }
     return word;
   }
 
   [[noreturn]] void fail(std::string_view word) const {
-    throw Error(ErrorKind::bad_input, "'" + source_.name() + "', line " + grouped(tokens_.line()) + ", " + record() +
-                                          ": '" + std::string(word.substr(0, 40)) + "' is not a number");
+    throw Error(ErrorKind::bad_input, "'" + source_.name() + "', line " + grouped(tokens_.line()) + ", " +
+                                          record() + ": '" + std::string(word.substr(0, 40)) +
+                                          "' is not a number");
   }
 
   ByteSource& source_;

@@ -4,11 +4,13 @@
 
 namespace winnow {
 
-void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index, FaceBatch& slice) {
+void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index,
+                    FaceBatch& slice) {
   const std::uint64_t size = vertices.size();
   std::uint32_t wrong = 0;
   for (std::size_t i = 0; i < slice.count; ++i) {
-    wrong |= static_cast<std::uint32_t>((index[0][i] >= size) | (index[1][i] >= size) | (index[2][i] >= size));
+    wrong |=
+        static_cast<std::uint32_t>((index[0][i] >= size) | (index[1][i] >= size) | (index[2][i] >= size));
   }
   if (wrong != 0) {
     for (std::size_t i = 0; i < slice.count; ++i) {
@@ -53,7 +55,8 @@ void for_each_slice(const RawBatch& batch, FaceBatch& slice, const FaceSink& sin
 
 }  // namespace
 
-void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch& slice, const FaceSink& sink) {
+void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch& slice,
+                   const FaceSink& sink) {
   std::array<std::array<std::uint32_t, FaceBatch::capacity>, 3> index;
   for_each_slice(batch, slice, sink, [&](std::uint64_t from) {
     for (std::size_t i = 0; i < slice.count; ++i) {
@@ -81,7 +84,8 @@ void corners_as_positions(const FaceBatch& slice, const PositionSink& sink) {
   std::array<std::array<double, FaceBatch::capacity>, 3> wide;
   for (unsigned number = 0; number < 3; ++number) {
     const auto& corner = slice.position[number];
-    PositionView view{{corner[0].data(), corner[1].data(), corner[2].data()}, slice.count, slice.first, number};
+    PositionView view{
+        {corner[0].data(), corner[1].data(), corner[2].data()}, slice.count, slice.first, number};
     for (std::size_t axis = 0; axis < 3 && slice.single; ++axis) {
       std::copy_n(slice.single_position[number][axis].begin(), slice.count, wide[axis].begin());
       view.axis[axis] = wide[axis].data();

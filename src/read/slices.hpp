@@ -7,11 +7,13 @@
 namespace winnow {
 
 // Batches of vertex indices; the indices are checked here.
-void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch& slice, const FaceSink& sink);
+void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch& slice,
+                   const FaceSink& sink);
 
 // The same for one slice whose indices the caller has laid side by side: `index[corner]` is changed where it
 // names no vertex, and the slice's status says so.
-void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index, FaceBatch& slice);
+void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index,
+                    FaceBatch& slice);
 
 // Batches of corner positions.
 void slice_corners(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink);

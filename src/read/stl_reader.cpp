@@ -20,8 +20,8 @@ constexpr std::size_t face_bytes = 50;
 
 struct StlHead {
   bool ascii = false;
-  std::uint32_t declared = 0;                // binary only
-  std::optional<std::uint64_t> stored;       // whole faces by the file's size, where that is known
+  std::uint32_t declared = 0;           // binary only
+  std::optional<std::uint64_t> stored;  // whole faces by the file's size, where that is known
 };
 
 bool contains_word(std::string_view text, std::string_view word) {
@@ -57,17 +57,24 @@ StlHead look_at_head(ByteSource& source) {
   }
   const std::string wrong = "'" + source.name() + "' is neither PLY nor STL";
   if (is_text(head)) {
-    if (head.starts_with("OFF") || head.starts_with("COFF")) throw Error(ErrorKind::bad_input, wrong + " but OFF, which is not read; convert it to PLY");
-    if (contains_word(head, "\nv ") || head.starts_with("v ")) throw Error(ErrorKind::bad_input, wrong + " but OBJ, by its look, which is not read; convert it to PLY");
+    if (head.starts_with("OFF") || head.starts_with("COFF"))
+      throw Error(ErrorKind::bad_input, wrong + " but OFF, which is not read; convert it to PLY");
+    if (contains_word(head, "\nv ") || head.starts_with("v "))
+      throw Error(ErrorKind::bad_input,
+                  wrong + " but OBJ, by its look, which is not read; convert it to PLY");
     throw Error(ErrorKind::bad_input, wrong + ": it is some other text");
   }
-  if (head.starts_with("glTF")) throw Error(ErrorKind::bad_input, wrong + " but GLB, which is not read; convert it to PLY");
+  if (head.starts_with("glTF"))
+    throw Error(ErrorKind::bad_input, wrong + " but GLB, which is not read; convert it to PLY");
   if (head.size() < header_bytes) {
-    throw Error(ErrorKind::bad_input, wrong + ": " + human_bytes(head.size()) + " are too short for a header");
+    throw Error(ErrorKind::bad_input,
+                wrong + ": " + human_bytes(head.size()) + " are too short for a header");
   }
-  // A random file would be read as a handful of wild faces. A damaged STL has a count that its size nearly fits.
+  // A random file would be read as a handful of wild faces. A damaged STL has a count that its size nearly
+  // fits.
   if (found.stored && *found.stored == 0 && found.declared != 0) {
-    throw Error(ErrorKind::bad_input, "'" + source.name() + "' ends inside its first face: it was cut short, or is no STL");
+    throw Error(ErrorKind::bad_input,
+                "'" + source.name() + "' ends inside its first face: it was cut short, or is no STL");
   }
   return found;
 }
@@ -153,7 +160,8 @@ class StlReader : public MeshReader {
 
 class BinaryStlReader final : public StlReader {
  public:
-  BinaryStlReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory, const StlHead& head)
+  BinaryStlReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                  const StlHead& head)
       : StlReader(job, std::move(source), memory), declared_(head.declared) {
     facts_ = facts_of(head);
     if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
@@ -189,7 +197,8 @@ class BinaryStlReader final : public StlReader {
         std::array<float, 9> corners;
         std::memcpy(corners.data(), record, sizeof corners);
         for (std::size_t corner = 0; corner < 3; ++corner) {
-          for (std::size_t axis = 0; axis < 3; ++axis) slice.single_position[corner][axis][i] = corners[3 * corner + axis];
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            slice.single_position[corner][axis][i] = corners[3 * corner + axis];
         }
       }
       sink(slice);
@@ -205,7 +214,8 @@ class BinaryStlReader final : public StlReader {
     if (next_face_ != declared_ && !(declared_ == UINT32_MAX && next_face_ > declared_)) {
       job_.note("the STL header says " + grouped(declared_) + " faces; there are " + grouped(next_face_));
     }
-    if (rest > 0) job_.note("the last " + std::to_string(rest) + " bytes are no whole face and were left out");
+    if (rest > 0)
+      job_.note("the last " + std::to_string(rest) + " bytes are no whole face and were left out");
   }
 
   std::uint64_t declared_;
@@ -213,7 +223,8 @@ class BinaryStlReader final : public StlReader {
 
 class AsciiStlReader final : public StlReader {
  public:
-  AsciiStlReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory, const StlHead& head)
+  AsciiStlReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                 const StlHead& head)
       : StlReader(job, std::move(source), memory) {
     facts_ = facts_of(head);
     if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
@@ -249,8 +260,8 @@ class AsciiStlReader final : public StlReader {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ErrorKind::bad_input, "'" + source_->name() + "', line " + grouped(tokens_->line()) + ", face " +
-                                          grouped(next_face_ + found_) + ": " + what);
+    throw Error(ErrorKind::bad_input, "'" + source_->name() + "', line " + grouped(tokens_->line()) +
+                                          ", face " + grouped(next_face_ + found_) + ": " + what);
   }
 
   // Everything between one "facet" and its "endfacet"; false at the end of the file. Names of solids may
@@ -291,9 +302,11 @@ class AsciiStlReader final : public StlReader {
   }
 
   // A face should have three; of more, a fan is made.
-  void add_vertex(RawBatch& batch, std::array<double, 9>& corners, std::size_t number, const std::array<double, 3>& xyz) const {
+  void add_vertex(RawBatch& batch, std::array<double, 9>& corners, std::size_t number,
+                  const std::array<double, 3>& xyz) const {
     if (number >= 3) std::copy_n(corners.begin() + 6, 3, corners.begin() + 3);
-    std::copy_n(xyz.begin(), 3, corners.begin() + static_cast<std::ptrdiff_t>(3 * std::min<std::size_t>(number, 2)));
+    std::copy_n(xyz.begin(), 3,
+                corners.begin() + static_cast<std::ptrdiff_t>(3 * std::min<std::size_t>(number, 2)));
     if (number >= 2) add_face(batch, corners, FaceStatus::good);
   }
 
@@ -309,7 +322,8 @@ class AsciiStlReader final : public StlReader {
 
 }  // namespace
 
-std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory) {
+std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory) {
   const StlHead head = look_at_head(*source);
   if (head.ascii) return std::make_unique<AsciiStlReader>(job, std::move(source), memory, head);
   return std::make_unique<BinaryStlReader>(job, std::move(source), memory, head);

@@ -17,7 +17,9 @@ constexpr std::size_t longest_word = std::size_t{1} << 16;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+constexpr bool is_blank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
 
 }  // namespace
 
@@ -81,7 +83,8 @@ std::optional<double> parse_real(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error == std::errc::result_out_of_range) return word.find('-', 1) != std::string_view::npos ? 0.0 : infinity;
+  if (error == std::errc::result_out_of_range)
+    return word.find('-', 1) != std::string_view::npos ? 0.0 : infinity;
   if (error != std::errc{}) return {};
   // Other programs write "nan(ind)", "1.#QNAN" and the like: a number that is not finite all the same.
   if (end != word.data() + word.size() && *end != '(' && *end != '#') return {};

@@ -115,14 +115,17 @@ void VertexStore::gather_mapped(const std::byte* base, const std::array<const st
   out.single = is_plain<float>(layout_);
   for (std::size_t corner = 0; corner < 3; ++corner) {
     if (out.single) {
-      gather_plain<float>(base + layout_.offset[0], layout_.stride, index[corner], count, out.single_position[corner]);
+      gather_plain<float>(base + layout_.offset[0], layout_.stride, index[corner], count,
+                          out.single_position[corner]);
     } else if (is_plain<double>(layout_)) {
-      gather_plain<double>(base + layout_.offset[0], layout_.stride, index[corner], count, out.position[corner]);
+      gather_plain<double>(base + layout_.offset[0], layout_.stride, index[corner], count,
+                           out.position[corner]);
     } else {
       for (std::size_t i = 0; i < count; ++i) {
         const std::byte* record = base + std::size_t{index[corner][i]} * layout_.stride;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          out.position[corner][axis][i] = load_real(record + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+          out.position[corner][axis][i] =
+              load_real(record + layout_.offset[axis], layout_.type[axis], layout_.swapped);
         }
       }
     }
@@ -136,7 +139,8 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint64_t at = file_offset_ + std::uint64_t{index[corner][i]} * layout_.stride;
-      if (::pread(fd_, record.data(), record.size(), static_cast<off_t>(at)) != static_cast<ssize_t>(record.size())) {
+      if (::pread(fd_, record.data(), record.size(), static_cast<off_t>(at)) !=
+          static_cast<ssize_t>(record.size())) {
         throw Error(ErrorKind::bad_input, "cannot read a vertex at byte " + grouped(at) +
                                               "; was the file shortened while it was read?");
       }
@@ -148,7 +152,8 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
   }
 }
 
-void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, std::size_t count, FaceBatch& out) const {
+void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
+                         FaceBatch& out) const {
   if (count == 0) return;
   if (window_ == nullptr) return gather_mapped(kept_->data(), index, count, out);
   if (watched_) {
@@ -201,7 +206,8 @@ void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<
   }
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      out[axis][i] = load_real(base + i * layout_.stride + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+      out[axis][i] =
+          load_real(base + i * layout_.stride + layout_.offset[axis], layout_.type[axis], layout_.swapped);
     }
   }
 }
@@ -220,7 +226,8 @@ void VertexStore::wake() {
 
 void VertexStore::check_intact(const std::string& name) const {
   if (window_ != nullptr && window_->damaged()) {
-    throw Error(ErrorKind::bad_input, "'" + name + "' was shortened by another program while its vertices were read; "
+    throw Error(ErrorKind::bad_input, "'" + name +
+                                          "' was shortened by another program while its vertices were read; "
                                           "run again when it is whole");
   }
 }

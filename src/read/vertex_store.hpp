@@ -73,9 +73,10 @@ class VertexStore {
   };
 
   void open_mapping(const std::string& path, std::uint64_t offset, std::uint64_t bytes);
-  void gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index, std::size_t count,
-                     FaceBatch& out) const;
-  void gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count, FaceBatch& out) const;
+  void gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index,
+                     std::size_t count, FaceBatch& out) const;
+  void gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
+                         FaceBatch& out) const;
 
   Job& job_;
   std::uint64_t memory_limit_;
@@ -89,7 +90,7 @@ class VertexStore {
   std::uint64_t file_offset_ = 0;
   std::uint64_t resident_limit_ = 0;
   Reservation reservation_;  // for the mapping's resident pages
-  bool watched_ = false;  // the mapping is larger than the limit
+  bool watched_ = false;     // the mapping is larger than the limit
   mutable ResidentBlocks resident_;
   mutable std::mutex dropping_;
 };

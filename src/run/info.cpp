@@ -25,7 +25,8 @@ struct InfoMemory {
   static InfoMemory divide(std::uint64_t total, unsigned threads) {
     const std::uint64_t fixed = 12 * mebibyte + threads * 2 * mebibyte;
     if (total < fixed + 8 * mebibyte) {
-      throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) + " is too small; the smallest that works is --memory " +
+      throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) +
+                                            " is too small; the smallest that works is --memory " +
                                             size_option(fixed + 8 * mebibyte));
     }
     const std::uint64_t rest = total - fixed;
@@ -36,7 +37,8 @@ struct InfoMemory {
 InfoReport info_in_arena(Job& job, const std::string& input, Format from) {
   const Stopwatch watch;
   const InfoMemory memory = InfoMemory::divide(job.context.memory, job.threads);
-  const std::unique_ptr<MeshReader> reader = open_reader(job, open_source(job, input), from, Access::once, memory.reader);
+  const std::unique_ptr<MeshReader> reader =
+      open_reader(job, open_source(job, input), from, Access::once, memory.reader);
   const InputFacts& facts = reader->facts();
 
   FaceCensus census(job, memory.edges);
@@ -47,20 +49,20 @@ InfoReport info_in_arena(Job& job, const std::string& input, Format from) {
   }
   reader->begin_faces();
   const bool corners_too = !facts.vertices;
-  for_each_face_batch(
-      job, *reader,
-      [&](const FaceBatch& faces) {
-        census.add_faces(faces);
-        if (corners_too) census.add_corners(faces);
-      },
-      {});
+  for_each_face_batch(job, *reader,
+                      [&](const FaceBatch& faces) {
+                        census.add_faces(faces);
+                        if (corners_too) census.add_corners(faces);
+                      },
+                      {});
 
   InfoReport report = census.finish();
   report.format = facts.format;
   report.bytes = reader->bytes();
   report.vertices = facts.vertices.value_or(0);
   report.attributes = facts.attributes;
-  if (!report.edges) report.edges_memory = (census.edge_memory_wanted() * 4 / 3 + 32 * mebibyte) / mebibyte * mebibyte;
+  if (!report.edges)
+    report.edges_memory = (census.edge_memory_wanted() * 4 / 3 + 32 * mebibyte) / mebibyte * mebibyte;
   report.seconds = watch.seconds();
   report.peak_memory_bytes = peak_resident_bytes();
   report.notes = job.notes;

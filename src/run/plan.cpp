@@ -28,7 +28,8 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, unsigned threads, bool quadri
   plan.cluster.table_parts = std::clamp<std::size_t>(std::bit_ceil(std::size_t{4} * threads), 16, 256);
   // Fewer faces a batch in a small budget: it bounds what is under way when the table is full.
   plan.reader.batch_faces = total >= 256 * mebibyte ? 8192 : 2048;
-  plan.fixed = threads * (ClusterMemory::per_thread(quadrics)) + blocks_in_flight(threads, plan.reader.batch_faces);
+  plan.fixed =
+      threads * (ClusterMemory::per_thread(quadrics)) + blocks_in_flight(threads, plan.reader.batch_faces);
   const std::uint64_t smallest_table = ClusterMemory::smallest_table(plan.cluster.table_parts, quadrics);
   const std::uint64_t smallest_faces = threads * ClusterMemory::smallest_faces_per_thread;
   // The rest in eighths: three for cells, two for faces, two for vertices of the input, one for merging. The
@@ -40,7 +41,8 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, unsigned threads, bool quadri
   if (total < plan.smallest) {
     throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) + " is too small for " +
                                           std::to_string(threads) + (threads == 1 ? " thread" : " threads") +
-                                          "; the smallest that works is --memory " + size_option(plan.smallest));
+                                          "; the smallest that works is --memory " +
+                                          size_option(plan.smallest));
   }
   const std::uint64_t rest = total - plan.fixed;
   plan.cluster.table = rest * 3 / 8;

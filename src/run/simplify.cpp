@@ -25,10 +25,11 @@ constexpr double tolerance = 0.10;
 constexpr std::uint64_t most_runs = 3;
 
 void check(const SimplifyOptions& options) {
-  const int given = int{options.cell.has_value()} + int{options.grid.has_value()} + int{options.faces.has_value()} +
-                    int{options.ratio.has_value()};
+  const int given = int{options.cell.has_value()} + int{options.grid.has_value()} +
+                    int{options.faces.has_value()} + int{options.ratio.has_value()};
   if (given != 1) {
-    throw Error(ErrorKind::usage, "say how fine the result shall be with exactly one of --cell, --grid, --faces and --ratio");
+    throw Error(ErrorKind::usage,
+                "say how fine the result shall be with exactly one of --cell, --grid, --faces and --ratio");
   }
   if (options.cell && !(*options.cell > 0 && std::isfinite(*options.cell))) {
     throw Error(ErrorKind::usage, "--cell takes a length above 0, not " + shortest(*options.cell));
@@ -38,7 +39,8 @@ void check(const SimplifyOptions& options) {
   }
   if (options.faces && *options.faces < 4) throw Error(ErrorKind::usage, "--faces takes at least 4");
   if (options.ratio && !(*options.ratio > 0 && *options.ratio <= 1)) {
-    throw Error(ErrorKind::usage, "--ratio takes a part above 0 and at most 1 (or 100%), not " + shortest(*options.ratio));
+    throw Error(ErrorKind::usage,
+                "--ratio takes a part above 0 and at most 1 (or 100%), not " + shortest(*options.ratio));
   }
 }
 
@@ -47,7 +49,9 @@ Access access_for(const SimplifyOptions& options) {
   return options.grid ? Access::positions_first : Access::repeatedly;
 }
 
-bool quadrics(const SimplifyOptions& options) { return options.placement == Placement::quadric; }
+bool quadrics(const SimplifyOptions& options) {
+  return options.placement == Placement::quadric;
+}
 
 std::uint64_t count_faces(Job& job, MeshReader& reader) {
   if (reader.facts().faces) return *reader.facts().faces;
@@ -99,8 +103,10 @@ class Simplification {
     const std::uint64_t available = count_faces(job_, reader_);
     if (available == 0) refuse_empty();
     const std::uint64_t target =
-        options_.faces ? *options_.faces
-                       : std::max<std::uint64_t>(4, static_cast<std::uint64_t>(*options_.ratio * static_cast<double>(available) + 0.5));
+        options_.faces
+            ? *options_.faces
+            : std::max<std::uint64_t>(
+                  4, static_cast<std::uint64_t>(*options_.ratio * static_cast<double>(available) + 0.5));
     const CellCounts sample(job_, reader_, reader_.facts().vertices.value_or(available), target);
     if (sample.box().empty) refuse_empty();
 
@@ -113,7 +119,8 @@ class Simplification {
       const double miss = static_cast<double>(mesh.face_count) / static_cast<double>(target);
       if (std::abs(miss - 1) <= tolerance || report_.runs == most_runs || mesh.face_count == 0) {
         if (mesh.face_count != 0 && miss < 1 - tolerance && target >= available) {
-          job_.note("the input has no more detail than these " + grouped(mesh.face_count) + " faces at its own resolution");
+          job_.note("the input has no more detail than these " + grouped(mesh.face_count) +
+                    " faces at its own resolution");
         }
         return mesh;
       }
@@ -147,8 +154,9 @@ class Simplification {
       refuse_cell(settings_.grid.cell, side);
     }
     if (options_.strict && counts.first_bad.face != UINT64_MAX) {
-      throw Error(ErrorKind::bad_input, "'" + reader_.name() + "': face " + grouped(counts.first_bad.face) + " " +
-                                            counts.first_bad.what + "; without --strict such faces are counted and left out");
+      throw Error(ErrorKind::bad_input, "'" + reader_.name() + "': face " + grouped(counts.first_bad.face) +
+                                            " " + counts.first_bad.what +
+                                            "; without --strict such faces are counted and left out");
     }
     report_.input.faces = counts.faces;
     report_.input.bad_faces = counts.bad;
@@ -158,7 +166,8 @@ class Simplification {
   [[noreturn]] void refuse_result(const ClusteredMesh& mesh) const {
     if (mesh.cells == 0) refuse_empty();
     throw Error(ErrorKind::failed, "no face is left: the whole model falls into " + grouped(mesh.cells) +
-                                       " cells of " + shortest(settings_.grid.cell) + "; choose smaller cells");
+                                       " cells of " + shortest(settings_.grid.cell) +
+                                       "; choose smaller cells");
   }
 
   Job& job_;
@@ -217,7 +226,8 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   std::vector<std::string> passes;
   if (outlook.copied_first) passes.emplace_back("copy the input to scratch");
   if (outlook.faces_kept) passes.emplace_back("keep the faces in scratch until the vertices are read");
-  if (outlook.vertices_kept) passes.emplace_back("read the vertices into memory, or scratch where they do not fit");
+  if (outlook.vertices_kept)
+    passes.emplace_back("read the vertices into memory, or scratch where they do not fit");
   const std::string positions = outlook.facts.vertices ? "vertices" : "corners of all faces";
   if (options.grid) passes.push_back("measure the box of the " + positions);
   if (options.faces || options.ratio) {
@@ -226,7 +236,8 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
     passes.push_back("sample the " + positions + " for the cell size");
   }
   passes.emplace_back("cluster the faces");
-  if (options.faces || options.ratio) passes.emplace_back("cluster them again, only if the sample misled by more than 10 %");
+  if (options.faces || options.ratio)
+    passes.emplace_back("cluster them again, only if the sample misled by more than 10 %");
   passes.emplace_back("write the result");
   return passes;
 }

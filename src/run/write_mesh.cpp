@@ -51,36 +51,42 @@ MeshVertex finished(const IndexedVertex& vertex) {
 
 }  // namespace
 
-void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder, ByteSink& sink) {
+void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder,
+                ByteSink& sink) {
   const std::string header = encoder.header(shape);
   sink.write(std::as_bytes(std::span(header)));
   job.progress.begin("write", shape.vertices + shape.faces, "elements");
   if (!encoder.needs_corners()) {
-    write_chunks(job, shape.vertices, sink, [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-      std::vector<IndexedVertex> indexed(count);
-      mesh.vertices->records().read(first * sizeof(IndexedVertex), std::as_writable_bytes(std::span(indexed)));
-      std::vector<MeshVertex> vertices(count);
-      std::transform(indexed.begin(), indexed.end(), vertices.begin(), finished);
-      encoder.vertices(shape, vertices, bytes);
-    });
+    write_chunks(job, shape.vertices, sink,
+                 [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
+                   std::vector<IndexedVertex> indexed(count);
+                   mesh.vertices->records().read(first * sizeof(IndexedVertex),
+                                                 std::as_writable_bytes(std::span(indexed)));
+                   std::vector<MeshVertex> vertices(count);
+                   std::transform(indexed.begin(), indexed.end(), vertices.begin(), finished);
+                   encoder.vertices(shape, vertices, bytes);
+                 });
   }
-  PerSlot<VertexIndex::Reader> readers(job.threads, [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
-  write_chunks(job, shape.faces, sink, [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-    constexpr std::size_t size = 3 * sizeof(std::uint32_t);
-    std::vector<std::uint32_t> numbers(3 * count);
-    mesh.faces->read(first * size, std::as_writable_bytes(std::span(numbers)));
-    std::vector<MeshFace> faces(count);
-    for (std::size_t i = 0; i < count; ++i) faces[i].vertex = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
-    std::vector<Corners> corners;
-    if (encoder.needs_corners()) {
-      VertexIndex::Reader& reader = readers.local();
-      for (const MeshFace& face : faces) {
-        corners.push_back({reader.at(face.vertex[0]).position, reader.at(face.vertex[1]).position,
-                           reader.at(face.vertex[2]).position});
-      }
-    }
-    encoder.faces(shape, faces, corners, bytes);
-  });
+  PerSlot<VertexIndex::Reader> readers(job.threads,
+                                       [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
+  write_chunks(
+      job, shape.faces, sink, [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
+        constexpr std::size_t size = 3 * sizeof(std::uint32_t);
+        std::vector<std::uint32_t> numbers(3 * count);
+        mesh.faces->read(first * size, std::as_writable_bytes(std::span(numbers)));
+        std::vector<MeshFace> faces(count);
+        for (std::size_t i = 0; i < count; ++i)
+          faces[i].vertex = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+        std::vector<Corners> corners;
+        if (encoder.needs_corners()) {
+          VertexIndex::Reader& reader = readers.local();
+          for (const MeshFace& face : faces) {
+            corners.push_back({reader.at(face.vertex[0]).position, reader.at(face.vertex[1]).position,
+                               reader.at(face.vertex[2]).position});
+          }
+        }
+        encoder.faces(shape, faces, corners, bytes);
+      });
 }
 
 }  // namespace winnow

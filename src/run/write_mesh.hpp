@@ -9,6 +9,7 @@
 namespace winnow {
 
 // Encodes with all threads, writes in order; does not finish() the sink.
-void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder, ByteSink& sink);
+void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder,
+                ByteSink& sink);
 
 }  // namespace winnow

@@ -46,8 +46,8 @@ class MeshEncoder {
                         std::vector<std::byte>& out) const = 0;
 
   // `corners` holds the positions of the faces' corners, or nothing where needs_corners() is false.
-  virtual void faces(const MeshShape& shape, std::span<const MeshFace> faces, std::span<const Corners> corners,
-                     std::vector<std::byte>& out) const = 0;
+  virtual void faces(const MeshShape& shape, std::span<const MeshFace> faces,
+                     std::span<const Corners> corners, std::vector<std::byte>& out) const = 0;
 
   [[nodiscard]] virtual bool needs_corners() const = 0;
 };

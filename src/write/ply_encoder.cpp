@@ -15,15 +15,18 @@ constexpr std::uint64_t signed_indices = std::uint64_t{1} << 31;
 constexpr std::uint64_t all_indices = std::uint64_t{1} << 32;
 
 template <typename Real>
-void encode_vertices(const MeshShape& shape, std::span<const MeshVertex> vertices, std::vector<std::byte>& out) {
+void encode_vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
+                     std::vector<std::byte>& out) {
   const std::size_t size = 3 * sizeof(Real) + (shape.normals ? 3 * sizeof(float) : 0);
   std::size_t at = out.size();
   out.resize(at + size * vertices.size());
   for (const MeshVertex& vertex : vertices) {
-    const std::array<Real, 3> position{static_cast<Real>(vertex.position[0]), static_cast<Real>(vertex.position[1]),
+    const std::array<Real, 3> position{static_cast<Real>(vertex.position[0]),
+                                       static_cast<Real>(vertex.position[1]),
                                        static_cast<Real>(vertex.position[2])};
     std::memcpy(out.data() + at, position.data(), sizeof position);
-    if (shape.normals) std::memcpy(out.data() + at + sizeof position, vertex.normal.data(), sizeof vertex.normal);
+    if (shape.normals)
+      std::memcpy(out.data() + at + sizeof position, vertex.normal.data(), sizeof vertex.normal);
     at += size;
   }
 }
@@ -32,8 +35,8 @@ class PlyEncoder final : public MeshEncoder {
  public:
   [[nodiscard]] std::string header(const MeshShape& shape) const override {
     if (shape.vertices > all_indices) {
-      throw Error(ErrorKind::usage, "PLY counts vertices with 32 bits, too few for " + grouped(shape.vertices) +
-                                        "; ask for fewer faces, or for STL");
+      throw Error(ErrorKind::usage, "PLY counts vertices with 32 bits, too few for " +
+                                        grouped(shape.vertices) + "; ask for fewer faces, or for STL");
     }
     std::string text = "ply\nformat binary_little_endian 1.0\n";
     if (!shape.comment.empty()) text += "comment " + shape.comment + "\n";
@@ -59,8 +62,8 @@ class PlyEncoder final : public MeshEncoder {
     }
   }
 
-  void faces(const MeshShape& /*shape*/, std::span<const MeshFace> faces, std::span<const Corners> /*corners*/,
-             std::vector<std::byte>& out) const override {
+  void faces(const MeshShape& /*shape*/, std::span<const MeshFace> faces,
+             std::span<const Corners> /*corners*/, std::vector<std::byte>& out) const override {
     constexpr std::size_t size = 13;
     std::size_t at = out.size();
     out.resize(at + size * faces.size());
@@ -79,6 +82,8 @@ class PlyEncoder final : public MeshEncoder {
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_ply_encoder() { return std::make_unique<PlyEncoder>(); }
+std::unique_ptr<MeshEncoder> make_ply_encoder() {
+  return std::make_unique<PlyEncoder>();
+}
 
 }  // namespace winnow

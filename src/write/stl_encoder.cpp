@@ -30,8 +30,8 @@ class StlEncoder final : public MeshEncoder {
   void vertices(const MeshShape& /*shape*/, std::span<const MeshVertex> /*vertices*/,
                 std::vector<std::byte>& /*out*/) const override {}
 
-  void faces(const MeshShape& /*shape*/, std::span<const MeshFace> /*faces*/, std::span<const Corners> corners,
-             std::vector<std::byte>& out) const override {
+  void faces(const MeshShape& /*shape*/, std::span<const MeshFace> /*faces*/,
+             std::span<const Corners> corners, std::vector<std::byte>& out) const override {
     constexpr std::size_t size = 50;
     std::size_t at = out.size();
     out.resize(at + size * corners.size());
@@ -40,7 +40,8 @@ class StlEncoder final : public MeshEncoder {
       const auto& [a, b, c] = face;
       const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
       const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-      const std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      const std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                    u[0] * v[1] - u[1] * v[0]};
       const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         numbers[axis] = length > 0 ? static_cast<float>(n[axis] / length) : 0.0F;
@@ -58,6 +59,8 @@ class StlEncoder final : public MeshEncoder {
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_stl_encoder() { return std::make_unique<StlEncoder>(); }
+std::unique_ptr<MeshEncoder> make_stl_encoder() {
+  return std::make_unique<StlEncoder>();
+}
 
 }  // namespace winnow

@@ -65,7 +65,8 @@ TEST_CASE("a reservation gives its bytes back once") {
 }
 
 TEST_CASE("what the plan has made room for fails by naming itself and a budget that works") {
-  for (const std::uint64_t held : {std::uint64_t{0}, std::uint64_t{3} << 20, (std::uint64_t{7} << 20) + 12345}) {
+  for (const std::uint64_t held :
+       {std::uint64_t{0}, std::uint64_t{3} << 20, (std::uint64_t{7} << 20) + 12345}) {
     const std::uint64_t wanted = (std::uint64_t{9} << 20) + 17;
     Budget budget(std::uint64_t{8} << 20);
     const Reservation first = budget.try_reserve(held);

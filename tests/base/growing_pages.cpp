@@ -73,7 +73,8 @@ TEST_CASE("memory that was given back is zero when it comes again") {
   CHECK(pages.usable() == 0);
   CHECK(budget.used() == 0);
   REQUIRE(pages.grow_to(4 * mebibyte));
-  CHECK(std::all_of(pages.data(), pages.data() + 4 * mebibyte, [](std::byte b) { return b == std::byte{0}; }));
+  CHECK(
+      std::all_of(pages.data(), pages.data() + 4 * mebibyte, [](std::byte b) { return b == std::byte{0}; }));
 }
 
 TEST_CASE("growing pages give everything back when they go, also after moving") {

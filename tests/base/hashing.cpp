@@ -1,7 +1,6 @@
 // Hashes that tables and samples lean on.
 #include "base/hash.hpp"
 #include "base/wide.hpp"
-
 #include "support/random.hpp"
 
 #include <algorithm>

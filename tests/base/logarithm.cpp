@@ -20,7 +20,8 @@ void check_near(double value) {
 
 TEST_CASE("logarithms agree with the library's to a part in 10^14") {
   test::Random random(4);
-  for (int i = 0; i < 20000; ++i) check_near(std::ldexp(random.real(0.5, 1), static_cast<int>(random.between(0, 2000)) - 1000));
+  for (int i = 0; i < 20000; ++i)
+    check_near(std::ldexp(random.real(0.5, 1), static_cast<int>(random.between(0, 2000)) - 1000));
   check_near(std::numeric_limits<double>::min());
   check_near(std::numeric_limits<double>::max());
 }

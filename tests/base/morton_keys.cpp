@@ -1,6 +1,5 @@
 // Cell keys hold three coordinates and order them along the curve.
 #include "base/morton.hpp"
-
 #include "support/random.hpp"
 
 #include <bit>
@@ -27,7 +26,8 @@ CellKey slow_key(const Cell& cell) {
 std::vector<Cell> some_cells() {
   test::Random random(1);
   std::vector<Cell> cells;
-  const std::vector<std::uint32_t> corners{0, 1, 2, axis_cells / 2 - 1, axis_cells / 2, axis_cells - 2, axis_cells - 1};
+  const std::vector<std::uint32_t> corners{
+      0, 1, 2, axis_cells / 2 - 1, axis_cells / 2, axis_cells - 2, axis_cells - 1};
   for (const std::uint32_t x : corners) {
     for (const std::uint32_t y : corners) {
       for (const std::uint32_t z : corners) cells.push_back({x, y, z});
@@ -35,7 +35,8 @@ std::vector<Cell> some_cells() {
   }
   for (int i = 0; i < 5000; ++i) {
     Cell cell{};
-    for (std::uint32_t& c : cell) c = static_cast<std::uint32_t>(random.below(axis_cells) >> random.below(axis_bits));
+    for (std::uint32_t& c : cell)
+      c = static_cast<std::uint32_t>(random.below(axis_cells) >> random.below(axis_bits));
     cells.push_back(cell);
   }
   for (unsigned bit = 0; bit < axis_bits; ++bit) {
@@ -89,7 +90,8 @@ TEST_CASE("the cells of an octant have neighbouring keys") {
   // What tiles will rely on: a common prefix is a cube.
   for (std::uint32_t i = 0; i < 512; ++i) {
     const Cell cell = morton_cell(CellKey{0x123456} << 9 | i);
-    for (std::size_t axis = 0; axis < 3; ++axis) REQUIRE(cell[axis] >> 3 == morton_cell(CellKey{0x123456} << 9)[axis] >> 3);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      REQUIRE(cell[axis] >> 3 == morton_cell(CellKey{0x123456} << 9)[axis] >> 3);
   }
 }
 

@@ -20,7 +20,8 @@ bool all_zero(const Pages& pages) {
 
 TEST_CASE("pages are zero, also after they were written and cleared") {
   Budget budget(std::uint64_t{64} << 20);
-  for (const std::size_t bytes : {std::size_t{8}, std::size_t{4096}, std::size_t{100'000}, std::size_t{9} << 20}) {
+  for (const std::size_t bytes :
+       {std::size_t{8}, std::size_t{4096}, std::size_t{100'000}, std::size_t{9} << 20}) {
     CAPTURE(bytes);
     Pages pages = Pages::try_allocate(budget, bytes);
     REQUIRE(pages);

@@ -42,7 +42,8 @@ TEST_CASE("bytes are told to three digits") {
   for (int i = 0; i < 5000; ++i) {
     const std::uint64_t bytes = random.bits() >> random.below(64);
     CAPTURE(bytes, human_bytes(bytes));
-    REQUIRE(std::abs(bytes_said(human_bytes(bytes)) - static_cast<double>(bytes)) <= 0.055 * static_cast<double>(bytes));
+    REQUIRE(std::abs(bytes_said(human_bytes(bytes)) - static_cast<double>(bytes)) <=
+            0.055 * static_cast<double>(bytes));
     REQUIRE(human_bytes(bytes).size() <= 10);
   }
 }
@@ -95,7 +96,8 @@ TEST_CASE("a length is told so that it reads back the same") {
     if (!std::isfinite(value)) continue;
     const std::string text = shortest(value);
     CAPTURE(text);
-    REQUIRE(std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)) == std::bit_cast<std::uint64_t>(value));
+    REQUIRE(std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)) ==
+            std::bit_cast<std::uint64_t>(value));
   }
 }
 

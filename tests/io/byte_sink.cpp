@@ -9,11 +9,10 @@
 #include <csignal>
 #include <filesystem>
 
+#include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <catch2/catch.hpp>
 
 namespace winnow {
 
@@ -21,7 +20,9 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-void write_all(ByteSink& sink, const std::string& text) { sink.write(test::bytes_of(text)); }
+void write_all(ByteSink& sink, const std::string& text) {
+  sink.write(test::bytes_of(text));
+}
 
 unsigned mode_of(const std::string& path) {
   struct stat status {};
@@ -47,7 +48,8 @@ TEST_CASE("an output is under its name only when it is finished") {
   const test::Directory directory;
   const std::string path = directory.file("out.ply");
   test::Random random(100);
-  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{262'144}, std::size_t{20'000'000}}) {
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{1}, std::size_t{262'144}, std::size_t{20'000'000}}) {
     const std::string content = random.bytes(size);
     test::TestJob test;
     ByteSink sink(test.job, path, false);
@@ -235,7 +237,8 @@ TEST_CASE("a place where nothing can be written is an error at once") {
   const test::Directory directory;
   test::TestJob test;
   CHECK(test::error_of([&] { ByteSink(test.job, directory.path(), false); }).kind() == ErrorKind::usage);
-  CHECK(test::error_of([&] { ByteSink(test.job, directory.file("no/such/place.ply"), true); }).kind() == ErrorKind::resources);
+  CHECK(test::error_of([&] { ByteSink(test.job, directory.file("no/such/place.ply"), true); }).kind() ==
+        ErrorKind::resources);
 }
 
 }  // namespace winnow

@@ -1,6 +1,5 @@
 // Taking, giving back and peeking mean the same on every kind of source.
 #include "io/byte_source.hpp"
-
 #include "support/files.hpp"
 #include "support/job.hpp"
 #include "support/random.hpp"
@@ -24,7 +23,8 @@ void walk(ByteSource& source, const std::string& content, test::Random& random, 
   std::deque<Block> kept;
   while (true) {
     REQUIRE(source.position() == at);
-    const std::size_t wanted = random.chance(0.1) ? 0 : random.between(1, random.chance(0.05) ? most : most / 20 + 1);
+    const std::size_t wanted =
+        random.chance(0.1) ? 0 : random.between(1, random.chance(0.05) ? most : most / 20 + 1);
     const std::size_t expected = std::min(wanted, content.size() - at);
     if (random.chance(0.3)) {
       const Block ahead = source.peek(wanted);
@@ -61,7 +61,8 @@ TEST_CASE("every source gives the plain bytes, whatever is taken and given back"
   const test::Directory directory;
   test::Random random(80);
   // Windows are 2 MiB, blocks 1 MiB: some contents are smaller, some larger.
-  for (const std::size_t size : {std::size_t{1}, std::size_t{3}, std::size_t{5000}, std::size_t{1} << 20, (std::size_t{5} << 20) + 123}) {
+  for (const std::size_t size : {std::size_t{1}, std::size_t{3}, std::size_t{5000}, std::size_t{1} << 20,
+                                 (std::size_t{5} << 20) + 123}) {
     const std::string content = random.bytes(size);
     const std::string path = directory.file("content");
     test::write_file(path, content);
@@ -134,7 +135,8 @@ TEST_CASE("what cannot be read is an error that names it") {
   const auto empty = open_source(test.job, directory.file("empty"));
   CHECK(empty->take(10).bytes.empty());
   const test::FedPipe nothing("");
-  CHECK(test::error_of([&] { copy_to_scratch(test.job, open_source(test.job, nothing.path())); }).kind() == ErrorKind::bad_input);
+  CHECK(test::error_of([&] { copy_to_scratch(test.job, open_source(test.job, nothing.path())); }).kind() ==
+        ErrorKind::bad_input);
 }
 
 TEST_CASE("waiting for a pipe ends when the run is cancelled") {

@@ -1,6 +1,5 @@
 // Looking through gzip and zstd: all of the content, or an error; never a part of it in silence.
 #include "io/byte_source.hpp"
-
 #include "support/files.hpp"
 #include "support/job.hpp"
 #include "support/random.hpp"
@@ -71,7 +70,8 @@ class Unpacker {
     test::TestJob test;
     const auto source = open_source(test.job, directory_.file("packed"));
     std::string plain;
-    for (Block block = source->take(part); !block.bytes.empty(); block = source->take(part)) plain += test::text_of(block.bytes);
+    for (Block block = source->take(part); !block.bytes.empty(); block = source->take(part))
+      plain += test::text_of(block.bytes);
     return plain;
   }
 
@@ -87,8 +87,10 @@ std::string regular(std::size_t size) {
   return text;
 }
 
-// At every place of a small content and some of a large one: an Error, or, between two parts, the whole parts.
-void check_cuts(const std::string& packed, const std::vector<std::size_t>& part_ends, const std::vector<std::string>& parts) {
+// At every place of a small content and some of a large one: an Error, or, between two parts, the whole
+// parts.
+void check_cuts(const std::string& packed, const std::vector<std::size_t>& part_ends,
+                const std::vector<std::string>& parts) {
   const Unpacker unpack;
   const std::size_t step = std::max<std::size_t>(1, packed.size() / 700);
   for (std::size_t length = 4; length < packed.size(); length += step) {
@@ -99,7 +101,8 @@ void check_cuts(const std::string& packed, const std::vector<std::size_t>& part_
       REQUIRE(error.kind() == ErrorKind::bad_input);
     } else {
       std::string plain;
-      for (std::size_t i = 0; i <= static_cast<std::size_t>(whole - part_ends.begin()); ++i) plain += parts[i];
+      for (std::size_t i = 0; i <= static_cast<std::size_t>(whole - part_ends.begin()); ++i)
+        plain += parts[i];
       REQUIRE(unpack(packed.substr(0, length)) == plain);
     }
   }

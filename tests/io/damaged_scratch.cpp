@@ -1,17 +1,15 @@
 // A disk that changes bytes is noticed.
 #include "io/packed_blocks.hpp"
-
 #include "support/job.hpp"
 #include "support/random.hpp"
 
 #include <optional>
 #include <set>
 
+#include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <catch2/catch.hpp>
 
 namespace winnow {
 
@@ -19,7 +17,8 @@ namespace {
 
 std::set<int> descriptors() {
   std::set<int> open;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) open.insert(std::stoi(entry.path().filename()));
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+    open.insert(std::stoi(entry.path().filename()));
   return open;
 }
 
@@ -59,7 +58,8 @@ Blocks random_blocks(std::size_t count, std::size_t most) {
   Blocks blocks(count);
   for (auto& block : blocks) {
     const std::string text = random.bytes(random.between(1, most));
-    block.assign(reinterpret_cast<const std::byte*>(text.data()), reinterpret_cast<const std::byte*>(text.data()) + text.size());
+    block.assign(reinterpret_cast<const std::byte*>(text.data()),
+                 reinterpret_cast<const std::byte*>(text.data()) + text.size());
   }
   return blocks;
 }

@@ -1,6 +1,5 @@
 // Many sorted sources read as one.
 #include "io/sorted_runs.hpp"
-
 #include "support/random.hpp"
 
 #include <algorithm>

@@ -8,11 +8,10 @@
 
 #include <filesystem>
 
+#include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
-
-#include <catch2/catch.hpp>
 
 namespace winnow {
 
@@ -37,8 +36,9 @@ TEST_CASE("scratch files have no name and hold what was appended") {
   }
   CHECK(test::bytes_of_file(file.path()) == content);
   std::string beyond(2, '?');
-  CHECK(test::error_of([&] { file.read(content.size() - 1, std::as_writable_bytes(std::span(beyond))); }).kind() ==
-        ErrorKind::resources);
+  CHECK(test::error_of([&] {
+          file.read(content.size() - 1, std::as_writable_bytes(std::span(beyond)));
+        }).kind() == ErrorKind::resources);
 }
 
 TEST_CASE("scratch counts all that was written and the most that was in use") {

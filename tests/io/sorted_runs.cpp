@@ -69,7 +69,8 @@ Sums read_back(const SortedRuns<Entry>& runs) {
 TEST_CASE("runs come back merged, however many there are") {
   constexpr std::size_t fan_in = SortedRuns<Entry>::fan_in;
   // Beyond fan_in runs are merged into one of the next level, beyond fan_in squared into one of the third.
-  for (const std::size_t count : {std::size_t{1}, fan_in - 1, fan_in, fan_in + 1, 3 * fan_in + 5, fan_in * fan_in + 3}) {
+  for (const std::size_t count :
+       {std::size_t{1}, fan_in - 1, fan_in, fan_in + 1, 3 * fan_in + 5, fan_in * fan_in + 3}) {
     test::TestJob test;
     SortedRuns<Entry> runs(test.job);
     CHECK(runs.empty());
@@ -98,7 +99,8 @@ TEST_CASE("runs of many blocks keep their order") {
   Sums sums;
   for (const std::size_t blocks : {1, 2, 7, 40}) {
     for (const std::size_t more : {std::size_t{0}, std::size_t{1}}) {
-      const std::vector<Entry> entries = random_entries(random, blocks * SortedRuns<Entry>::block_records + more, UINT64_MAX);
+      const std::vector<Entry> entries =
+          random_entries(random, blocks * SortedRuns<Entry>::block_records + more, UINT64_MAX);
       for (const Entry& entry : entries) sums[entry.key] += entry.count;
       add_run(runs, entries);
     }

@@ -44,7 +44,8 @@ void check_content(const Spool& spool, const std::string& content, test::Random&
 
 TEST_CASE("a spool gives back what was appended, in memory and from scratch") {
   test::Random random(70);
-  for (const std::size_t size : {std::size_t{1}, std::size_t{1000}, std::size_t{3} << 20, (std::size_t{5} << 20) + 7}) {
+  for (const std::size_t size :
+       {std::size_t{1}, std::size_t{1000}, std::size_t{3} << 20, (std::size_t{5} << 20) + 7}) {
     const std::string content = random.bytes(size);
     for (const std::uint64_t limit : {std::uint64_t{0}, mebibyte, 2 * mebibyte, 100 * mebibyte}) {
       for (const std::size_t most : {std::size_t{5000}, std::size_t{700'000}}) {
@@ -88,7 +89,8 @@ TEST_CASE("a spool moves to scratch when the budget refuses, and gives its memor
 }
 
 TEST_CASE("a spool uses no more of the budget than its limit") {
-  for (const std::uint64_t limit : {std::uint64_t{1}, mebibyte / 2, mebibyte, mebibyte + mebibyte / 2, 3 * mebibyte - 1}) {
+  for (const std::uint64_t limit :
+       {std::uint64_t{1}, mebibyte / 2, mebibyte, mebibyte + mebibyte / 2, 3 * mebibyte - 1}) {
     test::TestJob test;
     Spool spool(test.job, limit);
     const std::vector<std::byte> part(4096);

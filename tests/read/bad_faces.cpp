@@ -21,11 +21,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 ClusterCounts counts_of(const std::string& file, double cell = 0.5) {
   test::TestJob test;
-  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic, Access::repeatedly,
-                                  {test::usual_vertex_memory, 512});
+  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
+                                  Access::repeatedly, {test::usual_vertex_memory, 512});
   return in_arena(test.job, [&] {
     const Box box = measure_box(test.job, *reader);
-    const auto clusterer = Clusterer::make(test.job, {Grid::over(box, cell), Placement::mean, true}, {1 << 22, 1 << 22, 1 << 22, 1 << 22, 16});
+    const auto clusterer = Clusterer::make(test.job, {Grid::over(box, cell), Placement::mean, true},
+                                           {1 << 22, 1 << 22, 1 << 22, 1 << 22, 16});
     reader->begin_faces();
     for_each_face_batch(test.job, *reader, [&](const FaceBatch& faces) { clusterer->add(faces); }, {});
     return clusterer->counts();
@@ -63,7 +64,8 @@ const std::vector<test::Point> square{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}
 
 TEST_CASE("indices of no vertex are out of range, negative ones too") {
   in_every_form({}, [](test::PlyStyle style) {
-    test::Polygons mesh{square, {{0, 1, 2}, {0, 1, 4}, {5, 6, 7}, {0, 30000, 2}, {1, 2, 3}, {0, 1, 2, 4}, {3, 2, 1}}};
+    test::Polygons mesh{square,
+                        {{0, 1, 2}, {0, 1, 4}, {5, 6, 7}, {0, 30000, 2}, {1, 2, 3}, {0, 1, 2, 4}, {3, 2, 1}}};
     std::uint64_t more = 0;
     if (style.index != PlyType::uint32) {
       mesh.faces.push_back({0, -1, 2});
@@ -96,14 +98,19 @@ TEST_CASE("corners that are not finite are told, whatever else the vertex list h
   }
   test::Polygons mesh{vertices, {{0, 1, 2}, {1, 3, 2}}};
   for (std::int64_t i = 4; i < 13; ++i) mesh.faces.push_back({0, 1, i});
-  in_every_form(mesh, [&](const test::PlyStyle& style) { check_counts(counts_of(ply_file(mesh, style)), 11, {0, 9, 0}); });
+  in_every_form(mesh, [&](const test::PlyStyle& style) {
+    check_counts(counts_of(ply_file(mesh, style)), 11, {0, 9, 0});
+  });
 }
 
 TEST_CASE("repeated corners are degenerate, by index and by position") {
   std::vector<test::Point> vertices = square;
   vertices.push_back({1, 0, -0.0});  // the second vertex again: minus nothing is nothing
-  const test::Polygons mesh{vertices, {{0, 1, 2}, {0, 0, 1}, {1, 2, 1}, {2, 3, 3}, {1, 4, 0}, {2, 1, 4}, {0, 4, 2}}};
-  in_every_form(mesh, [&](const test::PlyStyle& style) { check_counts(counts_of(ply_file(mesh, style)), 7, {5, 0, 0}); });
+  const test::Polygons mesh{vertices,
+                            {{0, 1, 2}, {0, 0, 1}, {1, 2, 1}, {2, 3, 3}, {1, 4, 0}, {2, 1, 4}, {0, 4, 2}}};
+  in_every_form(mesh, [&](const test::PlyStyle& style) {
+    check_counts(counts_of(ply_file(mesh, style)), 7, {5, 0, 0});
+  });
 }
 
 TEST_CASE("a face of two corners is degenerate, whatever its vertices are") {
@@ -112,13 +119,16 @@ TEST_CASE("a face of two corners is degenerate, whatever its vertices are") {
   const test::Polygons none{{}, {{0, 1}, {}}};
   in_every_form(odd, [&](const test::PlyStyle& style) {
     check_counts(counts_of(ply_file(odd, style)), 4, {3, 0, 0});
-    for (const test::SeenFace& face : test::faces_of(ply_file(none, style))) CHECK(face.status == FaceStatus::degenerate);
+    for (const test::SeenFace& face : test::faces_of(ply_file(none, style)))
+      CHECK(face.status == FaceStatus::degenerate);
   });
 }
 
 TEST_CASE("zero area alone is not bad") {
   const test::Polygons mesh{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 5, 0}}, {{0, 1, 2}, {0, 1, 3}}};
-  in_every_form(mesh, [&](const test::PlyStyle& style) { check_counts(counts_of(ply_file(mesh, style)), 2, {0, 0, 0}); });
+  in_every_form(mesh, [&](const test::PlyStyle& style) {
+    check_counts(counts_of(ply_file(mesh, style)), 2, {0, 0, 0});
+  });
 }
 
 TEST_CASE("bad faces of an STL are told apart as those of a PLY") {
@@ -127,7 +137,8 @@ TEST_CASE("bad faces of an STL are told apart as those of a PLY") {
                                     {{{0, 0, -infinity}, {1, 0, 0}, {0, 1, 0}}},
                                     {{{1, 1, 1}, {1, 1, 1}, {0, 1, 0}}},
                                     {{{0, 0, 0}, {1, 0, 0}, {1, 0, -0.0}}}};
-  for (const std::string& file : {test::binary_stl(faces), test::ascii_stl(faces)}) check_counts(counts_of(file), 5, {2, 2, 0});
+  for (const std::string& file : {test::binary_stl(faces), test::ascii_stl(faces)})
+    check_counts(counts_of(file), 5, {2, 2, 0});
 }
 
 TEST_CASE("the first bad face is remembered with what is wrong") {

@@ -1,6 +1,5 @@
 // Words of text files as numbers.
 #include "read/text_tokens.hpp"
-
 #include "support/job.hpp"
 #include "support/random.hpp"
 #include "support/sources.hpp"
@@ -37,8 +36,8 @@ TEST_CASE("reals are read to the last bit, however they are written") {
 }
 
 TEST_CASE("what is no finite number in any spelling is one that is not finite") {
-  for (const char* word : {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "-nan(snan)", "inf", "-inf", "INF", "Infinity", "+inf",
-                           "1.#QNAN", "1.#INF", "-1.#IND", "1e999", "-1e999", "+1e400"}) {
+  for (const char* word : {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "-nan(snan)", "inf", "-inf", "INF",
+                           "Infinity", "+inf", "1.#QNAN", "1.#INF", "-1.#IND", "1e999", "-1e999", "+1e400"}) {
     CAPTURE(word);
     const std::optional<double> value = parse_real(word);
     REQUIRE(value);
@@ -48,7 +47,8 @@ TEST_CASE("what is no finite number in any spelling is one that is not finite") 
 }
 
 TEST_CASE("what is no number is none") {
-  for (const char* word : {"", "x", "-", "+", ".", "e5", "1x", "1,5", "0x10", "1.5.2", "--1", "vertex", "1e"}) {
+  for (const char* word :
+       {"", "x", "-", "+", ".", "e5", "1x", "1,5", "0x10", "1.5.2", "--1", "vertex", "1e"}) {
     CAPTURE(word);
     CHECK_FALSE(parse_real(word));
     CHECK_FALSE(parse_integer(word));
@@ -80,7 +80,8 @@ TEST_CASE("words are found across blocks, with the lines they stand in") {
   std::vector<std::pair<std::string, std::uint64_t>> words;
   std::uint64_t line = 1;
   while (text.size() < 400'000) {
-    const std::string blanks = random.one_of<std::string>({" ", "\n", "\t", "  ", "\r\n", "\n\n", " \n\t", "\v", "\f"});
+    const std::string blanks =
+        random.one_of<std::string>({" ", "\n", "\t", "  ", "\r\n", "\n\n", " \n\t", "\v", "\f"});
     for (const char c : blanks) line += c == '\n' ? 1 : 0;
     text += blanks;
     std::string word(random.between(1, random.chance(0.01) ? 3000 : 12), 'a');

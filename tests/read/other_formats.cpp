@@ -25,14 +25,17 @@ TEST_CASE("other formats are refused by name") {
   refused("<html><body>404 not found</body></html>\n" + std::string(2000, ' '));
   refused("plywood is not a mesh\n" + std::string(2000, '.'));
   refused(std::string(83, '\0'));
-  refused("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\nsize 12345\n");
+  refused(
+      "version https://git-lfs.github.com/spec/v1\noid "
+      "sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\nsize 12345\n");
 }
 
 TEST_CASE("a format that is asked for is the one that is tried") {
   test::Random random(300);
   const std::vector<test::Triangle> faces = test::random_triangles(random, 10);
   CHECK(test::faces_of(test::binary_stl(faces), {.format = Format::stl}).size() == 10);
-  CHECK(test::error_of([&] { test::faces_of(test::binary_stl(faces), {.format = Format::ply}); }).kind() == ErrorKind::bad_input);
+  CHECK(test::error_of([&] { test::faces_of(test::binary_stl(faces), {.format = Format::ply}); }).kind() ==
+        ErrorKind::bad_input);
   // A binary STL whose header is that of a PLY.
   const std::string odd = test::binary_stl(faces, {"ply\nformat binary", -1, ""});
   CHECK(test::faces_of(odd, {.format = Format::stl}).size() == 10);
@@ -43,7 +46,10 @@ TEST_CASE("random bytes are refused or read as a handful of faces, nothing worse
   for (int round = 0; round < 500; ++round) {
     std::string bytes(random.below(3000), '\0');
     for (char& c : bytes) c = static_cast<char>(random.bits() >> 56);
-    if (random.chance(0.3)) bytes = random.one_of<std::string>({"solid ", "ply\n", "solid facet normal", "ply\nformat ascii 1.0\n"}) + bytes;
+    if (random.chance(0.3))
+      bytes =
+          random.one_of<std::string>({"solid ", "ply\n", "solid facet normal", "ply\nformat ascii 1.0\n"}) +
+          bytes;
     for (const bool pipe : {false, true}) {
       try {
         const std::size_t count = (pipe ? test::faces_of_pipe(bytes) : test::faces_of(bytes)).size();

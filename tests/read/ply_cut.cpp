@@ -1,6 +1,6 @@
 // PLY files cut short.
-#include "support/ply_file.hpp"
 #include "support/job.hpp"
+#include "support/ply_file.hpp"
 #include "support/reading.hpp"
 
 #include <catch2/catch.hpp>
@@ -60,8 +60,10 @@ TEST_CASE("a small PLY cut at every byte is an error") {
 
 TEST_CASE("an element behind the faces may be cut: nobody asked for it") {
   const std::string file =
-      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-      "property list uchar int vertex_indices\nelement edge 5\nproperty list int int a\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 7 7\n";
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 1\n"
+      "property list uchar int vertex_indices\nelement edge 5\nproperty list int int a\nend_header\n0 0 0\n1 "
+      "0 0\n0 1 0\n3 0 1 2\n2 7 7\n";
   CHECK(test::faces_of_pipe(file).size() == 1);
 }
 

@@ -73,8 +73,8 @@ TEST_CASE("random meshes in random styles are read as they were written") {
   test::Random random(213);
   for (int round = 0; round < 400; ++round) {
     const std::size_t vertices = random.between(1, random.one_of<std::uint64_t>({10, 120, 3000}));
-    test::Polygons mesh = test::random_polygons(random, vertices, random.between(0, random.chance(0.1) ? 4000 : 300),
-                                                random.chance(0.5) ? 3 : 9);
+    test::Polygons mesh = test::random_polygons(
+        random, vertices, random.between(0, random.chance(0.1) ? 4000 : 300), random.chance(0.5) ? 3 : 9);
     test::PlyStyle style = random_ply_style(random, mesh);
     if (style.coordinate[0] == PlyType::int32) {
       for (test::Point& p : mesh.vertices) p[0] *= 1e6;  // beyond a float
@@ -83,7 +83,10 @@ TEST_CASE("random meshes in random styles are read as they were written") {
     if (style.form == PlyForm::ascii) style.coordinate.fill(style.coordinate[0]);
     const std::string file = ply_file(mesh, style);
     const std::vector<test::SeenFace> right = as_fans(as_stored(mesh, style));
-    const test::ReadStyle reading{Format::automatic, Access::once, {test::usual_vertex_memory, random.one_of<std::size_t>({8, 100, 700, 8192})}};
+    const test::ReadStyle reading{
+        Format::automatic,
+        Access::once,
+        {test::usual_vertex_memory, random.one_of<std::size_t>({8, 100, 700, 8192})}};
     CAPTURE(round, file.substr(0, file.find("end_header")));
     REQUIRE(difference(test::faces_of(file, reading), right) == "");
     REQUIRE(difference(test::faces_of_pipe(file, reading), right) == "");
@@ -102,7 +105,8 @@ TEST_CASE("an element of faces may stand before the vertices") {
       CAPTURE(form, faces);
       CHECK(difference(test::faces_of(file), as_fans(as_stored(mesh, style))) == "");
       // No memory for faces: they wait in scratch.
-      CHECK(difference(test::faces_of_pipe(file, {Format::automatic, Access::once, {0, 512}}), as_fans(as_stored(mesh, style))) == "");
+      CHECK(difference(test::faces_of_pipe(file, {Format::automatic, Access::once, {0, 512}}),
+                       as_fans(as_stored(mesh, style))) == "");
     }
   }
 }
@@ -116,8 +120,8 @@ TEST_CASE("the header tells what is in the file") {
       style.form = static_cast<PlyForm>(form);
       style.coordinate[2] = type;
       test::TestJob test;
-      const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(ply_file(mesh, style)), Format::automatic,
-                                      Access::once, {1 << 20, 100});
+      const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(ply_file(mesh, style)),
+                                      Format::automatic, Access::once, {1 << 20, 100});
       CHECK(reader->facts().faces == 7);
       CHECK(reader->facts().vertices == 10);
       CHECK(reader->facts().double_positions == (type == PlyType::float64));

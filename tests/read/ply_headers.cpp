@@ -1,6 +1,5 @@
 // Headers as programs write them.
 #include "read/ply_header.hpp"
-
 #include "support/job.hpp"
 #include "support/ply_file.hpp"
 #include "support/reading.hpp"
@@ -26,8 +25,10 @@ std::string lines(const std::string& text, const std::string& end) {
 }
 
 const std::string plain =
-    "ply\nformat binary_little_endian 1.0\ncomment a comment\nobj_info made by hand\nelement vertex 3\nproperty float x\n"
-    "property float y\nproperty double z\nproperty list uchar int flags\nelement face 1\nproperty list uchar uint vertex_index\n"
+    "ply\nformat binary_little_endian 1.0\ncomment a comment\nobj_info made by hand\nelement vertex "
+    "3\nproperty float x\n"
+    "property float y\nproperty double z\nproperty list uchar int flags\nelement face 1\nproperty list uchar "
+    "uint vertex_index\n"
     "end_header\n";
 
 void check_plain(const PlyHeader& header) {
@@ -69,8 +70,10 @@ TEST_CASE("a header ends right before the data, whatever its lines end in") {
 
 TEST_CASE("blanks, tabs, empty lines and remarks anywhere do not matter") {
   const std::string text =
-      "ply\n\n  format \t binary_little_endian   1.0 \ncomment\ncomment element face 77\nobj_info end_header\n\telement vertex 3  \n"
-      "property float x\ncomment between\nproperty float  y\nproperty double z\nobj_info\nproperty list uchar int flags\n   \n"
+      "ply\n\n  format \t binary_little_endian   1.0 \ncomment\ncomment element face 77\nobj_info "
+      "end_header\n\telement vertex 3  \n"
+      "property float x\ncomment between\nproperty float  y\nproperty double z\nobj_info\nproperty list "
+      "uchar int flags\n   \n"
       "element face 1 more words\nproperty list uchar uint vertex_index and more\nend_header\n";
   check_plain(header_of(text));
 }
@@ -80,7 +83,8 @@ TEST_CASE("old and new type names are the same types") {
     const auto type = static_cast<PlyType>(number);
     for (const bool new_names : {false, true}) {
       const std::string name = test::type_name(type, new_names);
-      const PlyHeader header = header_of("ply\nformat ascii 1.0\nelement e 1\nproperty " + name + " p\nend_header\n");
+      const PlyHeader header =
+          header_of("ply\nformat ascii 1.0\nelement e 1\nproperty " + name + " p\nend_header\n");
       CAPTURE(name);
       CHECK(header.elements[0].properties[0].type == type);
       CHECK(size_of(type) == header.elements[0].smallest_size());
@@ -94,7 +98,8 @@ TEST_CASE("a header longer than one block is read whole") {
   for (const std::size_t remarks : {50, 100, 500, 5000}) {
     std::string text = plain;
     std::string block;
-    for (std::size_t i = 0; i < remarks; ++i) block += "comment remark number " + std::to_string(i) + " of a long list of them\n";
+    for (std::size_t i = 0; i < remarks; ++i)
+      block += "comment remark number " + std::to_string(i) + " of a long list of them\n";
     text.insert(text.find("element face"), block);
     CAPTURE(remarks);
     check_plain(header_of(text + "data"));

@@ -1,4 +1,5 @@
-// Wrong and hostile files: an error that says where, quickly, and without taking memory for what is not there.
+// Wrong and hostile files: an error that says where, quickly, and without taking memory for what is not
+// there.
 #include "read/for_each_batch.hpp"
 #include "run/arena.hpp"
 #include "support/ply_file.hpp"
@@ -27,7 +28,8 @@ Outcome try_everything(const std::string& file, Kind kind, Format format = Forma
   Outcome outcome;
   const Stopwatch watch;
   try {
-    const auto reader = open_reader(test.job, std::move(owned), format, Access::once, {std::uint64_t{8} << 20, 1024});
+    const auto reader =
+        open_reader(test.job, std::move(owned), format, Access::once, {std::uint64_t{8} << 20, 1024});
     in_arena(test.job, [&] {
       if (reader->facts().vertices) for_each_position_batch(test.job, *reader, [](const PositionView&) {});
       reader->begin_faces();
@@ -67,15 +69,22 @@ const std::string list = "property list uchar int vertex_indices\n";
 
 TEST_CASE("counts that the file cannot hold are refused") {
   for (const std::string& form : forms) {
-    for (const char* count : {"1000", "4294967295", "4294967296", "281474976710655", "9223372036854775808", "18446744073709551615",
-                              "18446744073709551616", "-1", "1e9"}) {
+    for (const char* count : {"1000", "4294967295", "4294967296", "281474976710655", "9223372036854775808",
+                              "18446744073709551615", "18446744073709551616", "-1", "1e9"}) {
       const std::string number = count;
-      check_refused(header(form, "element vertex " + number + "\n" + xyz + "element face 1\n" + list) + std::string(100, '1'));
-      check_refused(header(form, "element vertex 2\n" + xyz + "element face " + number + "\n" + list) + "0 0 0 1 1 1 " + std::string(12, '\1'));
-      check_refused(header(form, "element other " + number + "\nproperty int a\nelement vertex 2\n" + xyz + "element face 1\n" + list) + std::string(100, '1'));
-      check_refused(header(form, "element other " + number + "\nproperty list uint double a\nelement vertex 2\n" + xyz + "element face 1\n" + list) +
+      check_refused(header(form, "element vertex " + number + "\n" + xyz + "element face 1\n" + list) +
                     std::string(100, '1'));
-      check_refused(header(form, "element face " + number + "\n" + list + "element vertex 2\n" + xyz) + std::string(100, '1'));
+      check_refused(header(form, "element vertex 2\n" + xyz + "element face " + number + "\n" + list) +
+                    "0 0 0 1 1 1 " + std::string(12, '\1'));
+      check_refused(header(form, "element other " + number + "\nproperty int a\nelement vertex 2\n" + xyz +
+                                     "element face 1\n" + list) +
+                    std::string(100, '1'));
+      check_refused(header(form, "element other " + number +
+                                     "\nproperty list uint double a\nelement vertex 2\n" + xyz +
+                                     "element face 1\n" + list) +
+                    std::string(100, '1'));
+      check_refused(header(form, "element face " + number + "\n" + list + "element vertex 2\n" + xyz) +
+                    std::string(100, '1'));
     }
   }
 }
@@ -86,18 +95,24 @@ TEST_CASE("a list longer than its file is refused") {
     const std::string full(4, '\x7f');  // a length of 127 or more by any type
     const std::string vertices(24, '\0');
     for (const std::string form : {"binary_little_endian", "binary_big_endian"}) {
-      check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\n" + lists) + vertices + full + std::string(12, '\0'));
-      check_refused(header(form, "element vertex 2\n" + xyz + "property list " + type + " double other\nelement face 1\n" + list) +
+      check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\n" + lists) + vertices + full +
+                    std::string(12, '\0'));
+      check_refused(header(form, "element vertex 2\n" + xyz + "property list " + type +
+                                     " double other\nelement face 1\n" + list) +
                     std::string(12, '\0') + full + std::string(50, '\0'));
-      check_refused(header(form, "element face 1\n" + lists + "element vertex 2\n" + xyz) + full + std::string(60, '\0'));
+      check_refused(header(form, "element face 1\n" + lists + "element vertex 2\n" + xyz) + full +
+                    std::string(60, '\0'));
     }
   }
   const std::string vertices = "0 0 0\n1 1 1\n";
   for (const char* length : {"4", "255", "4000000000", "9000000000000000", "99999999999999999999999"}) {
     // A length that no integer holds is no list at all: a face without corners.
     if (std::string(length).size() > 20) continue;
-    check_refused(header("ascii", "element vertex 2\n" + xyz + "element face 1\n" + list) + vertices + length + " 0 1 0");
-    check_refused(header("ascii", "element vertex 2\n" + xyz + "property list uint int a\nelement face 1\n" + list) + "0 0 0 " + length + " 1 1 1");
+    check_refused(header("ascii", "element vertex 2\n" + xyz + "element face 1\n" + list) + vertices +
+                  length + " 0 1 0");
+    check_refused(
+        header("ascii", "element vertex 2\n" + xyz + "property list uint int a\nelement face 1\n" + list) +
+        "0 0 0 " + length + " 1 1 1");
   }
 }
 
@@ -114,19 +129,26 @@ TEST_CASE("elements without what they need are refused") {
       check_refused(header(form, "element vertex 2\n" + lists + "element face 1\n" + list) + data);
     }
     check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\n") + data);
-    check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\nproperty list uchar int indices\n") + data);
-    check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\nproperty int vertex_indices\n") + data);
-    check_refused(header(form, "element vertex 2\n" + xyz + "element tristrips 1\nproperty int vertex_indices\n") + data);
+    check_refused(
+        header(form, "element vertex 2\n" + xyz + "element face 1\nproperty list uchar int indices\n") +
+        data);
+    check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\nproperty int vertex_indices\n") +
+                  data);
+    check_refused(
+        header(form, "element vertex 2\n" + xyz + "element tristrips 1\nproperty int vertex_indices\n") +
+        data);
     check_refused(header(form, "element face 1\n" + list) + data);
     check_refused(header(form, "element vertices 2\n" + xyz + "element face 1\n" + list) + data);
   }
 }
 
 TEST_CASE("what is no number in an ASCII file is refused with its line") {
-  const std::string good = header("ascii", "element vertex 3\n" + xyz + "element face 1\n" + list) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string good = header("ascii", "element vertex 3\n" + xyz + "element face 1\n" + list) +
+                           "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   REQUIRE_FALSE(try_everything(good, Kind::file).error);
   for (const std::string wrong : {"x", "1,0", "0x1", "\x01\x02", "3;"}) {
-    for (const auto& [from, line] : std::vector<std::pair<std::string, int>>{{"1 0 0", 10}, {"0 1 0", 11}, {"3 0 1 2", 12}}) {
+    for (const auto& [from, line] :
+         std::vector<std::pair<std::string, int>>{{"1 0 0", 10}, {"0 1 0", 11}, {"3 0 1 2", 12}}) {
       std::string file = good;
       const std::size_t at = file.rfind(from);
       file.replace(at, 1, wrong);
@@ -135,7 +157,8 @@ TEST_CASE("what is no number in an ASCII file is refused with its line") {
       REQUIRE(outcome.error);
       CAPTURE(outcome.error->what());
       CHECK(outcome.error->kind() == ErrorKind::bad_input);
-      CHECK(std::string(outcome.error->what()).find("line " + std::to_string(line) + ",") != std::string::npos);
+      CHECK(std::string(outcome.error->what()).find("line " + std::to_string(line) + ",") !=
+            std::string::npos);
     }
   }
 }
@@ -157,8 +180,8 @@ TEST_CASE("a record of many properties takes no more memory than one of few") {
   const std::string vertices(12 * 3, '\0');
   for (const std::string form : {"binary_little_endian", "ascii"}) {
     for (const Kind kind : {Kind::pipe, Kind::file}) {
-      const Outcome wide_vertices =
-          try_everything(header(form, "element vertex 100000\n" + xyz + many + "element face 1\n" + list) + vertices, kind);
+      const Outcome wide_vertices = try_everything(
+          header(form, "element vertex 100000\n" + xyz + many + "element face 1\n" + list) + vertices, kind);
       CAPTURE(form, static_cast<int>(kind));
       REQUIRE(wide_vertices.error);
       CHECK(wide_vertices.error->kind() == ErrorKind::bad_input);
@@ -194,21 +217,26 @@ TEST_CASE("a record of many properties takes no more memory than one of few") {
     return *largest;
   };
   const std::string tail = std::string(13, '\3');
-  CHECK(asked_for(header("binary_little_endian", "element vertex 100000\n" + xyz + many + "element face 1\n" + list) + vertices) <
-        std::size_t{32} << 20);
-  CHECK(asked_for(header("binary_little_endian", "element vertex 3\n" + xyz + "element face 100000\n" + list + many) + vertices + tail) <
-        std::size_t{32} << 20);
+  CHECK(asked_for(header("binary_little_endian",
+                         "element vertex 100000\n" + xyz + many + "element face 1\n" + list) +
+                  vertices) < std::size_t{32} << 20);
+  CHECK(asked_for(header("binary_little_endian",
+                         "element vertex 3\n" + xyz + "element face 100000\n" + list + many) +
+                  vertices + tail) < std::size_t{32} << 20);
 }
 
 TEST_CASE("bytes changed at random are an error or another mesh, nothing worse") {
   test::Random random(240);
   for (int round = 0; round < 3000; ++round) {
-    const test::Polygons mesh = test::random_polygons(random, random.between(1, 60), random.between(0, 60), random.between(3, 6));
+    const test::Polygons mesh =
+        test::random_polygons(random, random.between(1, 60), random.between(0, 60), random.between(3, 6));
     const test::PlyStyle style = random_ply_style(random, mesh);
     std::string file = ply_file(mesh, style);
     for (std::uint64_t changes = random.between(1, 6); changes > 0; --changes) {
-      const std::size_t at = random.chance(0.6) ? random.below(std::min<std::size_t>(file.size(), 400)) : random.below(file.size());
-      const std::string bytes = random.one_of<std::string>({"9", "-", "\n", " ", "\xff", std::string(1, '\0'), "list ", "99999", "e", "\r"});
+      const std::size_t at = random.chance(0.6) ? random.below(std::min<std::size_t>(file.size(), 400))
+                                                : random.below(file.size());
+      const std::string bytes = random.one_of<std::string>(
+          {"9", "-", "\n", " ", "\xff", std::string(1, '\0'), "list ", "99999", "e", "\r"});
       if (random.chance(0.3)) {
         file.erase(at, random.between(1, 9));
       } else if (random.chance(0.5)) {

@@ -41,7 +41,8 @@ TEST_CASE("triangles and other polygons mix across the ends of batches") {
       style.form = static_cast<PlyForm>(form);
       const std::string file = ply_file(mesh, style);
       const std::vector<test::SeenFace> right = as_fans(as_stored(mesh, style));
-      for (const std::size_t batch : {std::size_t{8}, std::size_t{100}, std::size_t{512}, std::size_t{1000}, std::size_t{8192}}) {
+      for (const std::size_t batch :
+           {std::size_t{8}, std::size_t{100}, std::size_t{512}, std::size_t{1000}, std::size_t{8192}}) {
         CAPTURE(round, form, batch);
         REQUIRE(difference(test::faces_of(file, with_batches(batch)), right) == "");
         REQUIRE(difference(test::faces_of_pipe(file, with_batches(batch)), right) == "");
@@ -64,7 +65,8 @@ TEST_CASE("one polygon may be longer than a batch") {
       style.form = static_cast<PlyForm>(form);
       style.count = count;
       CAPTURE(form, static_cast<int>(count));
-      CHECK(difference(test::faces_of(ply_file(mesh, style), with_batches(1000)), as_fans(as_stored(mesh, style))) == "");
+      CHECK(difference(test::faces_of(ply_file(mesh, style), with_batches(1000)),
+                       as_fans(as_stored(mesh, style))) == "");
     }
   }
 }
@@ -106,8 +108,8 @@ TEST_CASE("no batch is larger than was asked for") {
     style.form = static_cast<PlyForm>(form);
     test::TestJob test;
     for (const std::size_t most : {std::size_t{16}, std::size_t{1000}}) {
-      const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(ply_file(mesh, style)), Format::ply, Access::once,
-                                      {test::usual_vertex_memory, most});
+      const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(ply_file(mesh, style)),
+                                      Format::ply, Access::once, {test::usual_vertex_memory, most});
       reader->begin_faces();
       for (RawBatch batch; reader->next_faces(batch);) {
         REQUIRE(batch.count <= most);

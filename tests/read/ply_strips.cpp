@@ -25,7 +25,8 @@ TEST_CASE("every second triangle of a strip is mirrored, so that all face one wa
   test::Polygons mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}};
   mesh.faces = {{0, 1, 2, 3, 4}};
-  const std::vector<test::SeenFace> seen = test::faces_of(ply_file(mesh, strip_style(PlyForm::little_endian, PlyType::int32)));
+  const std::vector<test::SeenFace> seen =
+      test::faces_of(ply_file(mesh, strip_style(PlyForm::little_endian, PlyType::int32)));
   REQUIRE(seen.size() == 3);
   for (const test::SeenFace& face : seen) {
     const auto& [a, b, c] = face.corner;
@@ -54,7 +55,9 @@ TEST_CASE("strips with restarts and turns are read as their definition says") {
         test::PlyStyle style = strip_style(static_cast<PlyForm>(form), index);
         style.faces_first = random.chance(0.3);
         if (random.chance(0.5)) style.ornaments = &random;
-        const test::ReadStyle reading{Format::automatic, Access::once, {test::usual_vertex_memory, random.one_of<std::size_t>({5, 64, 8192})}};
+        const test::ReadStyle reading{Format::automatic,
+                                      Access::once,
+                                      {test::usual_vertex_memory, random.one_of<std::size_t>({5, 64, 8192})}};
         const std::string file = ply_file(mesh, style);
         CAPTURE(round, form, static_cast<int>(index));
         REQUIRE(difference(test::faces_of(file, reading), as_strips(as_stored(mesh, style))) == "");
@@ -68,13 +71,16 @@ TEST_CASE("an index of a strip that names no vertex spoils its triangles only") 
   test::Polygons mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   mesh.faces = {{0, 1, 2, 77, 3, 1, 0, 2}, {0, 1, -7, 2, 3, 1}};
-  CHECK(difference(test::faces_of(ply_file(mesh, strip_style(PlyForm::little_endian, PlyType::int32))), as_strips(mesh)) == "");
+  CHECK(difference(test::faces_of(ply_file(mesh, strip_style(PlyForm::little_endian, PlyType::int32))),
+                   as_strips(mesh)) == "");
 }
 
 TEST_CASE("faces and strips in one file: the faces count, strips only where there are none") {
   std::string file =
-      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 0\n"
-      "property list uchar int vertex_indices\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 0\n"
+      "property list uchar int vertex_indices\nelement tristrips 1\nproperty list int int "
+      "vertex_indices\nend_header\n"
       "0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n";
   CHECK(test::faces_of(file).size() == 2);
   file.replace(file.find("element face 0"), 14, "element face 1");

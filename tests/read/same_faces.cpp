@@ -25,7 +25,8 @@ Content read(test::TestJob& test, const std::string& path, Access access, const 
   Content content;
   if (access != Access::once) {
     content.positions = read_positions(test.job, *reader);
-    if (access == Access::repeatedly) CHECK(difference(read_positions(test.job, *reader), content.positions) == "");
+    if (access == Access::repeatedly)
+      CHECK(difference(read_positions(test.job, *reader), content.positions) == "");
   } else {
     content.first = reader->first_finite_position();
   }
@@ -90,7 +91,8 @@ TEST_CASE("faces and positions do not depend on how the bytes come", "[threads]"
         CHECK(content.first == right->first);
       };
       // A small memory for vertices makes them move to scratch, and mapped pages be dropped.
-      for (const ReaderMemory& memory : {ReaderMemory{test::usual_vertex_memory, 8192}, ReaderMemory{std::uint64_t{1} << 20, 600}}) {
+      for (const ReaderMemory& memory :
+           {ReaderMemory{test::usual_vertex_memory, 8192}, ReaderMemory{std::uint64_t{1} << 20, 600}}) {
         for (const bool map : {false, true}) {
           test::TestJob test({.map_input = map});
           same(map ? "mapped" : "read", read(test, path, access, memory));

@@ -19,7 +19,8 @@ void check_same(const std::string& file, const std::vector<test::Triangle>& face
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) text.replace(at, from.size(), to);
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
   return text;
 }
 
@@ -89,12 +90,14 @@ TEST_CASE("lines may end as on any system") {
 }
 
 TEST_CASE("the name of a solid may hold any words") {
-  for (const std::string name : {std::string(), std::string("facet"), std::string("solid"), std::string("facet normal 0 0 1"),
-                                 std::string("endsolid endfacet vertex 1 2 3"), std::string("caf\xc3\xa9 \xe2\x84\x96 1"), std::string(3000, 'n'),
-                                 std::string(90'000, 'm') + " facet", std::string("binary")}) {
+  for (const std::string name :
+       {std::string(), std::string("facet"), std::string("solid"), std::string("facet normal 0 0 1"),
+        std::string("endsolid endfacet vertex 1 2 3"), std::string("caf\xc3\xa9 \xe2\x84\x96 1"),
+        std::string(3000, 'n'), std::string(90'000, 'm') + " facet", std::string("binary")}) {
     if (name.size() > 65536 && name.find(' ') != std::string::npos) {
       // A name longer than a block, in words of a length that a text may have.
-      check_same(test::ascii_stl(some_faces(), {.name = replaced(name, "mmmmmmmmmm", "mmmmmmmmm ")}), some_faces());
+      check_same(test::ascii_stl(some_faces(), {.name = replaced(name, "mmmmmmmmmm", "mmmmmmmmm ")}),
+                 some_faces());
       continue;
     }
     check_same(test::ascii_stl(some_faces(), {.name = name}), some_faces());
@@ -106,7 +109,8 @@ TEST_CASE("several solids are one mesh") {
   std::string file;
   std::vector<test::Triangle> all;
   for (int i = 0; i < 5; ++i) {
-    const std::vector<test::Triangle> faces = test::random_triangles(random, i == 2 ? 0 : random.between(1, 700));
+    const std::vector<test::Triangle> faces =
+        test::random_triangles(random, i == 2 ? 0 : random.between(1, 700));
     file += test::ascii_stl(faces, {.name = "facet " + std::to_string(i), .end = i % 2 == 0});
     all.insert(all.end(), faces.begin(), faces.end());
   }
@@ -119,8 +123,9 @@ TEST_CASE("a facet of more than three corners is a fan, one of fewer is degenera
     for (const std::string& corner : corners) text += "vertex " + corner + "\n";
     return text + "endloop\nendfacet\n";
   };
-  const std::string file = "solid s\n" + facet({"0 0 0", "1 0 0", "1 1 0", "0 1 0", "-1 1 0"}) + facet({"0 0 5", "1 0 5"}) + facet({}) +
-                           facet({"0 0 7", "1 0 7", "0 1 7"}) + "endsolid s\n";
+  const std::string file = "solid s\n" + facet({"0 0 0", "1 0 0", "1 1 0", "0 1 0", "-1 1 0"}) +
+                           facet({"0 0 5", "1 0 5"}) + facet({}) + facet({"0 0 7", "1 0 7", "0 1 7"}) +
+                           "endsolid s\n";
   const std::vector<test::SeenFace> right{{FaceStatus::good, {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}},
                                           {FaceStatus::good, {{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}},
                                           {FaceStatus::good, {{{0, 0, 0}, {0, 1, 0}, {-1, 1, 0}}}},
@@ -133,14 +138,18 @@ TEST_CASE("a facet of more than three corners is a fan, one of fewer is degenera
 
 TEST_CASE("a facet without corners adds no position to the box") {
   // Far from the origin: a corner at zero would make the box enormous, and the lattice begin elsewhere.
-  const std::string far = "facet normal 0 0 1\nouter loop\nvertex 5000000 100 1\nvertex 5000001 100 1\nvertex 5000000 101 1\nendloop\nendfacet\n";
-  for (const std::string empty : {"facet normal 0 0 1\nouter loop\nendloop\nendfacet\n",
-                                  "facet normal 0 0 1\nouter loop\nvertex 5000000 100 1\nendloop\nendfacet\n"}) {
-    for (const std::string& file : {"solid s\n" + empty + far + "endsolid\n", "solid s\n" + far + empty + far + "endsolid\n"}) {
+  const std::string far =
+      "facet normal 0 0 1\nouter loop\nvertex 5000000 100 1\nvertex 5000001 100 1\nvertex 5000000 101 "
+      "1\nendloop\nendfacet\n";
+  for (const std::string empty :
+       {"facet normal 0 0 1\nouter loop\nendloop\nendfacet\n",
+        "facet normal 0 0 1\nouter loop\nvertex 5000000 100 1\nendloop\nendfacet\n"}) {
+    for (const std::string& file :
+         {"solid s\n" + empty + far + "endsolid\n", "solid s\n" + far + empty + far + "endsolid\n"}) {
       for (const auto kind : {test::MemorySource::Kind::file, test::MemorySource::Kind::pipe}) {
         test::TestJob test;
-        const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file, kind), Format::automatic, Access::once,
-                                        {test::usual_vertex_memory, 256});
+        const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file, kind),
+                                        Format::automatic, Access::once, {test::usual_vertex_memory, 256});
         const auto first = reader->first_finite_position();
         REQUIRE(first);
         CHECK((*first)[0] >= 5e6);
@@ -158,8 +167,8 @@ TEST_CASE("one facet of very many corners does not fill the memory") {
   for (int i = 0; i < 100'000; ++i) file += "vertex " + std::to_string(i) + " 0 1\n";
   file += "endloop\nendfacet\nendsolid\n";
   test::TestJob test;
-  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic, Access::once,
-                                  {test::usual_vertex_memory, 512});
+  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
+                                  Access::once, {test::usual_vertex_memory, 512});
   reader->begin_faces();
   try {
     for (RawBatch batch; reader->next_faces(batch);) REQUIRE(batch.count <= 2 * 512);

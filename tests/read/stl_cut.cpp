@@ -15,7 +15,8 @@ void check_cut(const std::string& cut, const std::vector<test::SeenFace>& faces,
     CAPTURE(cut.size(), pipe);
     try {
       const std::vector<test::SeenFace> seen = pipe ? test::faces_of_pipe(cut) : test::faces_of(cut);
-      REQUIRE(test::difference(seen, {faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(whole)}) == "");
+      REQUIRE(test::difference(seen, {faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(whole)}) ==
+              "");
     } catch (const Error& error) {
       REQUIRE(error.kind() == ErrorKind::bad_input);
     }
@@ -55,9 +56,13 @@ TEST_CASE("a small binary STL cut at every byte is an error or a shorter STL") {
   check_binary_cuts(30, 1, "solid all the same");
 }
 
-TEST_CASE("an ASCII STL cut at every 512 bytes is an error or a shorter STL") { check_ascii_cuts(600, 512); }
+TEST_CASE("an ASCII STL cut at every 512 bytes is an error or a shorter STL") {
+  check_ascii_cuts(600, 512);
+}
 
-TEST_CASE("a small ASCII STL cut at every byte is an error or a shorter STL") { check_ascii_cuts(8, 1); }
+TEST_CASE("a small ASCII STL cut at every byte is an error or a shorter STL") {
+  check_ascii_cuts(8, 1);
+}
 
 TEST_CASE("an STL cut inside its first face is refused, not taken for one without faces") {
   test::Random random(292);

@@ -42,7 +42,8 @@ void check_lookups(const VertexStore& store) {
     }
     store.gather({index[0].data(), index[1].data(), index[2].data()}, count, *batch);
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      for (std::size_t i = 0; i < count; ++i) REQUIRE(batch->corner(corner, i) == some_points()[index[corner][i]]);
+      for (std::size_t i = 0; i < count; ++i)
+        REQUIRE(batch->corner(corner, i) == some_points()[index[corner][i]]);
     }
   }
   std::array<std::vector<double>, 3> out;
@@ -50,7 +51,8 @@ void check_lookups(const VertexStore& store) {
   for (int round = 0; round < 60; ++round) {
     const std::uint64_t first = random.below(vertex_count - 500);
     store.read(first, 500, {out[0].data(), out[1].data(), out[2].data()});
-    for (std::size_t i = 0; i < 500; ++i) REQUIRE(test::Point{out[0][i], out[1][i], out[2][i]} == some_points()[first + i]);
+    for (std::size_t i = 0; i < 500; ++i)
+      REQUIRE(test::Point{out[0][i], out[1][i], out[2][i]} == some_points()[first + i]);
   }
 }
 
@@ -116,7 +118,8 @@ TEST_CASE("vertices in a mapped file are looked up whatever their records are li
     for (const std::uint64_t limit : {std::uint64_t{64} << 20, std::uint64_t{2} << 20}) {
       test::TestJob test;
       VertexStore store(test.job, limit);
-      store.map(directory.file("vertices"), 7, vertex_count, {form.stride, form.offset, {form.type, form.type, form.type}, form.swapped});
+      store.map(directory.file("vertices"), 7, vertex_count,
+                {form.stride, form.offset, {form.type, form.type, form.type}, form.swapped});
       CAPTURE(form.stride, form.swapped, limit);
       CHECK(store.size() == vertex_count);
       CHECK(test.job.budget.used() <= limit);
@@ -144,7 +147,8 @@ TEST_CASE("threads look vertices up at once while pages are dropped", "[threads]
         const auto near = static_cast<std::uint32_t>(random.below(vertex_count));
         for (std::uint32_t& i : index) i = some_index(random, near, false);
         store.gather({index.data(), index.data(), index.data()}, index.size(), *batch);
-        for (std::size_t i = 0; i < index.size(); ++i) wrong += batch->corner(1, i) == some_points()[index[i]] ? 0 : 1;
+        for (std::size_t i = 0; i < index.size(); ++i)
+          wrong += batch->corner(1, i) == some_points()[index[i]] ? 0 : 1;
       }
     });
   }

@@ -21,7 +21,8 @@ std::vector<fs::path> meshes_in(const fs::path& folder) {
   std::vector<fs::path> found;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     std::string ending = entry.path().extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return static_cast<char>(std::tolower(c)); });
     if (entry.is_regular_file() && (ending == ".ply" || ending == ".stl")) found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());
@@ -48,7 +49,8 @@ TEST_CASE("every mesh at hand ends in a sound output or a documented refusal", "
   fs::create_directories(place);
   const std::string output = place / "small.ply";
   for (const fs::path& mesh : meshes_in(folder)) {
-    for (const std::vector<std::string>& fineness : {std::vector<std::string>{"--grid", "64"}, {"--ratio", "10%"}}) {
+    for (const std::vector<std::string>& fineness :
+         {std::vector<std::string>{"--grid", "64"}, {"--ratio", "10%"}}) {
       INFO(mesh);
       fs::remove(output);
       const Run run = run_winnow({"simplify", mesh, "-o", output, fineness[0], fineness[1], "-q"});

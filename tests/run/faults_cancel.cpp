@@ -12,7 +12,8 @@ namespace {
 
 using Stages = std::set<std::string>;
 
-void check_every_stage(const Directory& directory, const std::string& input, const SimplifyOptions& options, const Stages& expected) {
+void check_every_stage(const Directory& directory, const std::string& input, const SimplifyOptions& options,
+                       const Stages& expected) {
   const std::string output = directory.file("out.ply");
   Context context;
   context.threads = 2;

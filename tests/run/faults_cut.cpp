@@ -37,7 +37,8 @@ void check_cuts(const Directory& directory, const std::string& name, Cut expecte
       }
       ++refused;
       CHECK(run.code == 3);
-      CHECK((run.err.find("'" + cut + "'") != std::string::npos || run.err.find("'standard input'") != std::string::npos));
+      CHECK((run.err.find("'" + cut + "'") != std::string::npos ||
+             run.err.find("'standard input'") != std::string::npos));
       CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
       CHECK(run.out.empty());
     }

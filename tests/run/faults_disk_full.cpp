@@ -69,7 +69,8 @@ TEST_CASE("an output that outgrows the largest file is refused", "[faults]") {
     ::unlink(output.c_str());
     CHECK(directory.names() == Words{"scan.ply"});
   }
-  check_refused(run_winnow({"generate", "scan", "--faces", "200k", "-o", directory.file("new.ply")}, {.largest_file = limit}),
+  check_refused(run_winnow({"generate", "scan", "--faces", "200k", "-o", directory.file("new.ply")},
+                           {.largest_file = limit}),
                 directory.file("new.ply"));
   CHECK(directory.names() == Words{"scan.ply"});
 }
@@ -85,7 +86,9 @@ TEST_CASE("scratch that outgrows the largest file is refused", "[faults]") {
   const Words where{"-o", directory.file("out.ply"), "--scratch", scratch.path()};
   // Cells and faces that do not fit; a copy of a pipe.
   const std::string memory = smallest_memory(input, whole);
-  check_refused(run_winnow(Words{"simplify", input, "--memory", memory} + where + whole, {.largest_file = limit}), scratch.path());
+  check_refused(
+      run_winnow(Words{"simplify", input, "--memory", memory} + where + whole, {.largest_file = limit}),
+      scratch.path());
   Program piped(Words{"simplify", "-", "--grid", "50"} + where, {.in = "|", .largest_file = limit});
   piped.write(bytes_of_file(soup));
   check_refused(piped.wait(), scratch.path());
@@ -100,12 +103,15 @@ TEST_CASE("a full disk for the output is refused", "[faults]") {
   const std::string input = directory.file("scan.ply");
   generate("scan", 200'000, input);
   const Words options = whole + Words{"--scratch", directory.path()};
-  check_refused(run_winnow(Words{"simplify", input, "-o", disk.file("out.ply")} + options), disk.file("out.ply"));
+  check_refused(run_winnow(Words{"simplify", input, "-o", disk.file("out.ply")} + options),
+                disk.file("out.ply"));
   CHECK(disk.empty());
-  check_refused(run_winnow({"generate", "scan", "--faces", "200k", "-o", disk.file("new.stl")}), disk.file("new.stl"));
+  check_refused(run_winnow({"generate", "scan", "--faces", "200k", "-o", disk.file("new.stl")}),
+                disk.file("new.stl"));
   CHECK(disk.empty());
   // Redirected there, what was written stays: the shell made the file, and its name is not known.
-  check_refused(run_winnow(Words{"simplify", input, "-o", "-"} + options, {.out = disk.file("redirected")}), "standard output");
+  check_refused(run_winnow(Words{"simplify", input, "-o", "-"} + options, {.out = disk.file("redirected")}),
+                "standard output");
 }
 
 TEST_CASE("a full disk for scratch is refused", "[faults]") {
@@ -117,7 +123,9 @@ TEST_CASE("a full disk for scratch is refused", "[faults]") {
   const Words before = directory.names();
   const std::string memory = smallest_memory(input, whole);
   const std::string scratch = disk.file("");
-  check_refused(run_winnow(Words{"simplify", input, "-o", directory.file("out.ply"), "--scratch", scratch, "--memory", memory} + whole),
+  check_refused(run_winnow(Words{"simplify", input, "-o", directory.file("out.ply"), "--scratch", scratch,
+                                 "--memory", memory} +
+                           whole),
                 scratch);
   CHECK(disk.empty());
   CHECK(directory.names() == before);

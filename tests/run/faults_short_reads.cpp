@@ -8,7 +8,8 @@ namespace winnow::test {
 
 namespace {
 
-std::string through_slow_pipe(const Directory& directory, const std::string& bytes, std::size_t (*next)(std::size_t)) {
+std::string through_slow_pipe(const Directory& directory, const std::string& bytes,
+                              std::size_t (*next)(std::size_t)) {
   const std::string output = directory.file("piped.ply");
   Program program({"simplify", "-", "-o", output, "--cell", "0.1", "-q"}, {.in = "|"});
   for (std::size_t at = 0, chunk = 1; at < bytes.size(); at += chunk, chunk = next(chunk)) {
@@ -50,7 +51,8 @@ TEST_CASE("a writer that pauses is waited for", "[faults]") {
   Program program({"simplify", "-", "-o", output, "--cell", "0.1", "-q"}, {.in = "|"});
   // In the magic, in the header, among vertices, among faces.
   std::size_t at = 0;
-  for (const std::size_t end : {std::size_t{2}, std::size_t{100}, std::size_t{3000}, bytes.size() - 5, bytes.size()}) {
+  for (const std::size_t end :
+       {std::size_t{2}, std::size_t{100}, std::size_t{3000}, bytes.size() - 5, bytes.size()}) {
     CHECK(program.write(bytes.substr(at, end - at)));
     at = end;
     std::this_thread::sleep_for(std::chrono::milliseconds(150));

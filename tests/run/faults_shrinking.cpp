@@ -1,5 +1,5 @@
-// An input that another program shortens while it is read ends in an error that says so: never in a death by SIGBUS,
-// never in a result of zeros.
+// An input that another program shortens while it is read ends in an error that says so: never in a death by
+// SIGBUS, never in a result of zeros.
 #include <winnow/error.hpp>
 #include <winnow/mapped_guard.hpp>
 #include <winnow/simplify.hpp>
@@ -18,7 +18,8 @@ namespace {
 
 enum class Access { mapped, read };
 
-// Runs on a copy of `input` that is cut to `length` bytes when `stage` begins: to the byte the same place each time.
+// Runs on a copy of `input` that is cut to `length` bytes when `stage` begins: to the byte the same place
+// each time.
 void check_shrinking(const Directory& directory, const std::string& input, const SimplifyOptions& options,
                      const std::string& stage, std::uint64_t length, Access access) {
   const std::string copy = directory.file("copy");
@@ -40,8 +41,8 @@ void check_shrinking(const Directory& directory, const std::string& input, const
     code = error.exit_code();
     message = error.what();
   }
-  INFO(input << " cut to " << length << " bytes in stage '" << stage << "', " << (access == Access::mapped ? "mapped" : "read")
-             << ": " << message);
+  INFO(input << " cut to " << length << " bytes in stage '" << stage << "', "
+             << (access == Access::mapped ? "mapped" : "read") << ": " << message);
   CHECK(cut);
   CHECK(code == 3);
   CHECK(message.find("shortened") != std::string::npos);
@@ -54,9 +55,11 @@ void check_shrinking(const Directory& directory, const std::string& input, const
 std::string quads_file(const std::string& path, std::uint32_t side) {
   std::ostringstream text;
   text << "ply\nformat binary_little_endian 1.0\nelement vertex " << std::uint64_t{side} * side
-       << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << std::uint64_t{side - 1} * (side - 1)
-       << "\nproperty list uchar int vertex_indices\nend_header\n";
-  const auto put = [&](const auto& value) { text.write(reinterpret_cast<const char*>(&value), sizeof value); };
+       << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
+       << std::uint64_t{side - 1} * (side - 1) << "\nproperty list uchar int vertex_indices\nend_header\n";
+  const auto put = [&](const auto& value) {
+    text.write(reinterpret_cast<const char*>(&value), sizeof value);
+  };
   for (std::uint32_t i = 0; i < side * side; ++i) {
     for (const float value : {static_cast<float>(i % side), static_cast<float>(i / side), 0.0F}) put(value);
   }
@@ -127,8 +130,10 @@ TEST_CASE("an ASCII PLY that shrinks while it is mapped is an error", "[faults]"
   const std::string binary = directory.file("scan.ply");
   generate("scan", 100'000, binary);
   const std::string ascii = ascii_file(binary, directory.file("ascii.ply"));
-  check_shrinking(directory, ascii, with_cell(0.05), "read vertices", size_of_file(ascii) / 5, Access::mapped);
-  check_shrinking(directory, ascii, with_cell(0.05), "cluster", size_of_file(ascii) - 2 * 4096, Access::mapped);
+  check_shrinking(directory, ascii, with_cell(0.05), "read vertices", size_of_file(ascii) / 5,
+                  Access::mapped);
+  check_shrinking(directory, ascii, with_cell(0.05), "cluster", size_of_file(ascii) - 2 * 4096,
+                  Access::mapped);
 }
 
 // Within a page there is no SIGBUS: the lost bytes read as zeros.
@@ -139,7 +144,8 @@ TEST_CASE("a file that loses its last bytes while it is mapped is an error", "[f
     const std::string input = directory.file(name);
     generate("scan", 100'000, input);
     const std::uint64_t size = size_of_file(input);
-    check_shrinking(directory, input, with_cell(0.05), "cluster", size - std::min<std::uint64_t>(30, size % 4096), Access::mapped);
+    check_shrinking(directory, input, with_cell(0.05), "cluster",
+                    size - std::min<std::uint64_t>(30, size % 4096), Access::mapped);
   }
 }
 
@@ -148,7 +154,8 @@ TEST_CASE("the program survives an input that shrinks", "[faults]") {
   for (const char* name : {"scan.ply", "scan.stl"}) {
     const std::string input = directory.file(name);
     generate("scan", 1'500'000, input);
-    Program program({"simplify", input, "-o", directory.file("out.ply"), "--cell", "0.01", "--threads", "1", "--progress", "json"},
+    Program program({"simplify", input, "-o", directory.file("out.ply"), "--cell", "0.01", "--threads", "1",
+                     "--progress", "json"},
                     {.err = "|"});
     // It says that it begins to cluster; it is stopped, the file is cut, it goes on.
     std::string told;

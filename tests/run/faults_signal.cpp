@@ -13,7 +13,9 @@ namespace winnow::test {
 
 namespace {
 
-void sleep_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+void sleep_for(double seconds) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
 
 void check_stopped(const Run& run) {
   INFO(run.err);
@@ -24,7 +26,8 @@ void check_stopped(const Run& run) {
 }
 
 // Stops `arguments` at many moments of its life, of which the first run tells the length.
-void check_random_moments(const Directory& directory, const Words& arguments, int tries, const Setup& setup = {}) {
+void check_random_moments(const Directory& directory, const Words& arguments, int tries,
+                          const Setup& setup = {}) {
   const Words before = directory.names();
   const Run whole = winnow_ok(arguments, setup);
   ::unlink(directory.file("out.ply").c_str());
@@ -34,7 +37,8 @@ void check_random_moments(const Directory& directory, const Words& arguments, in
   for (int i = 0; i < tries; ++i) {
     Program program(arguments, setup);
     // Before main has set its handlers a signal ends the program as it ends any: not of interest here.
-    const double moment = 0.02 + (whole.seconds - 0.02) * (i + std::uniform_real_distribution(0.0, 1.0)(random)) / tries;
+    const double moment =
+        0.02 + (whole.seconds - 0.02) * (i + std::uniform_real_distribution(0.0, 1.0)(random)) / tries;
     sleep_for(moment);
     program.signal(i % 2 == 0 ? SIGINT : SIGTERM);
     const Run run = program.wait();
@@ -58,21 +62,25 @@ TEST_CASE("a run that spills is stopped at any moment", "[faults]") {
   const std::string input = directory.file("scan.ply");
   generate("scan", 500'000, input);
   const Words options{"--cell", "0.001", "--threads", "2", "--placement", "quadric"};
-  check_random_moments(directory,
-                       Words{"simplify", input, "-o", directory.file("out.ply"), "--memory", smallest_memory(input, options)} + options,
-                       16);
+  check_random_moments(
+      directory,
+      Words{"simplify", input, "-o", directory.file("out.ply"), "--memory", smallest_memory(input, options)} +
+          options,
+      16);
 }
 
 TEST_CASE("a run that samples a compressed stream is stopped at any moment", "[faults]") {
   const Directory directory;
   const std::string input = directory.file("scan.stl");
   generate("scan", 400'000, input);
-  check_random_moments(directory, {"simplify", gzip_file(input), "-o", directory.file("out.ply"), "--faces", "100k"}, 10);
+  check_random_moments(
+      directory, {"simplify", gzip_file(input), "-o", directory.file("out.ply"), "--faces", "100k"}, 10);
 }
 
 TEST_CASE("generating is stopped at any moment", "[faults]") {
   const Directory directory;
-  check_random_moments(directory, {"generate", "terrain", "--faces", "1500k", "-o", directory.file("out.ply")}, 6);
+  check_random_moments(directory,
+                       {"generate", "terrain", "--faces", "1500k", "-o", directory.file("out.ply")}, 6);
 }
 
 TEST_CASE("waiting for a silent pipe is stopped", "[faults]") {
@@ -82,9 +90,11 @@ TEST_CASE("waiting for a silent pipe is stopped", "[faults]") {
   const std::string bytes = bytes_of_file(input);
   for (const std::string& how : {std::string("--cell"), std::string("--grid"), std::string("--faces")}) {
     // Before the first byte, in the header, among the vertices, among the faces.
-    for (const std::size_t sent : {std::size_t{0}, std::size_t{50}, std::size_t{9'000}, bytes.size() - 1000}) {
+    for (const std::size_t sent :
+         {std::size_t{0}, std::size_t{50}, std::size_t{9'000}, bytes.size() - 1000}) {
       INFO(how << " " << sent << " bytes sent");
-      Program program({"simplify", "-", "-o", directory.file("out.ply"), how, how == "--cell" ? "0.1" : "50"}, {.in = "|"});
+      Program program({"simplify", "-", "-o", directory.file("out.ply"), how, how == "--cell" ? "0.1" : "50"},
+                      {.in = "|"});
       program.write(bytes.substr(0, sent));
       sleep_for(0.05);
       program.signal(sent == 0 ? SIGTERM : SIGINT);
@@ -100,7 +110,8 @@ TEST_CASE("waiting for a reader that sleeps is stopped", "[faults]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   generate("scan", 100'000, input);
-  for (const Words& arguments : {Words{"simplify", input, "-o", "-", "--cell", "0.001"}, Words{"generate", "scan", "-o", "-"}}) {
+  for (const Words& arguments :
+       {Words{"simplify", input, "-o", "-", "--cell", "0.001"}, Words{"generate", "scan", "-o", "-"}}) {
     Program program(arguments, {.out = "|"});
     CHECK_FALSE(program.read(1).empty());  // it writes
     sleep_for(0.1);                        // the pipe is full

@@ -1,8 +1,8 @@
-#include "numbers.hpp"
-#include "program.hpp"
-
 #include <winnow/error.hpp>
 #include <winnow/generate.hpp>
+
+#include "numbers.hpp"
+#include "program.hpp"
 
 #include <iostream>
 #include <memory>
@@ -24,13 +24,16 @@ struct Arguments {
 
 void run(const Arguments& arguments) {
   GenerateOptions options;
-  options.surface = arguments.surface == "scan" ? Surface::scan : arguments.surface == "terrain" ? Surface::terrain : Surface::part;
+  options.surface = arguments.surface == "scan"      ? Surface::scan
+                    : arguments.surface == "terrain" ? Surface::terrain
+                                                     : Surface::part;
   options.faces = parse_count("--faces", arguments.faces);
   options.seed = arguments.seed;
   options.to = parse_format("--to", arguments.to);
   options.shuffle = arguments.shuffle;
   options.force = arguments.force;
-  for (std::size_t axis = 0; axis < arguments.offset.size(); ++axis) options.offset[axis] = arguments.offset[axis];
+  for (std::size_t axis = 0; axis < arguments.offset.size(); ++axis)
+    options.offset[axis] = arguments.offset[axis];
 
   Context context;
   prepare(context, arguments.common, arguments.output);
@@ -41,13 +44,15 @@ void run(const Arguments& arguments) {
   }
   std::ostream& out = report_stream(arguments.output);
   if (arguments.common.json) {
-    const nlohmann::ordered_json json{
-        {"faces", report.faces}, {"vertices", report.vertices}, {"bytes", report.bytes}, {"seconds", report.seconds}};
+    const nlohmann::ordered_json json{{"faces", report.faces},
+                                      {"vertices", report.vertices},
+                                      {"bytes", report.bytes},
+                                      {"seconds", report.seconds}};
     out << json.dump(2) << "\n";
   } else if (!arguments.common.quiet) {
-    out << "  made      " << show_count(report.faces) << " faces, " << show_count(report.vertices) << " vertices, "
-        << show_bytes(report.bytes) << "\n  time      " << show_seconds(report.seconds) << "  ("
-        << show_rate(static_cast<double>(report.faces) / report.seconds) << "faces/s)\n";
+    out << "  made      " << show_count(report.faces) << " faces, " << show_count(report.vertices)
+        << " vertices, " << show_bytes(report.bytes) << "\n  time      " << show_seconds(report.seconds)
+        << "  (" << show_rate(static_cast<double>(report.faces) / report.seconds) << "faces/s)\n";
   }
 }
 
@@ -56,21 +61,37 @@ void run(const Arguments& arguments) {
 void add_generate(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("generate", "Make a surface of any size, for tests and benches");
-  command->add_option("surface", arguments->surface, "scan (closed, curved, noisy), terrain (with a boundary), part (like CAD)")
+  command
+      ->add_option("surface", arguments->surface,
+                   "scan (closed, curved, noisy), terrain (with a boundary), part (like CAD)")
       ->required()
       ->check(CLI::IsMember({"scan", "terrain", "part"}))
       ->type_name("SURFACE");
-  command->add_option("-o,--output", arguments->output, "PLY, or STL where the name ends so; - is standard output")->required()->type_name("OUT");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "PLY, or STL where the name ends so; - is standard output")
+      ->required()
+      ->type_name("OUT");
   const std::string result = "What the result is";
-  command->add_option("--faces", arguments->faces, "About this many faces: 500k, 20M, 1G (default 1M)")->type_name("N")->group(result);
-  command->add_option("--seed", arguments->seed, "Another number makes another surface of the same kind (default 1)")->type_name("N")->group(result);
+  command->add_option("--faces", arguments->faces, "About this many faces: 500k, 20M, 1G (default 1M)")
+      ->type_name("N")
+      ->group(result);
+  command
+      ->add_option("--seed", arguments->seed,
+                   "Another number makes another surface of the same kind (default 1)")
+      ->type_name("N")
+      ->group(result);
   command->add_flag("--shuffle", arguments->shuffle, "Faces in a scattered order")->group(result);
-  command->add_option("--offset", arguments->offset, "Added to every position, as in georeferenced scans; PLY then holds doubles")
+  command
+      ->add_option("--offset", arguments->offset,
+                   "Added to every position, as in georeferenced scans; PLY then holds doubles")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z")
       ->group(result);
-  command->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl")->type_name("FORMAT")->group(result);
+  command->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl")
+      ->type_name("FORMAT")
+      ->group(result);
   command->add_flag("--force", arguments->force, "Replace the output if it exists")->group(result);
   arguments->common.add_to(*command, false);
   command->footer(

@@ -1,8 +1,8 @@
-#include "numbers.hpp"
-#include "program.hpp"
-
 #include <winnow/error.hpp>
 #include <winnow/info.hpp>
+
+#include "numbers.hpp"
+#include "program.hpp"
 
 #include <iostream>
 #include <memory>
@@ -37,7 +37,9 @@ Json json_of(const InfoReport& report) {
             {"edges", nullptr}};
   if (report.has_box) json["box"] = {{"min", report.box_min}, {"max", report.box_max}};
   if (report.edges) {
-    json["edges"] = {{"total", report.edges->total}, {"boundary", report.edges->boundary}, {"non_manifold", report.edges->non_manifold}};
+    json["edges"] = {{"total", report.edges->total},
+                     {"boundary", report.edges->boundary},
+                     {"non_manifold", report.edges->non_manifold}};
   } else {
     json["edges_memory"] = report.edges_memory;
   }
@@ -67,15 +69,18 @@ void show(const InfoReport& report, std::ostream& out) {
   line("area", show_length(report.area));
   line("mean edge", show_length(report.mean_edge));
   if (report.edges) {
-    line("edges", show_count(report.edges->total) + ", of them " + show_count(report.edges->boundary) + " boundary and " +
-                      show_count(report.edges->non_manifold) + " non-manifold");
+    line("edges", show_count(report.edges->total) + ", of them " + show_count(report.edges->boundary) +
+                      " boundary and " + show_count(report.edges->non_manifold) + " non-manifold");
   } else {
-    line("edges", "not counted: that takes --memory " + show_count((report.edges_memory + (1 << 20) - 1) >> 20) + "M");
+    line("edges",
+         "not counted: that takes --memory " + show_count((report.edges_memory + (1 << 20) - 1) >> 20) + "M");
   }
   const BadFaces& bad = report.bad_faces;
-  line("bad faces", bad.total() == 0 ? "none"
-                                     : show_count(bad.degenerate) + " repeat a corner, " + show_count(bad.non_finite) + " are not finite, " +
-                                           show_count(bad.out_of_range) + " name a vertex that does not exist");
+  line("bad faces", bad.total() == 0
+                        ? "none"
+                        : show_count(bad.degenerate) + " repeat a corner, " + show_count(bad.non_finite) +
+                              " are not finite, " + show_count(bad.out_of_range) +
+                              " name a vertex that does not exist");
   if (report.zero_area > 0) line("zero area", show_count(report.zero_area) + " faces");
   for (const std::string& attribute : report.attributes) line("also", attribute);
   for (const std::string& note : report.notes) line("note", note);
@@ -101,8 +106,11 @@ void run(const Arguments& arguments) {
 void add_info(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("info", "Tell what is in a mesh file of any size");
-  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")->required()->type_name("IN");
-  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")->type_name("FORMAT");
+  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")
+      ->required()
+      ->type_name("IN");
+  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")
+      ->type_name("FORMAT");
   arguments->common.add_to(*command, true);
   command->footer(
       "Examples:\n"

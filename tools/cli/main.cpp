@@ -1,9 +1,9 @@
 // The winnow program.
-#include "program.hpp"
-
 #include <winnow/error.hpp>
 #include <winnow/mapped_guard.hpp>
 #include <winnow/version.hpp>
+
+#include "program.hpp"
 
 #include <csignal>
 #include <exception>
@@ -17,7 +17,9 @@ int main(int argc, char** argv) {
   app.name("winnow");
   app.set_version_flag("--version", "winnow " WINNOW_VERSION);
   app.require_subcommand(1);
-  app.footer("Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow COMMAND --help' shows the options of a command and examples.");
+  app.footer(
+      "Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow COMMAND --help' shows the "
+      "options of a command and examples.");
   winnow::cli::add_simplify(app);
   winnow::cli::add_info(app);
   winnow::cli::add_generate(app);
@@ -36,7 +38,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& asked_for_text) {
     return app.exit(asked_for_text);
   } catch (const CLI::ParseError& error) {
-    return fail((std::string(error.what()) + "\nTry 'winnow --help' or 'winnow COMMAND --help'.").c_str(), ErrorKind::usage);
+    return fail((std::string(error.what()) + "\nTry 'winnow --help' or 'winnow COMMAND --help'.").c_str(),
+                ErrorKind::usage);
   } catch (const winnow::Error& error) {
     return fail(error.what(), error.kind());
   } catch (const std::bad_alloc&) {

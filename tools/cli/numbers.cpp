@@ -17,7 +17,8 @@ namespace {
 }
 
 // The number at the front; `rest` is what follows it.
-double parse_front(const std::string& option, const std::string& text, const char* examples, std::string_view& rest) {
+double parse_front(const std::string& option, const std::string& text, const char* examples,
+                   std::string_view& rest) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || !std::isfinite(value)) refuse(option, text, examples);
@@ -25,7 +26,8 @@ double parse_front(const std::string& option, const std::string& text, const cha
   return value;
 }
 
-std::uint64_t parse_scaled(const std::string& option, const std::string& text, const char* examples, double step) {
+std::uint64_t parse_scaled(const std::string& option, const std::string& text, const char* examples,
+                           double step) {
   std::string_view rest;
   double value = parse_front(option, text, examples, rest);
   constexpr std::string_view units = "kMGT";
@@ -110,6 +112,8 @@ std::string show_seconds(double seconds) {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
-std::string show_length(double length) { return format("%.6g", length); }
+std::string show_length(double length) {
+  return format("%.6g", length);
+}
 
 }  // namespace winnow::cli

@@ -7,15 +7,16 @@
 namespace winnow::cli {
 
 // All throw Error(usage), naming `option`.
-std::uint64_t parse_count(const std::string& option, const std::string& text);  // 250, 500k, 1.5M, 2G: thousands
-std::uint64_t parse_size(const std::string& option, const std::string& text);   // 64M, 1.5G: powers of 1024
-double parse_ratio(const std::string& option, const std::string& text);         // 0.01 or 1%
-double parse_length(const std::string& option, const std::string& text);        // 2.5
+std::uint64_t parse_count(const std::string& option,
+                          const std::string& text);  // 250, 500k, 1.5M, 2G: thousands
+std::uint64_t parse_size(const std::string& option, const std::string& text);  // 64M, 1.5G: powers of 1024
+double parse_ratio(const std::string& option, const std::string& text);        // 0.01 or 1%
+double parse_length(const std::string& option, const std::string& text);       // 2.5
 
-std::string show_count(std::uint64_t count);   // 1,234,567
-std::string show_bytes(std::uint64_t bytes);   // 1.5 GiB
-std::string show_rate(double per_second);      // 45.2 M
-std::string show_seconds(double seconds);      // 0.45 s, 2 min 10 s
-std::string show_length(double length);        // six digits
+std::string show_count(std::uint64_t count);  // 1,234,567
+std::string show_bytes(std::uint64_t bytes);  // 1.5 GiB
+std::string show_rate(double per_second);     // 45.2 M
+std::string show_seconds(double seconds);     // 0.45 s, 2 min 10 s
+std::string show_length(double length);       // six digits
 
 }  // namespace winnow::cli

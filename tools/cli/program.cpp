@@ -26,7 +26,9 @@ void on_stop_signal(int /*number*/) {
 std::string default_scratch(const std::string& output) {
   std::error_code ignored;
   const std::filesystem::path path(output);
-  const bool regular = output != "-" && !output.empty() && (!std::filesystem::exists(path, ignored) || std::filesystem::is_regular_file(path, ignored));
+  const bool regular =
+      output != "-" && !output.empty() &&
+      (!std::filesystem::exists(path, ignored) || std::filesystem::is_regular_file(path, ignored));
   if (regular) return path.has_parent_path() ? path.parent_path().string() : ".";
   const char* temporary = std::getenv("TMPDIR");
   return temporary != nullptr && *temporary != '\0' ? temporary : "/var/tmp";
@@ -42,11 +44,15 @@ void CommonOptions::add_to(CLI::App& command, bool with_scratch) {
       ->type_name("N")
       ->group("Speed and memory (never change the result)");
   if (with_scratch) {
-    command.add_option("--scratch", scratch, "Directory for what does not fit into memory (default: that of the output)")
+    command
+        .add_option("--scratch", scratch,
+                    "Directory for what does not fit into memory (default: that of the output)")
         ->type_name("DIR")
         ->group("Speed and memory (never change the result)");
   }
-  command.add_option("--progress", progress, "auto (on a terminal), always, never, or json (a line of JSON each)")
+  command
+      .add_option("--progress", progress,
+                  "auto (on a terminal), always, never, or json (a line of JSON each)")
       ->check(CLI::IsMember({"auto", "always", "never", "json"}))
       ->type_name("WHEN")
       ->group("Messages");
@@ -78,6 +84,8 @@ Format parse_format(const std::string& option, const std::string& text) {
   throw Error(ErrorKind::usage, option + " takes ply or stl, not '" + text + "'");
 }
 
-std::ostream& report_stream(const std::string& output) { return output == "-" ? std::cerr : std::cout; }
+std::ostream& report_stream(const std::string& output) {
+  return output == "-" ? std::cerr : std::cout;
+}
 
 }  // namespace winnow::cli

@@ -36,8 +36,8 @@ class ProgressBar {
   std::shared_ptr<State> state_;
 };
 
-// Fills `context` and lets SIGINT and SIGTERM cancel it. `output` decides where scratch goes by default: beside
-// a regular file, else to TMPDIR or /var/tmp (/tmp may be memory). Throws Error(usage).
+// Fills `context` and lets SIGINT and SIGTERM cancel it. `output` decides where scratch goes by default:
+// beside a regular file, else to TMPDIR or /var/tmp (/tmp may be memory). Throws Error(usage).
 void prepare(Context& context, const CommonOptions& options, const std::string& output);
 
 Format parse_format(const std::string& option, const std::string& text);

@@ -1,6 +1,5 @@
-#include "program.hpp"
-
 #include "numbers.hpp"
+#include "program.hpp"
 
 #include <chrono>
 #include <cstring>
@@ -27,20 +26,26 @@ struct ProgressBar::State {
     }
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     if (json) {
-      const nlohmann::ordered_json line{{"stage", progress.stage}, {"done", progress.done},   {"total", progress.total},
-                                        {"unit", progress.unit},   {"seconds", seconds}};
+      const nlohmann::ordered_json line{{"stage", progress.stage},
+                                        {"done", progress.done},
+                                        {"total", progress.total},
+                                        {"unit", progress.unit},
+                                        {"seconds", seconds}};
       std::cerr << line.dump() + "\n" << std::flush;
       return;
     }
     const double rate = seconds > 0 ? static_cast<double>(progress.done) / seconds : 0;
     std::string line = std::string(progress.stage) + " ";
     if (progress.total > 0) {
-      const double part = std::min(1.0, static_cast<double>(progress.done) / static_cast<double>(progress.total));
+      const double part =
+          std::min(1.0, static_cast<double>(progress.done) / static_cast<double>(progress.total));
       constexpr int width = 30;
       const int filled = static_cast<int>(part * width);
-      line += "[" + std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.') + "] ";
+      line += "[" + std::string(static_cast<std::size_t>(filled), '#') +
+              std::string(static_cast<std::size_t>(width - filled), '.') + "] ";
       line += std::to_string(static_cast<int>(part * 100)) + " %  " + show_rate(rate) + progress.unit + "/s";
-      if (rate > 0 && seconds > 1) line += "  " + show_seconds(static_cast<double>(progress.total) * (1 - part) / rate) + " left";
+      if (rate > 0 && seconds > 1)
+        line += "  " + show_seconds(static_cast<double>(progress.total) * (1 - part) / rate) + " left";
     } else {
       line += show_count(progress.done) + " " + progress.unit + "  " + show_rate(rate) + progress.unit + "/s";
     }
@@ -58,11 +63,14 @@ struct ProgressBar::State {
 ProgressBar::ProgressBar(Context& context, const CommonOptions& options) : state_(std::make_shared<State>()) {
   state_->terminal = ::isatty(STDERR_FILENO) == 1;
   state_->json = options.progress == "json";
-  const bool wanted = options.progress == "always" || state_->json || (options.progress == "auto" && state_->terminal);
+  const bool wanted =
+      options.progress == "always" || state_->json || (options.progress == "auto" && state_->terminal);
   if (!wanted || (options.quiet && options.progress == "auto")) return;
   context.progress = [state = state_](const Progress& progress) { state->show(progress); };
 }
 
-ProgressBar::~ProgressBar() { state_->wipe(); }
+ProgressBar::~ProgressBar() {
+  state_->wipe();
+}
 
 }  // namespace winnow::cli

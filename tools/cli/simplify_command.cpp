@@ -1,8 +1,8 @@
-#include "numbers.hpp"
-#include "program.hpp"
-
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
+
+#include "numbers.hpp"
+#include "program.hpp"
 
 #include <iostream>
 #include <memory>
@@ -45,8 +45,14 @@ Json json_of(const SimplifyReport& report) {
            {{"faces", report.input.faces},
             {"vertices", report.input.vertices},
             {"bytes", report.input.bytes},
-            {"bad_faces", {{"degenerate", bad.degenerate}, {"non_finite", bad.non_finite}, {"out_of_range", bad.out_of_range}}}}},
-          {"output", {{"faces", report.output.faces}, {"vertices", report.output.vertices}, {"bytes", report.output.bytes}}},
+            {"bad_faces",
+             {{"degenerate", bad.degenerate},
+              {"non_finite", bad.non_finite},
+              {"out_of_range", bad.out_of_range}}}}},
+          {"output",
+           {{"faces", report.output.faces},
+            {"vertices", report.output.vertices},
+            {"bytes", report.output.bytes}}},
           {"cell_size", report.cell_size},
           {"cells", report.cells},
           {"turned_faces", report.turned_faces},
@@ -58,42 +64,61 @@ Json json_of(const SimplifyReport& report) {
           {"peak_scratch_bytes", report.peak_scratch_bytes},
           {"peak_memory_bytes", report.peak_memory_bytes},
           {"seconds",
-           {{"total", report.seconds.total}, {"read", report.seconds.read}, {"cluster", report.seconds.cluster}, {"write", report.seconds.write}}},
+           {{"total", report.seconds.total},
+            {"read", report.seconds.read},
+            {"cluster", report.seconds.cluster},
+            {"write", report.seconds.write}}},
           {"notes", report.notes}};
 }
 
 std::string percent(double part) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), part < 0.001 ? "%.4f %%" : part < 0.1 ? "%.2f %%" : "%.1f %%", part * 100);
+  std::snprintf(text.data(), text.size(),
+                part < 0.001 ? "%.4f %%"
+                : part < 0.1 ? "%.2f %%"
+                             : "%.1f %%",
+                part * 100);
   return text.data();
 }
 
 void show(const SimplifyReport& report, std::ostream& out) {
   const auto line = [&](const char* name, const std::string& text) {
-    out << "  " << name << std::string(10 - std::min<std::size_t>(9, std::string_view(name).size()), ' ') << text << "\n";
+    out << "  " << name << std::string(10 - std::min<std::size_t>(9, std::string_view(name).size()), ' ')
+        << text << "\n";
   };
-  const double part = report.input.faces == 0 ? 0 : static_cast<double>(report.output.faces) / static_cast<double>(report.input.faces);
-  line("faces", show_count(report.input.faces) + " -> " + show_count(report.output.faces) + "  (" + percent(part) + ")");
+  const double part = report.input.faces == 0 ? 0
+                                              : static_cast<double>(report.output.faces) /
+                                                    static_cast<double>(report.input.faces);
+  line("faces", show_count(report.input.faces) + " -> " + show_count(report.output.faces) + "  (" +
+                    percent(part) + ")");
   std::string vertices = show_count(report.output.vertices);
   if (report.input.vertices > 0) vertices = show_count(report.input.vertices) + " -> " + vertices;
   line("vertices", vertices);
   line("file", show_bytes(report.input.bytes) + " -> " + show_bytes(report.output.bytes));
-  line("cell", show_length(report.cell_size) + "  (no vertex is farther than " + show_length(report.error_bound) + " from the surface)");
-  line("time", show_seconds(report.seconds.total) + "  (" + show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
+  line("cell", show_length(report.cell_size) + "  (no vertex is farther than " +
+                   show_length(report.error_bound) + " from the surface)");
+  line("time", show_seconds(report.seconds.total) + "  (" +
+                   show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
   std::string memory = show_bytes(report.peak_memory_bytes) + " at its peak";
-  if (report.peak_scratch_bytes > 0) memory += ", and " + show_bytes(report.peak_scratch_bytes) + " of scratch";
+  if (report.peak_scratch_bytes > 0)
+    memory += ", and " + show_bytes(report.peak_scratch_bytes) + " of scratch";
   line("memory", memory);
   const BadFaces& bad = report.input.bad_faces;
   if (bad.total() > 0) {
     std::string text = show_count(bad.total()) + " left out:";
     if (bad.degenerate > 0) text += " " + show_count(bad.degenerate) + " repeat a corner";
-    if (bad.non_finite > 0) text += std::string(bad.degenerate > 0 ? "," : "") + " " + show_count(bad.non_finite) + " have a corner that is not finite";
+    if (bad.non_finite > 0)
+      text += std::string(bad.degenerate > 0 ? "," : "") + " " + show_count(bad.non_finite) +
+              " have a corner that is not finite";
     if (bad.out_of_range > 0) {
-      text += std::string(bad.total() > bad.out_of_range ? "," : "") + " " + show_count(bad.out_of_range) + " name a vertex that does not exist";
+      text += std::string(bad.total() > bad.out_of_range ? "," : "") + " " + show_count(bad.out_of_range) +
+              " name a vertex that does not exist";
     }
     line("bad faces", text);
   }
-  if (report.clamped_faces > 0) line("weights", show_count(report.clamped_faces) + " faces span so many cells that their weight was limited");
+  if (report.clamped_faces > 0)
+    line("weights",
+         show_count(report.clamped_faces) + " faces span so many cells that their weight was limited");
   for (const std::string& note : report.notes) line("note", note);
 }
 
@@ -112,21 +137,25 @@ Json json_of(const SimplifyPlan& plan) {
 }
 
 void show(const SimplifyPlan& plan, std::ostream& out) {
-  out << "input\n  faces     " << (plan.faces ? show_count(*plan.faces) : "not known before it is read") << "\n";
+  out << "input\n  faces     " << (plan.faces ? show_count(*plan.faces) : "not known before it is read")
+      << "\n";
   if (plan.vertices) out << "  vertices  " << show_count(*plan.vertices) << "\n";
   out << "passes\n";
   for (std::size_t i = 0; i < plan.passes.size(); ++i) out << "  " << i + 1 << ". " << plan.passes[i] << "\n";
   out << "memory\n";
   for (const SimplifyPlan::Part& part : plan.memory) {
     const std::string size = show_bytes(part.bytes);
-    out << "  " << std::string(10 - std::min<std::size_t>(9, size.size()), ' ') << size << "  " << part.name << "\n";
+    out << "  " << std::string(10 - std::min<std::size_t>(9, size.size()), ' ') << size << "  " << part.name
+        << "\n";
   }
   out << "  the smallest budget that works: " << show_bytes(plan.smallest_memory) << "\n";
   if (plan.scratch_worst) {
-    out << "scratch\n  about " << show_bytes(*plan.scratch_expected) << " for a coherent scan at a tenth of its faces, never more than "
-        << show_bytes(*plan.scratch_worst) << "\n";
+    out << "scratch\n  about " << show_bytes(*plan.scratch_expected)
+        << " for a coherent scan at a tenth of its faces, never more than " << show_bytes(*plan.scratch_worst)
+        << "\n";
   }
-  if (plan.seconds_expected) out << "time\n  about " << show_seconds(*plan.seconds_expected) << " where the disk keeps up\n";
+  if (plan.seconds_expected)
+    out << "time\n  about " << show_seconds(*plan.seconds_expected) << " where the disk keeps up\n";
 }
 
 void run(const Arguments& arguments) {
@@ -160,26 +189,55 @@ void run(const Arguments& arguments) {
 void add_simplify(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("simplify", "Make a mesh of any size small, in bounded memory");
-  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")->required()->type_name("IN");
-  command->add_option("-o,--output", arguments->output, "PLY, or STL where the name ends so; - is standard output")->required()->type_name("OUT");
+  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")
+      ->required()
+      ->type_name("IN");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "PLY, or STL where the name ends so; - is standard output")
+      ->required()
+      ->type_name("OUT");
 
   const std::string fineness = "How fine (exactly one)";
-  command->add_option("--faces", arguments->faces, "About this many faces: 500k, 1.5M")->type_name("N")->group(fineness);
-  command->add_option("--ratio", arguments->ratio, "About this part of the faces: 0.01 or 1%")->type_name("R")->group(fineness);
-  command->add_option("--cell", arguments->cell, "Edge of a grid cell in model units; the only one that reads a pipe just once")->type_name("LENGTH")->group(fineness);
-  command->add_option("--grid", arguments->grid, "Grid cells along the longest side")->type_name("N")->group(fineness);
+  command->add_option("--faces", arguments->faces, "About this many faces: 500k, 1.5M")
+      ->type_name("N")
+      ->group(fineness);
+  command->add_option("--ratio", arguments->ratio, "About this part of the faces: 0.01 or 1%")
+      ->type_name("R")
+      ->group(fineness);
+  command
+      ->add_option("--cell", arguments->cell,
+                   "Edge of a grid cell in model units; the only one that reads a pipe just once")
+      ->type_name("LENGTH")
+      ->group(fineness);
+  command->add_option("--grid", arguments->grid, "Grid cells along the longest side")
+      ->type_name("N")
+      ->group(fineness);
 
   const std::string result = "What the result is";
-  command->add_option("--placement", arguments->placement, "Where in its cell a vertex goes: quadric (default, the closest to the surface) or mean (a quarter faster)")
+  command
+      ->add_option("--placement", arguments->placement,
+                   "Where in its cell a vertex goes: quadric (default, the closest to the surface) or mean "
+                   "(a quarter faster)")
       ->check(CLI::IsMember({"mean", "quadric"}))
       ->type_name("HOW")
       ->group(result);
-  command->add_flag("--normals", arguments->normals, "Write vertex normals (done anyway where the input has them)")->group(result);
-  command->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")->group(result);
-  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")->type_name("FORMAT")->group(result);
-  command->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl")->type_name("FORMAT")->group(result);
+  command
+      ->add_flag("--normals", arguments->normals,
+                 "Write vertex normals (done anyway where the input has them)")
+      ->group(result);
+  command
+      ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")
+      ->group(result);
+  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")
+      ->type_name("FORMAT")
+      ->group(result);
+  command->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl")
+      ->type_name("FORMAT")
+      ->group(result);
   command->add_flag("--force", arguments->force, "Replace the output if it exists")->group(result);
-  command->add_flag("--dry-run", arguments->dry_run, "Show passes, memory and scratch; do nothing")->group("Messages");
+  command->add_flag("--dry-run", arguments->dry_run, "Show passes, memory and scratch; do nothing")
+      ->group("Messages");
   arguments->common.add_to(*command, true);
   command->footer(
       "Examples:\n"

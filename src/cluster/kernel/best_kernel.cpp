@@ -4,8 +4,8 @@ namespace winnow {
 
 CornerKernel best_corner_kernel() {
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-      __builtin_cpu_supports("avx512vl")) {
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl")) {
     return corner_kernel_avx512;
   }
   if (__builtin_cpu_supports("avx2")) return corner_kernel_avx2;

@@ -33,13 +33,20 @@ struct Scratch {
   alignas(64) float normal[3][block];
 };
 
-inline std::int64_t bits_of(double value) { return __builtin_bit_cast(std::int64_t, value); }
-inline double double_of(std::int64_t bits) { return __builtin_bit_cast(double, bits); }
+inline std::int64_t bits_of(double value) {
+  return __builtin_bit_cast(std::int64_t, value);
+}
+inline double double_of(std::int64_t bits) {
+  return __builtin_bit_cast(double, bits);
+}
 
-inline std::int32_t rounded(float value) { return static_cast<std::int32_t>(value + (value < 0 ? -0.5F : 0.5F)); }
+inline std::int32_t rounded(float value) {
+  return static_cast<std::int32_t>(value + (value < 0 ? -0.5F : 0.5F));
+}
 
 template <typename Real>
-void place_corners(const Real* const (&position)[3][3], const KernelInput& in, std::size_t from, std::size_t n, Scratch& s, CornerSums& out) {
+void place_corners(const Real* const (&position)[3][3], const KernelInput& in, std::size_t from,
+                   std::size_t n, Scratch& s, CornerSums& out) {
   const double scale = in.inverse * fraction_scale;
   const double ox = in.origin[0], oy = in.origin[1], oz = in.origin[2];
   const Real* pax = position[0][0] + from;
@@ -101,7 +108,10 @@ void sort_out(std::size_t from, std::size_t n, CornerSums& out) {
     // Outside of the lattice, and where there is no number, bits above the 43 of a place are set.
     const std::int64_t any = (ax | ay | az) | (bx | by | bz) | (cx | cy | cz);
     const std::int64_t inside = ((ab | ac) & ~fraction_mask) == 0 ? one_cell : several_cells;
-    const std::int64_t apart = ab == 0 ? close_corners : ac == 0 ? close_corners : bc == 0 ? close_corners : inside;
+    const std::int64_t apart = ab == 0   ? close_corners
+                               : ac == 0 ? close_corners
+                               : bc == 0 ? close_corners
+                                         : inside;
     out.kind[i] = (any & ~((std::int64_t{1} << 43) - 1)) != 0 ? outside : apart;
   }
 }
@@ -160,7 +170,9 @@ std::int32_t weigh_corners(std::size_t from, std::size_t n, Scratch& s, CornerSu
 }
 
 // The part of a place within its cell, as a double.
-inline double fraction_of(std::int64_t place) { return double_of((place & fraction_mask) | whole_bits) - whole; }
+inline double fraction_of(std::int64_t place) {
+  return double_of((place & fraction_mask) | whole_bits) - whole;
+}
 
 void add_up(std::size_t from, std::size_t n, CornerSums& out) {
   // Every product and sum here is a whole number below 2^52: exact.
@@ -170,9 +182,12 @@ void add_up(std::size_t from, std::size_t n, CornerSums& out) {
     const double wb = out.weight[1][i];
     const double wc = out.weight[2][i];
     const double w = wa + wb + wc;
-    const double x = wa * fraction_of(out.place[0][0][i]) + wb * fraction_of(out.place[1][0][i]) + wc * fraction_of(out.place[2][0][i]);
-    const double y = wa * fraction_of(out.place[0][1][i]) + wb * fraction_of(out.place[1][1][i]) + wc * fraction_of(out.place[2][1][i]);
-    const double z = wa * fraction_of(out.place[0][2][i]) + wb * fraction_of(out.place[1][2][i]) + wc * fraction_of(out.place[2][2][i]);
+    const double x = wa * fraction_of(out.place[0][0][i]) + wb * fraction_of(out.place[1][0][i]) +
+                     wc * fraction_of(out.place[2][0][i]);
+    const double y = wa * fraction_of(out.place[0][1][i]) + wb * fraction_of(out.place[1][1][i]) +
+                     wc * fraction_of(out.place[2][1][i]);
+    const double z = wa * fraction_of(out.place[0][2][i]) + wb * fraction_of(out.place[1][2][i]) +
+                     wc * fraction_of(out.place[2][2][i]);
     out.total_weight[i] = bits_of(w + whole) - whole_bits;
     out.total_position[0][i] = bits_of(x + whole) - whole_bits;
     out.total_position[1][i] = bits_of(y + whole) - whole_bits;
@@ -198,9 +213,18 @@ void find_planes(std::size_t from, std::size_t n, const Scratch& s, CornerSums& 
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (std::size_t i = 0; i < n; ++i) {
       const float x = s.normal[0][i], y = s.normal[1][i], z = s.normal[2][i];
-      const float px = static_cast<float>(static_cast<std::int32_t>(out.place[corner][0][from + i] & fraction_mask)) * to_cells - 0.5F;
-      const float py = static_cast<float>(static_cast<std::int32_t>(out.place[corner][1][from + i] & fraction_mask)) * to_cells - 0.5F;
-      const float pz = static_cast<float>(static_cast<std::int32_t>(out.place[corner][2][from + i] & fraction_mask)) * to_cells - 0.5F;
+      const float px =
+          static_cast<float>(static_cast<std::int32_t>(out.place[corner][0][from + i] & fraction_mask)) *
+              to_cells -
+          0.5F;
+      const float py =
+          static_cast<float>(static_cast<std::int32_t>(out.place[corner][1][from + i] & fraction_mask)) *
+              to_cells -
+          0.5F;
+      const float pz =
+          static_cast<float>(static_cast<std::int32_t>(out.place[corner][2][from + i] & fraction_mask)) *
+              to_cells -
+          0.5F;
       const float distance = x * px + y * py + z * pz;
       out.moment[corner][0][from + i] = rounded(distance * x * normal_scale);
       out.moment[corner][1][from + i] = rounded(distance * y * normal_scale);

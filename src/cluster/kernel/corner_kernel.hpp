@@ -13,10 +13,10 @@
 
 namespace winnow {
 
-// A place on the lattice is a whole number of 2^-22 cells, 43 bits an axis. Unit normals have 20 bits. Weights
-// count 2^-24 cell areas, at most 2^28 of them a corner (16 cell areas). A product of weight and fraction has 50
-// bits, and three of them still fit a double exactly; sums of products stay below 2^63 while the sum of weights
-// stays below 2^41, which CellSum tests.
+// A place on the lattice is a whole number of 2^-22 cells, 43 bits an axis. Unit normals have 20 bits.
+// Weights count 2^-24 cell areas, at most 2^28 of them a corner (16 cell areas). A product of weight and
+// fraction has 50 bits, and three of them still fit a double exactly; sums of products stay below 2^63 while
+// the sum of weights stays below 2^41, which CellSum tests.
 inline constexpr int fraction_bits = 22;
 inline constexpr int normal_bits = 20;
 inline constexpr int area_bits = 24;
@@ -25,7 +25,7 @@ inline constexpr int weight_limit_bits = 28;
 inline constexpr std::size_t kernel_capacity = 128;  // faces; that of FaceBatch
 
 enum FaceKind : std::int64_t {
-  one_cell = 0,       // all corners in one cell
+  one_cell = 0,  // all corners in one cell
   several_cells = 1,
   close_corners = 2,  // two corners at the same place of the lattice; maybe at the same position
   outside = 3,        // a corner that is not finite, or outside of the lattice
@@ -45,8 +45,9 @@ struct CornerSums {
   bool clamped;  // a weight reached the limit, maybe in a face beyond the last
 
   // Only where quadrics were asked for: the plane of the face, seen from the middle of each corner's cell.
-  alignas(64) std::int32_t squares[5][kernel_capacity];    // nx nx, nx ny, nx nz, ny ny, ny nz, times 2^20
-  alignas(64) std::int32_t moment[3][3][kernel_capacity];  // [corner][axis]: distance times normal, times 2^20
+  alignas(64) std::int32_t squares[5][kernel_capacity];  // nx nx, nx ny, nx nz, ny ny, ny nz, times 2^20
+  alignas(
+      64) std::int32_t moment[3][3][kernel_capacity];  // [corner][axis]: distance times normal, times 2^20
   // Sums over the three corners, for faces of one cell.
   alignas(64) std::int64_t total_squares[5][kernel_capacity];
   alignas(64) std::int64_t total_moment[3][kernel_capacity];

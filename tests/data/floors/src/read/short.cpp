@@ -1,4 +1,5 @@
-#include "sibling.hpp"
 #include "../base/up.hpp"
 #include "base/up.hpp"
+#include "sibling.hpp"
+
 #include <tbb/task.h>
