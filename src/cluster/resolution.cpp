@@ -205,11 +205,14 @@ void CellCounts::count_cells(Job& job, MeshReader& reader, double crude, double 
   using Counters = std::vector<DistinctCounter>;
   PerSlot<Counters> slots(job.threads,
                           [&] { return std::make_unique<Counters>(sizes, DistinctCounter(bits)); });
-  for_each_position_batch(job, reader, [&](const PositionView& view) {
-    if (view.corner != 0) return;
-    Counters& counters = slots.local();
-    for (std::size_t i = 0; i < sizes; ++i) count_positions(view, grids[i], counters[i]);
-  });
+  for_each_position_batch(
+      job, reader,
+      [&](const PositionView& view) {
+        if (view.corner != 0) return;
+        Counters& counters = slots.local();
+        for (std::size_t i = 0; i < sizes; ++i) count_positions(view, grids[i], counters[i]);
+      },
+      PassCorners::first);
   Counters all(sizes, DistinctCounter(bits));
   for (const Counters* counters : slots.all()) {
     for (std::size_t i = 0; i < sizes; ++i) all[i].merge((*counters)[i]);

@@ -40,8 +40,8 @@ bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
       [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_faces(batch, slice, sink); }, stop);
 }
 
-void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink) {
-  reader.begin_positions();
+void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink, PassCorners corners) {
+  reader.begin_positions(corners);
   run_pass(
       job, [&](RawBatch& batch) { return reader.next_positions(batch); },
       [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_positions(batch, slice, sink); }, {});

@@ -17,7 +17,8 @@ namespace winnow {
 bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
                          const std::function<bool()>& stop);
 
-void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink);
+void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink,
+                             PassCorners corners = PassCorners::all);
 
 // Raw batches under way at one time, for the plan.
 constexpr std::size_t batches_in_flight(unsigned threads) {

@@ -47,6 +47,10 @@ enum class Access {
   repeatedly        // positions and faces, any number of times
 };
 
+// Where there are only faces, a pass over positions gives all their corners, or only the first of each, which
+// is enough to meet (nearly) every vertex.
+enum class PassCorners { all, first };
+
 // Two steps a pass: next_*() is for one thread at a time and finds where batches begin and end; decode_*()
 // does the work and may run for many batches at once. Errors: Error(bad_input), naming file and place.
 class MeshReader {
@@ -55,7 +59,7 @@ class MeshReader {
 
   [[nodiscard]] const InputFacts& facts() const { return facts_; }
 
-  virtual void begin_positions() = 0;
+  virtual void begin_positions(PassCorners corners) = 0;
   virtual bool next_positions(RawBatch& batch) = 0;
   virtual void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const = 0;
 

@@ -108,7 +108,7 @@ class PlyReader final : public MeshReader {
     }
   }
 
-  void begin_positions() override {
+  void begin_positions(PassCorners /*corners*/) override {
     vertices_.wake();
     next_position_ = 0;
   }
