@@ -115,7 +115,7 @@ class ClustererOf final : public Clusterer {
         count_bad(worker, faces, i);
       }
     }
-    if (worker.corners.clamped) count_clamped(worker, faces.count);
+    if (worker.corners.clamped) count_clamped(worker, faces);
   }
 
   [[nodiscard]] bool wants_to_spill() const override { return table_.nearly_full(); }
@@ -224,8 +224,9 @@ class ClustererOf final : public Clusterer {
     if (faces.first + i < worker.counts.first_bad.face) worker.counts.first_bad = {faces.first + i, what};
   }
 
-  static void count_clamped(Worker& worker, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
+  static void count_clamped(Worker& worker, const FaceBatch& faces) {
+    for (std::size_t i = 0; i < faces.count; ++i) {
+      if (faces.status[i] != FaceStatus::good) continue;
       const std::int32_t largest =
           std::max({worker.corners.weight[0][i], worker.corners.weight[1][i], worker.corners.weight[2][i]});
       if (worker.corners.kind[i] <= close_corners && largest >= 1 << weight_limit_bits)

@@ -111,6 +111,8 @@ IndexedVertex WholeCell::vertex(const ClusterSettings& settings) const {
   if (settings.placement == Placement::quadric) place = quadric_place(place);
   const double scale = static_cast<double>(weight_) * normal_scale;
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    // A little off the cell's upper wall: what rounds up to it belongs to the next cell.
+    place[axis] = std::min(place[axis], 1 - 2 / fraction_scale);
     const double coordinate = settings.grid.origin[axis] + (cell[axis] + place[axis]) * settings.grid.cell;
     vertex.position[axis] = settings.double_positions
                                 ? round_into_cell<double>(coordinate, settings.grid, axis, cell[axis])

@@ -25,6 +25,14 @@ std::string directory_of(const std::string& path) {
   return parent.empty() ? "." : parent.string();
 }
 
+// What a link points to is written, not the link replaced; also where that does not exist yet.
+std::string behind_links(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_symlink(path, ignored)) return path;
+  const auto target = std::filesystem::weakly_canonical(path, ignored);
+  return ignored ? path : target.string();
+}
+
 [[noreturn]] void refuse_existing(const std::string& path) {
   throw Error(ErrorKind::usage, "'" + path + "' exists; use --force to replace it");
 }
@@ -34,6 +42,8 @@ std::string directory_of(const std::string& path) {
 ByteSink::ByteSink(Job& job, std::string path, bool force)
     : job_(job), path_(std::move(path)), force_(force) {
   buffer_.reserve(buffer_bytes);
+  if (path_.empty()) throw Error(ErrorKind::usage, "the output's name is empty");
+  if (path_ != "-") path_ = behind_links(path_);
   struct stat status {};
   if (path_ == "-") {
     path_.clear();
@@ -42,8 +52,7 @@ ByteSink::ByteSink(Job& job, std::string path, bool force)
   } else if (::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
     if (S_ISDIR(status.st_mode))
       throw Error(ErrorKind::usage, "'" + path_ + "' is a directory; name a file in it");
-    fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (fd_ < 0) fail(errno);
+    open_straight(S_ISFIFO(status.st_mode));
   } else {
     if (status.st_nlink != 0 && !force_) refuse_existing(path_);
     const std::filesystem::path target(path_);
@@ -70,6 +79,18 @@ ByteSink::ByteSink(Job& job, std::string path, bool force)
 ByteSink::~ByteSink() {
   if (fd_ >= 0) ::close(fd_);
   if (!aside_.empty()) ::unlink(aside_.c_str());
+}
+
+void ByteSink::open_straight(bool named_pipe) {
+  for (;;) {
+    // A named pipe without a reader would make open() wait where cancelling is not noticed.
+    fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | (named_pipe ? O_NONBLOCK : 0));
+    if (fd_ >= 0 || !named_pipe || errno != ENXIO) break;
+    job_.progress.check_cancelled();
+    ::usleep(50'000);
+  }
+  if (fd_ < 0) fail(errno);
+  if (named_pipe) ::fcntl(fd_, F_SETFL, ::fcntl(fd_, F_GETFL) & ~O_NONBLOCK);
 }
 
 void ByteSink::fail(int code) const {

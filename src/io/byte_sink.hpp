@@ -29,6 +29,7 @@ class ByteSink {
   [[nodiscard]] std::uint64_t written() const { return written_; }
 
  private:
+  void open_straight(bool named_pipe);
   void put(std::span<const std::byte> bytes);
   [[noreturn]] void fail(int code) const;
 

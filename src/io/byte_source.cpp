@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <vector>
 
 #include <fcntl.h>
@@ -19,11 +20,7 @@
 namespace winnow {
 
 void Block::check_intact(const std::string& name) const {
-  if (window != nullptr && window->damaged()) {
-    throw Error(ErrorKind::bad_input, "'" + name +
-                                          "' was shortened by another program while it was read, near byte " +
-                                          grouped(offset) + "; run again when it is whole");
-  }
+  if (window != nullptr && window->damaged()) shortened(name, offset);
 }
 
 Block ByteSource::peek(std::size_t bytes) {
@@ -71,6 +68,14 @@ class MappedSource final : public ByteSource {
   void seek(std::uint64_t position) override { position_ = std::min(position, size_); }
   [[nodiscard]] std::string map_name() const override { return path_; }
 
+  // The end of a page that the file shrank into reads as zeros and raises no signal: the size has to be
+  // asked.
+  void check_whole() const override {
+    std::error_code ignored;
+    const auto now = std::filesystem::file_size(path_, ignored);
+    if (!ignored && now < size_) shortened(name(), now);
+  }
+
  private:
   std::string path_;
   std::shared_ptr<const void> keep_;
@@ -104,6 +109,7 @@ class StreamSource final : public ByteSource {
   [[nodiscard]] std::optional<std::uint64_t> size() const override { return stream_->size(); }
   [[nodiscard]] bool seekable() const override { return stream_->seekable(); }
 
+  void check_whole() const override { stream_->check_whole(); }
   void seek(std::uint64_t position) override {
     stream_->seek(position);
     position_ = position;
@@ -142,11 +148,21 @@ class StreamSource final : public ByteSource {
 
 }  // namespace
 
+namespace {
+
+// Without waiting: a named pipe that nobody writes to yet is waited for where cancelling is noticed.
+int open_input(const std::string& path) {
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (fd >= 0) ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
+  return fd;
+}
+
+}  // namespace
+
 std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path) {
   const bool standard = path == "-";
   std::string name = standard ? "standard input" : path;
-  const int fd =
-      standard ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int fd = standard ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : open_input(path);
   if (fd < 0) throw Error(ErrorKind::bad_input, "cannot open '" + name + "': " + std::strerror(errno));
   auto file = std::make_unique<DescriptorStream>(job, fd, name);
   if (file->is_directory())

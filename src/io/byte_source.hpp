@@ -47,6 +47,9 @@ class ByteSource {
   // The name to map the content by; empty where it cannot be mapped.
   [[nodiscard]] virtual std::string map_name() const { return {}; }
 
+  // Throws Error(bad_input) if the file is shorter than it was when it was opened.
+  virtual void check_whole() const {}
+
   [[nodiscard]] const std::string& name() const { return name_; }                // for messages
   [[nodiscard]] const std::string& compression() const { return compression_; }  // "", "gzip" or "zstd"
 

@@ -117,7 +117,10 @@ class ZstdStream final : public ByteStream {
           return 0;
         }
       }
-      if (at_frame_end_) reserve_window();
+      if (at_frame_end_) {
+        fill_header();
+        reserve_window();
+      }
       const std::size_t state = ZSTD_decompressStream(decoder_.get(), &out, &packed_);
       if (ZSTD_isError(state) != 0) damaged(name_, "zstd", position_);
       at_frame_end_ = state == 0;
@@ -136,6 +139,19 @@ class ZstdStream final : public ByteStream {
     if (header.windowSize <= window_.bytes()) return;
     window_ = {};
     window_ = job_.budget.reserve(header.windowSize, "decompressing this zstd content");
+  }
+
+  // A frame's header may be spread over several reads.
+  void fill_header() {
+    std::size_t rest = packed_.size - packed_.pos;
+    if (rest >= ZSTD_FRAMEHEADERSIZE_MAX) return;
+    std::memmove(buffer_.data(), static_cast<const std::byte*>(packed_.src) + packed_.pos, rest);
+    while (rest < ZSTD_FRAMEHEADERSIZE_MAX) {
+      const std::size_t got = stream_->read(std::span(buffer_).subspan(rest));
+      if (got == 0) break;
+      rest += got;
+    }
+    packed_ = {buffer_.data(), rest, 0};
   }
 
   Job& job_;

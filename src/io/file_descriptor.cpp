@@ -50,13 +50,24 @@ std::size_t DescriptorStream::read(std::span<std::byte> into) {
                   "cannot read '" + name_ + "' at byte " + grouped(position_) + ": " + std::strerror(errno));
     }
     if (got == 0 && size_ && position_ < *size_) {
-      throw Error(ErrorKind::bad_input,
-                  "'" + name_ + "' was shortened by another program while it was read, near byte " +
-                      grouped(position_) + "; run again when it is whole");
+      shortened(name_, position_);
     }
     position_ += static_cast<std::uint64_t>(got);
     return static_cast<std::size_t>(got);
   }
+}
+
+void DescriptorStream::check_whole() const {
+  struct stat status {};
+  if (!size_ || ::fstat(fd_, &status) != 0) return;
+  const auto now = static_cast<std::uint64_t>(status.st_size);
+  if (now < *size_) shortened(name_, now);
+}
+
+void shortened(const std::string& name, std::uint64_t offset) {
+  throw Error(ErrorKind::bad_input, "'" + name +
+                                        "' was shortened by another program while it was read, near byte " +
+                                        grouped(offset) + "; run again when it is whole");
 }
 
 void DescriptorStream::seek(std::uint64_t position) {

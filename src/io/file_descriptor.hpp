@@ -21,7 +21,10 @@ class ByteStream {
   [[nodiscard]] virtual bool seekable() const { return false; }
   virtual void seek(std::uint64_t /*position*/) {}
   [[nodiscard]] virtual std::optional<std::uint64_t> size() const { return {}; }
+  virtual void check_whole() const {}  // throws Error(bad_input) if a file has become shorter
 };
+
+[[noreturn]] void shortened(const std::string& name, std::uint64_t offset);
 
 // Waiting for a pipe ends when the run is cancelled.
 class DescriptorStream final : public ByteStream {
@@ -35,6 +38,7 @@ class DescriptorStream final : public ByteStream {
   [[nodiscard]] bool seekable() const override { return size_.has_value(); }
   void seek(std::uint64_t position) override;
   [[nodiscard]] std::optional<std::uint64_t> size() const override { return size_; }
+  void check_whole() const override;
   [[nodiscard]] bool is_directory() const { return directory_; }
   [[nodiscard]] int descriptor() const { return fd_; }
 

@@ -12,6 +12,12 @@ namespace winnow {
 namespace {
 
 constexpr std::size_t write_bytes = std::size_t{1} << 18;
+constexpr std::size_t most_plain = std::size_t{1} << 16;  // bytes a block
+
+[[noreturn]] void damaged() {
+  throw Error(ErrorKind::resources,
+              "a scratch file is damaged: a block's checksum does not fit; the disk may be failing");
+}
 
 struct BlockHead {
   std::uint32_t packed, plain;
@@ -70,16 +76,14 @@ bool PackedReader::next(std::vector<std::byte>& block) {
   if (at_ == file_.size()) return false;
   BlockHead head{};
   file_.read(at_, std::as_writable_bytes(std::span(&head, 1)));
+  if (head.plain > most_plain || head.packed > ZSTD_COMPRESSBOUND(most_plain)) damaged();
   packed_.resize(head.packed);
   file_.read(at_ + sizeof head, packed_);
   at_ += sizeof head + head.packed;
   block.resize(head.plain);
   const std::size_t plain =
       ZSTD_decompressDCtx(decoder(), block.data(), block.size(), packed_.data(), packed_.size());
-  if (plain != block.size()) {
-    throw Error(ErrorKind::resources,
-                "a scratch file is damaged: a block's checksum does not fit; the disk may be failing");
-  }
+  if (plain != block.size()) damaged();
   return true;
 }
 

@@ -1,5 +1,7 @@
 #include "read/for_each_batch.hpp"
 
+#include <winnow/error.hpp>
+
 #include <tbb/parallel_pipeline.h>
 
 namespace winnow {
@@ -31,20 +33,37 @@ bool run_pass(Job& job, Next next, Decode decode, const std::function<bool()>& s
   return more;
 }
 
+// A file that shrinks can look like many other things, so it is asked about first.
+template <typename Pass>
+auto watch_the_file(const MeshReader& reader, Pass pass) {
+  try {
+    const bool more = pass();
+    reader.check_whole();
+    return more;
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::bad_input) reader.check_whole();
+    throw;
+  }
+}
+
 }  // namespace
 
 bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
                          const std::function<bool()>& stop) {
-  return run_pass(
-      job, [&](RawBatch& batch) { return reader.next_faces(batch); },
-      [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_faces(batch, slice, sink); }, stop);
+  return watch_the_file(reader, [&] {
+    return run_pass(
+        job, [&](RawBatch& batch) { return reader.next_faces(batch); },
+        [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_faces(batch, slice, sink); }, stop);
+  });
 }
 
 void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink, PassCorners corners) {
   reader.begin_positions(corners);
-  run_pass(
-      job, [&](RawBatch& batch) { return reader.next_positions(batch); },
-      [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_positions(batch, slice, sink); }, {});
+  watch_the_file(reader, [&] {
+    return run_pass(
+        job, [&](RawBatch& batch) { return reader.next_positions(batch); },
+        [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_positions(batch, slice, sink); }, {});
+  });
 }
 
 }  // namespace winnow

@@ -74,6 +74,9 @@ class MeshReader {
   // Gives back memory that only a pass needs; the next begin_...() takes it again.
   virtual void rest() {}
 
+  // Throws Error(bad_input) if the file has become shorter since it was opened.
+  virtual void check_whole() const = 0;
+
   // Bytes of plain content seen so far.
   [[nodiscard]] virtual std::uint64_t bytes() const = 0;
   [[nodiscard]] virtual const std::string& name() const = 0;

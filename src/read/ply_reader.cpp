@@ -79,6 +79,12 @@ InputFacts facts_of(const PlyHeader& header) {
   return facts;
 }
 
+// A triangle that waits for its vertices.
+struct KeptFace {
+  std::array<std::uint32_t, 3> index{};
+  FaceStatus status = FaceStatus::good;
+};
+
 class PlyReader final : public MeshReader {
  public:
   PlyReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory)
@@ -187,6 +193,7 @@ class PlyReader final : public MeshReader {
 
   [[nodiscard]] std::uint64_t bytes() const override { return std::max(source_->position(), bytes_seen_); }
   [[nodiscard]] const std::string& name() const override { return source_->name(); }
+  void check_whole() const override { source_->check_whole(); }
 
  private:
   // A header that promises more than the file can hold is refused before anything is built on its counts.
@@ -261,7 +268,8 @@ class PlyReader final : public MeshReader {
   void keep_fixed(const PlyElement& element, const VertexLayout& layout) {
     std::vector<double> xyz;
     for (std::uint64_t done = 0; done < element.count;) {
-      const std::size_t count = std::min<std::uint64_t>(8192, element.count - done);
+      const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 18) / layout.stride, 1, 8192);
+      const std::size_t count = std::min<std::uint64_t>(at_once, element.count - done);
       const Block block = source_->take(count * layout.stride);
       if (block.bytes.size() < count * layout.stride) {
         throw Error(ErrorKind::bad_input, "'" + source_->name() + "' ends at byte " +
@@ -338,19 +346,26 @@ class PlyReader final : public MeshReader {
       RawBatch batch;
       lists.read(batch, 4096);
       if (batch.count == 0) break;
-      kept_faces_->append(std::as_bytes(std::span(batch.indices)));
+      for (std::size_t i = 0; i < batch.count; ++i) {
+        const KeptFace face{{batch.indices[3 * i], batch.indices[3 * i + 1], batch.indices[3 * i + 2]},
+                            batch.status[i]};
+        kept_faces_->append(std::as_bytes(std::span(&face, 1)));
+      }
       job_.progress.advance(batch.count);
     }
     kept_faces_->finish();
   }
 
   void next_kept(RawBatch& batch) {
-    constexpr std::size_t size = 3 * sizeof(std::uint32_t);
-    batch.count = std::min<std::uint64_t>(memory_.batch_faces, (kept_faces_->size() - kept_at_) / size);
-    batch.indices.resize(3 * batch.count);
-    batch.status.assign(batch.count, FaceStatus::good);
-    kept_faces_->read(kept_at_, std::as_writable_bytes(std::span(batch.indices)));
-    kept_at_ += batch.count * size;
+    batch.count =
+        std::min<std::uint64_t>(memory_.batch_faces, (kept_faces_->size() - kept_at_) / sizeof(KeptFace));
+    std::vector<KeptFace> faces(batch.count);
+    kept_faces_->read(kept_at_, std::as_writable_bytes(std::span(faces)));
+    for (const KeptFace& face : faces) {
+      batch.indices.insert(batch.indices.end(), face.index.begin(), face.index.end());
+      batch.status.push_back(face.status);
+    }
+    kept_at_ += batch.count * sizeof(KeptFace);
   }
 
   // Size of a face's record if it is a triangle and nothing but the list has a variable size, and the list

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string_view>
 
 namespace winnow {
@@ -115,6 +116,7 @@ class StlReader : public MeshReader {
 
   [[nodiscard]] std::uint64_t bytes() const override { return std::max(bytes_seen_, source_->position()); }
   [[nodiscard]] const std::string& name() const override { return source_->name(); }
+  void check_whole() const override { source_->check_whole(); }
 
  protected:
   // On a pipe the batches looked at are kept and given out again.
@@ -185,7 +187,12 @@ class BinaryStlReader final : public StlReader {
     batch.block = source_->take(memory_.batch_faces * face_bytes);
     batch.count = batch.block.bytes.size() / face_bytes;
     next_face_ += batch.count;
-    if (batch.count == 0) note_end(batch.block.bytes.size());
+    const std::size_t rest = batch.block.bytes.size() - batch.count * face_bytes;
+    if (batch.count == 0) {
+      note_end(rest);
+    } else {
+      source_->give_back(rest);
+    }
     return batch.count > 0;
   }
 
@@ -296,8 +303,12 @@ class AsciiStlReader final : public StlReader {
     found_ = batch.count;
     for (;;) {
       const std::string_view word = tokens_->next();
-      if (word.empty()) return false;
+      if (word.empty()) {
+        note_end();
+        return false;
+      }
       if (same(word, "solid") || same(word, "endsolid")) {
+        in_solid_ = same(word, "solid");
         tokens_->skip_line();
       } else if (same(word, "facet")) {
         break;
@@ -321,9 +332,14 @@ class AsciiStlReader final : public StlReader {
         // What binary STL would hold, so that both forms of a file are the same mesh.
         value = static_cast<float>(*parsed);
       }
+      if (vertices == most_corners) fail("it has more than 512 corners; this is no STL");
       add_vertex(batch, corners, vertices++, xyz);
     }
-    if (vertices < 3) add_face(batch, {}, FaceStatus::degenerate);
+    if (vertices < 3) {
+      // Nowhere: a corner that is not there must not widen the box.
+      corners.fill(std::numeric_limits<double>::quiet_NaN());
+      add_face(batch, corners, FaceStatus::degenerate);
+    }
     return true;
   }
 
@@ -342,8 +358,16 @@ class AsciiStlReader final : public StlReader {
     ++batch.count;
   }
 
+  void note_end() {
+    if (in_solid_ && !noted_) job_.note("the file ends without 'endsolid'; it may have been cut short");
+    noted_ = true;
+  }
+
+  static constexpr std::size_t most_corners = 512;
+
   std::unique_ptr<TextTokens> tokens_;
   std::uint64_t found_ = 0;
+  bool in_solid_ = false;
 };
 
 }  // namespace

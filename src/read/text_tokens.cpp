@@ -65,7 +65,7 @@ std::string_view TextTokens::next() {
 void TextTokens::skip_line() {
   for (;;) {
     while (at_ < text_.size()) {
-      if (text_[at_] == '\n') return;
+      if (text_[at_] == '\n' || text_[at_] == '\r') return;
       ++at_;
     }
     if (!refill()) return;

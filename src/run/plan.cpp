@@ -27,9 +27,9 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, unsigned threads, bool quadri
   MemoryPlan plan;
   plan.cluster.table_parts = std::clamp<std::size_t>(std::bit_ceil(std::size_t{4} * threads), 16, 256);
   // Fewer faces a batch in a small budget: it bounds what is under way when the table is full.
-  plan.reader.batch_faces = total >= 256 * mebibyte ? 8192 : 2048;
-  plan.fixed =
-      threads * (ClusterMemory::per_thread(quadrics)) + blocks_in_flight(threads, plan.reader.batch_faces);
+  constexpr std::size_t small_batch = 2048;
+  constexpr std::size_t large_batch = 8192;
+  const std::uint64_t tables = threads * ClusterMemory::per_thread(quadrics);
   const std::uint64_t smallest_table = ClusterMemory::smallest_table(plan.cluster.table_parts, quadrics);
   const std::uint64_t smallest_faces = threads * ClusterMemory::smallest_faces_per_thread;
   // The rest in eighths: three for cells, two for faces, two for vertices of the input, one for merging. The
@@ -37,7 +37,11 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, unsigned threads, bool quadri
   const std::uint64_t smallest_merge = SortedRuns<CellFace>::merge_memory();
   const std::uint64_t smallest_rest =
       std::max({smallest_table * 8 / 3, smallest_faces * 4, smallest_merge * 8, CellCounts::memory(threads)});
-  plan.smallest = (plan.fixed + smallest_rest + mebibyte - 1) / mebibyte * mebibyte;
+  plan.smallest =
+      (tables + blocks_in_flight(threads, small_batch) + smallest_rest + mebibyte - 1) / mebibyte * mebibyte;
+  const bool large = total >= std::max(256 * mebibyte, 4 * plan.smallest);
+  plan.reader.batch_faces = large ? large_batch : small_batch;
+  plan.fixed = tables + blocks_in_flight(threads, plan.reader.batch_faces);
   if (total < plan.smallest) {
     throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) + " is too small for " +
                                           std::to_string(threads) + (threads == 1 ? " thread" : " threads") +

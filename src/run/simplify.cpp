@@ -267,7 +267,7 @@ SimplifyPlan plan_simplify(Context& context, const std::string& input, const std
   if (out.faces) {
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
     if (outlook.vertices_kept) kept += out.vertices.value_or(0) * (outlook.facts.double_positions ? 24 : 12);
-    if (outlook.faces_kept) kept += *out.faces * 12;
+    if (outlook.faces_kept) kept += *out.faces * 16;
     out.scratch_worst = worst_scratch(*out.faces, quadrics(options)) + kept;
     out.scratch_expected = expected_scratch(*out.faces, plan, quadrics(options)) + kept;
     // A rate measured once for one thread (bench/RESULTS.md), for want of knowing the machine.

@@ -1,6 +1,9 @@
 #include "write/mesh_encoder.hpp"
 
+#include <winnow/error.hpp>
+
 #include <algorithm>
+#include <filesystem>
 
 namespace winnow {
 
@@ -10,6 +13,11 @@ std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     format = ending == ".stl" ? Format::stl : Format::ply;
+    for (const char* other : {".obj", ".off", ".glb", ".gltf", ".3mf", ".gz", ".zst"}) {
+      if (std::filesystem::path(path).extension() != other) continue;
+      throw Error(ErrorKind::usage, "'" + path + "': " + other +
+                                        " is not written; name the output .ply or .stl, or say --to ply");
+    }
   }
   return format == Format::stl ? make_stl_encoder() : make_ply_encoder();
 }

@@ -50,17 +50,18 @@ TEST_CASE("what grows stays where it is and keeps its content") {
 }
 
 TEST_CASE("the budget stops the growing, down to the last step that fits") {
-  Budget budget(10 * mebibyte);
-  const Reservation other = budget.try_reserve(mebibyte / 2);
+  Budget budget(44 * mebibyte);
+  const Reservation other = budget.try_reserve(mebibyte);
   GrowingPages pages(budget, 100 * mebibyte);
-  REQUIRE(pages.grow_to(8 * mebibyte));
+  REQUIRE(pages.grow_to(40 * mebibyte));
   // An eighth more would not fit, what was asked does.
-  CHECK(pages.grow_to(9 * mebibyte));
-  fill(pages, 0, 9 * mebibyte);
-  CHECK_FALSE(pages.grow_to(9 * mebibyte + 1));
-  CHECK(pages.usable() == 9 * mebibyte);
-  CHECK(holds(pages, 9 * mebibyte));
-  CHECK(budget.used() == 9 * mebibyte + mebibyte / 2);
+  REQUIRE(pages.grow_to(42 * mebibyte));
+  fill(pages, 0, 42 * mebibyte);
+  CHECK_FALSE(pages.grow_to(42 * mebibyte + 1));
+  CHECK_FALSE(pages.grow_to(44 * mebibyte));
+  CHECK(pages.usable() == 42 * mebibyte);
+  CHECK(holds(pages, 42 * mebibyte));
+  CHECK(budget.used() == 43 * mebibyte);
 }
 
 TEST_CASE("memory that was given back is zero when it comes again") {
@@ -86,7 +87,7 @@ TEST_CASE("growing pages give everything back when they go, also after moving") 
     GrowingPages second = std::move(first);
     CHECK(holds(second, 2 * mebibyte));
     CHECK(first.usable() == 0);
-    GrowingPages third(budget, mebibyte);
+    GrowingPages third(budget, 2 * mebibyte);
     REQUIRE(third.grow_to(1));
     third = std::move(second);
     CHECK(holds(third, 2 * mebibyte));

@@ -233,6 +233,30 @@ TEST_CASE("a cancelled run does not finish its output") {
   CHECK(directory.names().empty());
 }
 
+TEST_CASE("what a killed run had written is removed, what another run still writes is not") {
+  const test::Directory directory;
+  const std::string path = directory.file("out.ply");
+  test::TestJob first;
+  ByteSink running(first.job, path, false);
+  write_all(running, "by the one");
+  REQUIRE(directory.names().size() == 1);
+  // As a killed run leaves it: the name, and no lock.
+  test::write_file(directory.file(directory.names()[0].substr(0, directory.names()[0].size() - 6) + "killed"),
+                   "half");
+  test::write_file(directory.file(".other.ply.winnow-killed"), "of another output");
+  REQUIRE(directory.names().size() == 3);
+  {
+    test::TestJob second;
+    ByteSink next(second.job, path, false);
+    CHECK(second.job.notes.size() == 1);
+    CHECK(directory.names().size() == 3);  // theirs, mine, and that of another output
+  }
+  CHECK(directory.names().size() == 2);
+  running.finish();
+  CHECK(test::bytes_of_file(path) == "by the one");
+  CHECK(directory.names() == Names{".other.ply.winnow-killed", "out.ply"});
+}
+
 TEST_CASE("a place where nothing can be written is an error at once") {
   const test::Directory directory;
   test::TestJob test;

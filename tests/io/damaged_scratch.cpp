@@ -17,8 +17,10 @@ namespace {
 
 std::set<int> descriptors() {
   std::set<int> open;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
     open.insert(std::stoi(entry.path().filename()));
+  }
+  std::erase_if(open, [](int fd) { return ::fcntl(fd, F_GETFD) == -1; });  // that of the list itself
   return open;
 }
 
@@ -27,7 +29,7 @@ class Opened {
  public:
   explicit Opened(const std::set<int>& before) {
     for (const int fd : descriptors()) {
-      if (before.count(fd) == 0 && ::fcntl(fd, F_GETFL) != -1) fd_ = fd;
+      if (before.count(fd) == 0) fd_ = fd;
     }
     REQUIRE(fd_ >= 0);
   }

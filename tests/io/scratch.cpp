@@ -80,7 +80,7 @@ TEST_CASE("stale scratch is removed, and nothing else") {
   const int fd = ::open(in_use.c_str(), O_RDWR | O_CLOEXEC);
   REQUIRE(::flock(fd, LOCK_EX | LOCK_NB) == 0);
 
-  CHECK(Scratch::remove_stale(directory.path()) == 2);
+  CHECK(remove_stale_files(directory.path(), scratch_prefix) == 2);
   CHECK_FALSE(test::exists(directory.file("winnow-scratch-stale1")));
   CHECK_FALSE(test::exists(directory.file("winnow-scratch-stale2")));
   CHECK(test::exists(in_use));
@@ -88,9 +88,9 @@ TEST_CASE("stale scratch is removed, and nothing else") {
   CHECK(test::bytes_of_file(directory.file("scan.ply")) == "ply");
 
   ::close(fd);
-  CHECK(Scratch::remove_stale(directory.path()) == 1);
-  CHECK(Scratch::remove_stale(directory.path()) == 0);
-  CHECK(Scratch::remove_stale(directory.file("missing")) == 0);
+  CHECK(remove_stale_files(directory.path(), scratch_prefix) == 1);
+  CHECK(remove_stale_files(directory.path(), scratch_prefix) == 0);
+  CHECK(remove_stale_files(directory.file("missing"), scratch_prefix) == 0);
 }
 
 }  // namespace winnow

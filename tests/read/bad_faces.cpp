@@ -42,7 +42,7 @@ void check_counts(const ClusterCounts& counts, std::uint64_t faces, const BadFac
 }
 
 template <typename Check>
-void in_every_form(const test::Polygons& mesh, Check check) {
+void in_every_form(Check check) {
   for (int form = 0; form < 3; ++form) {
     for (const bool faces_first : {false, true}) {
       for (const PlyType index : {PlyType::int32, PlyType::uint32, PlyType::int16}) {
@@ -63,7 +63,7 @@ const std::vector<test::Point> square{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}
 }  // namespace
 
 TEST_CASE("indices of no vertex are out of range, negative ones too") {
-  in_every_form({}, [](test::PlyStyle style) {
+  in_every_form([](test::PlyStyle style) {
     test::Polygons mesh{square,
                         {{0, 1, 2}, {0, 1, 4}, {5, 6, 7}, {0, 30000, 2}, {1, 2, 3}, {0, 1, 2, 4}, {3, 2, 1}}};
     std::uint64_t more = 0;
@@ -98,7 +98,7 @@ TEST_CASE("corners that are not finite are told, whatever else the vertex list h
   }
   test::Polygons mesh{vertices, {{0, 1, 2}, {1, 3, 2}}};
   for (std::int64_t i = 4; i < 13; ++i) mesh.faces.push_back({0, 1, i});
-  in_every_form(mesh, [&](const test::PlyStyle& style) {
+  in_every_form([&](const test::PlyStyle& style) {
     check_counts(counts_of(ply_file(mesh, style)), 11, {0, 9, 0});
   });
 }
@@ -108,7 +108,7 @@ TEST_CASE("repeated corners are degenerate, by index and by position") {
   vertices.push_back({1, 0, -0.0});  // the second vertex again: minus nothing is nothing
   const test::Polygons mesh{vertices,
                             {{0, 1, 2}, {0, 0, 1}, {1, 2, 1}, {2, 3, 3}, {1, 4, 0}, {2, 1, 4}, {0, 4, 2}}};
-  in_every_form(mesh, [&](const test::PlyStyle& style) {
+  in_every_form([&](const test::PlyStyle& style) {
     check_counts(counts_of(ply_file(mesh, style)), 7, {5, 0, 0});
   });
 }
@@ -117,7 +117,7 @@ TEST_CASE("a face of two corners is degenerate, whatever its vertices are") {
   // The first vertex of the file is no number, and there may be none at all.
   const test::Polygons odd{{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{1, 2, 3}, {1, 2}, {}, {0}}};
   const test::Polygons none{{}, {{0, 1}, {}}};
-  in_every_form(odd, [&](const test::PlyStyle& style) {
+  in_every_form([&](const test::PlyStyle& style) {
     check_counts(counts_of(ply_file(odd, style)), 4, {3, 0, 0});
     for (const test::SeenFace& face : test::faces_of(ply_file(none, style)))
       CHECK(face.status == FaceStatus::degenerate);
@@ -126,7 +126,7 @@ TEST_CASE("a face of two corners is degenerate, whatever its vertices are") {
 
 TEST_CASE("zero area alone is not bad") {
   const test::Polygons mesh{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 5, 0}}, {{0, 1, 2}, {0, 1, 3}}};
-  in_every_form(mesh, [&](const test::PlyStyle& style) {
+  in_every_form([&](const test::PlyStyle& style) {
     check_counts(counts_of(ply_file(mesh, style)), 2, {0, 0, 0});
   });
 }
@@ -153,7 +153,7 @@ TEST_CASE("the first bad face is remembered with what is wrong") {
     CHECK(counts.first_bad.face == bad);
     CHECK(std::string(counts.first_bad.what).find("vertex") != std::string::npos);
   }
-  CHECK(counts_of(ply_file({square, {{0, 1, 2}}}, {})).first_bad.face == UINT64_MAX);
+  CHECK(counts_of(test::ply_file({square, {{0, 1, 2}}}, {})).first_bad.face == UINT64_MAX);
 }
 
 TEST_CASE("a face that is left out is not counted as too large either") {

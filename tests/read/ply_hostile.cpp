@@ -148,7 +148,7 @@ TEST_CASE("what is no number in an ASCII file is refused with its line") {
   REQUIRE_FALSE(try_everything(good, Kind::file).error);
   for (const std::string wrong : {"x", "1,0", "0x1", "\x01\x02", "3;"}) {
     for (const auto& [from, line] :
-         std::vector<std::pair<std::string, int>>{{"1 0 0", 10}, {"0 1 0", 11}, {"3 0 1 2", 12}}) {
+         std::vector<std::pair<std::string, int>>{{"1 0 0", 11}, {"0 1 0", 12}, {"3 0 1 2", 13}}) {
       std::string file = good;
       const std::size_t at = file.rfind(from);
       file.replace(at, 1, wrong);

@@ -24,17 +24,17 @@ Content read(test::TestJob& test, const std::string& path, Access access, const 
   const auto reader = open_reader(test.job, open_source(test.job, path), Format::automatic, access, memory);
   Content content;
   if (access != Access::once) {
-    content.positions = read_positions(test.job, *reader);
+    content.positions = test::read_positions(test.job, *reader);
     if (access == Access::repeatedly)
-      CHECK(difference(read_positions(test.job, *reader), content.positions) == "");
+      CHECK(difference(test::read_positions(test.job, *reader), content.positions) == "");
   } else {
     content.first = reader->first_finite_position();
   }
-  content.faces = read_faces(test.job, *reader);
+  content.faces = test::read_faces(test.job, *reader);
   if (access == Access::repeatedly) {
     reader->rest();
-    CHECK(difference(read_faces(test.job, *reader), content.faces) == "");
-    CHECK(difference(read_positions(test.job, *reader), content.positions) == "");
+    CHECK(difference(test::read_faces(test.job, *reader), content.faces) == "");
+    CHECK(difference(test::read_positions(test.job, *reader), content.positions) == "");
   }
   return content;
 }
@@ -42,27 +42,27 @@ Content read(test::TestJob& test, const std::string& path, Access access, const 
 std::vector<std::string> example_files() {
   test::Random random(310);
   std::vector<std::string> files;
+  const test::Polygons triangles = test::random_polygons(random, 8000, 20'000, 3);
+  const test::Polygons polygons = test::random_polygons(random, 5000, 6000, 5);
+  test::PlyStyle style;
   // More than a window of either kind.
-  const test::Polygons triangles = test::random_polygons(random, 60'000, 130'000, 3);
-  const test::Polygons polygons = test::random_polygons(random, 20'000, 40'000, 5);
+  files.push_back(ply_file(test::random_polygons(random, 100'000, 150'000, 3), style));
   for (int form = 0; form < 3; ++form) {
-    test::PlyStyle style;
+    style = {};
     style.form = static_cast<PlyForm>(form);
     files.push_back(ply_file(triangles, style));
     style.coordinate.fill(PlyType::float64);
+    style.faces_first = form == 1;
     files.push_back(ply_file(polygons, style));
-    style.faces_first = true;
-    files.push_back(ply_file(polygons, style));
-    style.faces_first = false;
     style.ornaments = &random;
     files.push_back(ply_file(polygons, style));
   }
-  std::vector<test::Triangle> faces = test::random_triangles(random, 70'000);
+  std::vector<test::Triangle> faces = test::random_triangles(random, 50'000);
   faces[0][0] = {NAN, 0, 0};
   faces[0][1][2] = INFINITY;
   files.push_back(test::binary_stl(faces));
+  faces.resize(12'000);
   files.push_back(test::binary_stl(faces, {"solid", 5, "tail"}));
-  faces.resize(20'000);
   files.push_back(test::ascii_stl(faces));
   return files;
 }
@@ -92,7 +92,7 @@ TEST_CASE("faces and positions do not depend on how the bytes come", "[threads]"
       };
       // A small memory for vertices makes them move to scratch, and mapped pages be dropped.
       for (const ReaderMemory& memory :
-           {ReaderMemory{test::usual_vertex_memory, 8192}, ReaderMemory{std::uint64_t{1} << 20, 600}}) {
+           {ReaderMemory{test::usual_vertex_memory, 8192}, ReaderMemory{std::uint64_t{1} << 18, 600}}) {
         for (const bool map : {false, true}) {
           test::TestJob test({.map_input = map});
           same(map ? "mapped" : "read", read(test, path, access, memory));

@@ -14,8 +14,8 @@ namespace {
 
 void check_same(const std::string& file, const std::vector<test::Triangle>& faces) {
   CAPTURE(file.substr(0, 400));
-  CHECK(difference(test::faces_of(file), as_seen(faces)) == "");
-  CHECK(difference(test::faces_of_pipe(file), as_seen(faces)) == "");
+  CHECK(difference(test::faces_of(file), test::as_seen(faces)) == "");
+  CHECK(difference(test::faces_of_pipe(file), test::as_seen(faces)) == "");
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -63,7 +63,7 @@ TEST_CASE("both forms of an STL hold the same faces") {
     file += "endloop\nendfacet\n";
   }
   check_same(file + "endsolid x\n", faces);
-  CHECK(difference(test::faces_of(test::binary_stl(faces)), as_seen(faces)) == "");
+  CHECK(difference(test::faces_of(test::binary_stl(faces)), test::as_seen(faces)) == "");
 }
 
 TEST_CASE("case, blanks and the end of the file do not matter") {
@@ -90,7 +90,7 @@ TEST_CASE("lines may end as on any system") {
 }
 
 TEST_CASE("the name of a solid may hold any words") {
-  for (const std::string name :
+  for (const std::string& name :
        {std::string(), std::string("facet"), std::string("solid"), std::string("facet normal 0 0 1"),
         std::string("endsolid endfacet vertex 1 2 3"), std::string("caf\xc3\xa9 \xe2\x84\x96 1"),
         std::string(3000, 'n'), std::string(90'000, 'm') + " facet", std::string("binary")}) {
@@ -154,7 +154,7 @@ TEST_CASE("a facet without corners adds no position to the box") {
         REQUIRE(first);
         CHECK((*first)[0] >= 5e6);
         if (kind == test::MemorySource::Kind::pipe) continue;
-        for (const test::Point& p : read_positions(test.job, *reader)) {
+        for (const test::Point& p : test::read_positions(test.job, *reader)) {
           if (std::isfinite(p[0])) CHECK(p[0] >= 5e6);
         }
       }

@@ -41,7 +41,7 @@ TEST_CASE("a binary STL is read as it was written") {
     for (const auto kind : both_kinds) {
       const Read got = read(test::binary_stl(faces), kind);
       CAPTURE(count, static_cast<int>(kind));
-      CHECK(difference(got.faces, as_seen(faces)) == "");
+      CHECK(difference(got.faces, test::as_seen(faces)) == "");
       CHECK(got.format == "STL binary");
       CHECK(got.notes.empty());
     }
@@ -60,7 +60,7 @@ TEST_CASE("a binary STL may begin with the word solid") {
           CAPTURE(header, count, static_cast<int>(kind), declared);
           const Read got = read(test::binary_stl(faces, {header, declared, ""}), kind);
           CHECK(got.format == "STL binary");
-          CHECK(difference(got.faces, as_seen(faces)) == "");
+          CHECK(difference(got.faces, test::as_seen(faces)) == "");
         }
       }
     }
@@ -75,7 +75,7 @@ TEST_CASE("a wrong count is settled by the size, and told") {
     for (const auto kind : both_kinds) {
       const Read got = read(test::binary_stl(faces, {"x", count, ""}), kind);
       CAPTURE(count, static_cast<int>(kind));
-      CHECK(difference(got.faces, as_seen(faces)) == "");
+      CHECK(difference(got.faces, test::as_seen(faces)) == "");
       REQUIRE(got.notes.size() == 1);
       CHECK(got.notes[0].find("1,000") != std::string::npos);
     }
@@ -89,7 +89,7 @@ TEST_CASE("what is left behind the last face is told and left out") {
     for (const auto kind : both_kinds) {
       const Read got = read(test::binary_stl(faces, {"x", -1, std::string(trailing, 'z')}), kind);
       CAPTURE(trailing, static_cast<int>(kind));
-      CHECK(difference(got.faces, as_seen(faces)) == "");
+      CHECK(difference(got.faces, test::as_seen(faces)) == "");
       REQUIRE(got.notes.size() == 1);
       CHECK(got.notes[0].find(std::to_string(trailing)) != std::string::npos);
     }
@@ -111,8 +111,8 @@ TEST_CASE("faces and positions can be read again and again from a file") {
                                     Access::repeatedly, {test::usual_vertex_memory, 256});
     for (int pass = 0; pass < 3; ++pass) {
       CHECK(reader->first_finite_position() == faces[0][0]);
-      CHECK(difference(read_positions(test.job, *reader), corners) == "");
-      CHECK(difference(read_faces(test.job, *reader), as_seen(faces)) == "");
+      CHECK(difference(test::read_positions(test.job, *reader), corners) == "");
+      CHECK(difference(test::read_faces(test.job, *reader), test::as_seen(faces)) == "");
     }
   }
 }

@@ -28,7 +28,7 @@ void check_binary_cuts(std::size_t count, std::size_t step, const std::string& h
   const std::vector<test::Triangle> faces = test::random_triangles(random, count);
   const std::string file = test::binary_stl(faces, {header, -1, ""});
   for (std::size_t length = 0; length < file.size(); length += step) {
-    check_cut(file.substr(0, length), as_seen(faces), length < 84 ? 0 : (length - 84) / 50);
+    check_cut(file.substr(0, length), test::as_seen(faces), length < 84 ? 0 : (length - 84) / 50);
   }
 }
 
@@ -40,7 +40,7 @@ void check_ascii_cuts(std::size_t count, std::size_t step) {
     const std::string cut = file.substr(0, length);
     std::size_t whole = 0;
     for (std::size_t at = 0; (at = cut.find("endfacet", at)) != std::string::npos; ++at) ++whole;
-    check_cut(cut, as_seen(faces), whole);
+    check_cut(cut, test::as_seen(faces), whole);
   }
 }
 

@@ -6,6 +6,9 @@
 #include "support/ply_file.hpp"
 #include "support/random.hpp"
 
+#include <atomic>
+#include <thread>
+
 #include <catch2/catch.hpp>
 
 namespace winnow {

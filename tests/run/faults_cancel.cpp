@@ -59,6 +59,12 @@ SimplifyOptions with_grid() {
   return options;
 }
 
+SimplifyOptions with_ratio() {
+  SimplifyOptions options;
+  options.ratio = 0.5;
+  return options;
+}
+
 SimplifyOptions with_faces() {
   SimplifyOptions options;
   options.faces = 20'000;
@@ -80,7 +86,11 @@ TEST_CASE("a run is cancelled in every stage", "[faults][threads]") {
   check_every_stage(directory, ply, with_faces(), {"sample", "cluster", "write"});
   check_every_stage(directory, packed_ply, with_cell(), {"read vertices", "cluster", "write"});
   check_every_stage(directory, packed_stl, with_faces(),
-                    {"copy the input to scratch", "count faces", "sample", "cluster", "write"});
+                    {"copy the input to scratch", "sample", "cluster", "write"});
+  check_every_stage(directory, ascii_file(stl, directory.file("ascii.stl")), with_ratio(),
+                    {"count faces", "sample", "cluster", "write"});
+  check_every_stage(directory, faces_first_file(ply, directory.file("faces-first.ply")), with_cell(),
+                    {"keep faces", "cluster", "write"});
 }
 
 TEST_CASE("a context that was cancelled before does nothing", "[faults]") {

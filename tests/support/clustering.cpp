@@ -1,0 +1,109 @@
+#include "support/clustering.hpp"
+
+#include "run/arena.hpp"
+
+#include <bit>
+#include <memory>
+
+#include <tbb/parallel_for_each.h>
+
+namespace winnow::test {
+
+namespace {
+
+using Batch = std::unique_ptr<FaceBatch>;
+
+std::vector<Batch> batches_of(const std::vector<Triangle>& faces, const ClusterStyle& style) {
+  std::vector<Batch> batches;
+  for (std::size_t from = 0; from < faces.size();) {
+    const std::size_t most = std::min(FaceBatch::capacity, faces.size() - from);
+    auto batch = std::make_unique<FaceBatch>();
+    batch->count = style.batches == nullptr ? most : style.batches->between(1, most);
+    batch->first = from;
+    batch->single = style.single;
+    batch->status.fill(FaceStatus::good);
+    for (std::size_t i = 0; i < batch->count; ++i) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const double x = faces[from + i][corner][axis];
+          batch->position[corner][axis][i] = style.single ? -1 : x;
+          batch->single_position[corner][axis][i] = style.single ? static_cast<float>(x) : -1;
+        }
+      }
+    }
+    from += batch->count;
+    batches.push_back(std::move(batch));
+  }
+  if (style.batches != nullptr) style.batches->shuffle(batches);
+  return batches;
+}
+
+PlainMesh plain(const ClusteredMesh& mesh) {
+  PlainMesh out;
+  out.vertices.resize(mesh.vertices->size());
+  mesh.vertices->records().read(0, std::as_writable_bytes(std::span(out.vertices)));
+  out.faces.resize(mesh.face_count);
+  mesh.faces->read(0, std::as_writable_bytes(std::span(out.faces)));
+  out.cells = mesh.cells;
+  out.turned = mesh.turned;
+  out.fused = mesh.fused;
+  return out;
+}
+
+bool same(const IndexedVertex& a, const IndexedVertex& b) {
+  bool same = a.key == b.key;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    same = same &&
+           std::bit_cast<std::uint64_t>(a.position[axis]) == std::bit_cast<std::uint64_t>(b.position[axis]);
+    same =
+        same && std::bit_cast<std::uint32_t>(a.normal[axis]) == std::bit_cast<std::uint32_t>(b.normal[axis]);
+  }
+  return same;
+}
+
+}  // namespace
+
+Triangle PlainMesh::triangle(std::size_t face) const {
+  const auto& [a, b, c] = faces[face];
+  return {vertices.at(a).position, vertices.at(b).position, vertices.at(c).position};
+}
+
+PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& settings,
+                  const ClusterStyle& style) {
+  TestJob test({.threads = style.threads});
+  const std::vector<Batch> batches = batches_of(faces, style);
+  return in_arena(test.job, [&] {
+    const auto clusterer = Clusterer::make(test.job, settings, style.memory);
+    constexpr std::size_t at_once = 16;
+    for (std::size_t from = 0; from < batches.size(); from += at_once) {
+      const auto begin = batches.begin() + static_cast<std::ptrdiff_t>(from);
+      const auto end =
+          batches.begin() + static_cast<std::ptrdiff_t>(std::min(from + at_once, batches.size()));
+      tbb::parallel_for_each(begin, end, [&](const Batch& batch) { clusterer->add(*batch); });
+      if (style.ask_to_spill && clusterer->wants_to_spill()) clusterer->spill();
+    }
+    const ClusterCounts counts = clusterer->counts();
+    PlainMesh mesh = plain(clusterer->finish());
+    mesh.counts = counts;
+    mesh.spilled = test.job.scratch.written();
+    return mesh;
+  });
+}
+
+std::string difference(const PlainMesh& a, const PlainMesh& b) {
+  if (a.cells != b.cells) return "cells";
+  if (a.vertices.size() != b.vertices.size()) return "number of vertices";
+  for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+    if (!same(a.vertices[i], b.vertices[i])) return "vertex " + std::to_string(i);
+  }
+  if (a.faces != b.faces) return "faces";
+  if (a.turned != b.turned) return "turned faces";
+  if (a.fused != b.fused) return "fused faces";
+  return "";
+}
+
+ClusterSettings settings_over(const std::vector<Triangle>& faces, double cell, Placement placement) {
+  return {Grid::over(box_of(faces), cell), placement, true};
+}
+
+}  // namespace winnow::test

@@ -194,4 +194,17 @@ std::string ascii_file(const std::string& path, const std::string& ascii_path) {
   return ascii_path;
 }
 
+std::string faces_first_file(const std::string& path, const std::string& other_path) {
+  const std::string whole = bytes_of_file(path);
+  const std::string end = "end_header\n";
+  const std::size_t body = whole.find(end) + end.size();
+  const std::size_t vertex = whole.find("element vertex ");
+  const std::size_t face = whole.find("element face ");
+  const std::size_t vertex_bytes = 12 * std::stoull(whole.substr(vertex + 15));
+  write_file(other_path, whole.substr(0, vertex) + whole.substr(face, body - end.size() - face) +
+                             whole.substr(vertex, face - vertex) + end + whole.substr(body + vertex_bytes) +
+                             whole.substr(body, vertex_bytes));
+  return other_path;
+}
+
 }  // namespace winnow::test

@@ -40,4 +40,7 @@ std::string zstd_file(const std::string& path);
 // back.
 std::string ascii_file(const std::string& path, const std::string& ascii_path);
 
+// A PLY of `winnow generate` with its elements the other way round.
+std::string faces_first_file(const std::string& path, const std::string& other_path);
+
 }  // namespace winnow::test

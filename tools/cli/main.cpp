@@ -10,9 +10,27 @@
 #include <iostream>
 #include <new>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace {
+
+// A standard stream that is closed would be replaced by the next file that is opened, and messages would end
+// up in the mesh.
+void open_standard_streams() {
+  for (int fd = ::open("/dev/null", O_RDWR); fd >= 0; fd = ::dup(fd)) {
+    if (fd <= STDERR_FILENO) continue;
+    ::close(fd);
+    break;
+  }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using winnow::ErrorKind;
 
+  open_standard_streams();
   CLI::App app("winnow makes huge triangle meshes small, in bounded memory.");
   app.name("winnow");
   app.set_version_flag("--version", "winnow " WINNOW_VERSION);

@@ -43,7 +43,8 @@ std::uint64_t parse_scaled(const std::string& option, const std::string& text, c
     if (!rest.empty()) refuse(option, text, examples);
   }
   if (!(value >= 0 && value < 0x1p63)) refuse(option, text, examples);
-  // 0.3G faces is a whole number that no double holds exactly on the way.
+  // 0.3G is a whole number that no double holds exactly on the way; 1.5 is none.
+  if (std::abs(value - std::round(value)) > 1e-6 * value) refuse(option, text, examples);
   return static_cast<std::uint64_t>(std::llround(value));
 }
 

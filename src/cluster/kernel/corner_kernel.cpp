@@ -30,6 +30,7 @@ constexpr std::size_t block = 128;
 struct Scratch {
   alignas(64) float ab[3][block];
   alignas(64) float ac[3][block];
+  alignas(64) float bc[3][block];  // not their difference: of a needle that would leave nothing but rounding
   alignas(64) float normal[3][block];
 };
 
@@ -76,6 +77,9 @@ void place_corners(const Real* const (&position)[3][3], const KernelInput& in, s
     s.ac[0][i] = static_cast<float>(cx - ax) * to_cells;
     s.ac[1][i] = static_cast<float>(cy - ay) * to_cells;
     s.ac[2][i] = static_cast<float>(cz - az) * to_cells;
+    s.bc[0][i] = static_cast<float>(cx - bx) * to_cells;
+    s.bc[1][i] = static_cast<float>(cy - by) * to_cells;
+    s.bc[2][i] = static_cast<float>(cz - bz) * to_cells;
     out.place[0][0][from + i] = bits_of(ax) ^ rounder_bits;
     out.place[0][1][from + i] = bits_of(ay) ^ rounder_bits;
     out.place[0][2][from + i] = bits_of(az) ^ rounder_bits;
@@ -132,7 +136,7 @@ std::int32_t weigh_corners(std::size_t from, std::size_t n, Scratch& s, CornerSu
   for (std::size_t i = 0; i < n; ++i) {
     const float abx = s.ab[0][i], aby = s.ab[1][i], abz = s.ab[2][i];
     const float acx = s.ac[0][i], acy = s.ac[1][i], acz = s.ac[2][i];
-    const float bcx = acx - abx, bcy = acy - aby, bcz = acz - abz;
+    const float bcx = s.bc[0][i], bcy = s.bc[1][i], bcz = s.bc[2][i];
     const float nx = aby * acz - abz * acy;
     const float ny = abz * acx - abx * acz;
     const float nz = abx * acy - aby * acx;
@@ -141,8 +145,8 @@ std::int32_t weigh_corners(std::size_t from, std::size_t n, Scratch& s, CornerSu
     const float ab = abx * abx + aby * aby + abz * abz;
     const float ac = acx * acx + acy * acy + acz * acz;
     const float dot_a = abx * acx + aby * acy + abz * acz;
-    const float dot_b = ab - dot_a;
-    const float dot_c = ac - dot_a;
+    const float dot_b = -(abx * bcx + aby * bcy + abz * bcz);
+    const float dot_c = acx * bcx + acy * bcy + acz * bcz;
     const float bc = bcx * bcx + bcy * bcy + bcz * bcz;
     // cot X = dot_x / doubled_area.
     const float eighth = reciprocal * 0.125F;
@@ -155,9 +159,10 @@ std::int32_t weigh_corners(std::size_t from, std::size_t n, Scratch& s, CornerSu
     const float a = obtuse ? (dot_a < 0 ? half : quarter) : (from_c + from_b) * eighth;
     const float b = obtuse ? (dot_b < 0 ? half : quarter) : (from_c + from_a) * eighth;
     const float c = obtuse ? (dot_c < 0 ? half : quarter) : (from_b + from_a) * eighth;
-    out.weight[0][from + i] = weight_of(a, clamped);
-    out.weight[1][from + i] = weight_of(b, clamped);
-    out.weight[2][from + i] = weight_of(c, clamped);
+    // No corner has more than half of the area; of a needle, rounding could give it more.
+    out.weight[0][from + i] = weight_of(a < half ? a : half, clamped);
+    out.weight[1][from + i] = weight_of(b < half ? b : half, clamped);
+    out.weight[2][from + i] = weight_of(c < half ? c : half, clamped);
     const float ux = nx * reciprocal, uy = ny * reciprocal, uz = nz * reciprocal;
     s.normal[0][i] = ux;
     s.normal[1][i] = uy;

@@ -1,9 +1,6 @@
 #pragma once
-#include <winnow/ok.hpp>
-
-#include "ok.hpp"
-
-#include <vector>
-
 #include <tbb/task.h>
 #include <unistd.h>
+#include <vector>
+#include "ok.hpp"
+#include <winnow/ok.hpp>

@@ -1,7 +1,5 @@
 #pragma once
 #include <winnow/ok.hpp>
-
+#include <cstdint>
 #include "base/other.hpp"
 #include "io/bytes.hpp"
-
-#include <cstdint>

@@ -1,5 +1,4 @@
+#include "sibling.hpp"
 #include "../base/up.hpp"
 #include "base/up.hpp"
-#include "sibling.hpp"
-
 #include <tbb/task.h>

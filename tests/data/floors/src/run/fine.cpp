@@ -1,3 +1,3 @@
 #include "base/up.hpp"
-#include "run/y.hpp"
 #include "write/x.hpp"
+#include "run/y.hpp"

@@ -1,8 +1,6 @@
-#include <winnow/ok.hpp>
-
-#include "args.hpp"
-#include "cli/args.hpp"
 #include "io/bytes.hpp"
-
-#include <CLI/CLI.hpp>
+#include "cli/args.hpp"
+#include "args.hpp"
 #include <base/up.hpp>
+#include <winnow/ok.hpp>
+#include <CLI/CLI.hpp>

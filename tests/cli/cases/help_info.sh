@@ -1,0 +1,1 @@
+"$WINNOW" info --help

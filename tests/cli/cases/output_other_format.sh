@@ -1,0 +1,9 @@
+# A PLY under the name of another format would surprise whoever opens it; with --to it is what was asked for.
+"$WINNOW" generate scan --faces 2000 -o scan.ply -q
+for name in small.obj small.off small.glb small.ply.gz small.stl.zst; do
+  code=0
+  "$WINNOW" simplify scan.ply -o "$name" --grid 10 -q 2>&1 || code=$?
+  echo "=> $code"
+done
+"$WINNOW" simplify scan.ply -o small.mesh --grid 10 --to ply -q
+ls

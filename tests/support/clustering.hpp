@@ -1,0 +1,45 @@
+// Triangles clustered through the library, as plain lists.
+#pragma once
+
+#include "cluster/clusterer.hpp"
+#include "support/job.hpp"
+#include "support/surfaces.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace winnow::test {
+
+struct PlainMesh {
+  std::vector<IndexedVertex> vertices;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  std::uint64_t cells = 0, turned = 0, fused = 0;
+  ClusterCounts counts;
+  std::uint64_t spilled = 0;  // bytes
+
+  [[nodiscard]] Triangle triangle(std::size_t face) const;
+};
+
+// What must not change a result.
+struct ClusterStyle {
+  ClusterMemory memory{std::uint64_t{32} << 20, std::uint64_t{32} << 20, std::uint64_t{32} << 20,
+                       std::uint64_t{32} << 20, 16};
+  unsigned threads = 2;
+  Random* batches = nullptr;  // of random sizes; else as large as they may be
+  bool single = false;        // batches of floats, for corners that floats hold
+  bool ask_to_spill = true;   // as the road does; else the table has to see to it
+};
+
+PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& settings,
+                  const ClusterStyle& style = {});
+
+// Empty where both are the same to the bit.
+std::string difference(const PlainMesh& a, const PlainMesh& b);
+
+// Over the box of the faces, in cells of this edge.
+ClusterSettings settings_over(const std::vector<Triangle>& faces, double cell,
+                              Placement placement = Placement::mean);
+
+}  // namespace winnow::test
