@@ -26,7 +26,7 @@ Reservation Budget::reserve(std::uint64_t bytes, const char* what) {
     throw Error(ErrorKind::resources, std::string(what) + " needs " + human_bytes(bytes) + " more memory; " +
                                           human_bytes(left()) + " of " + human_bytes(total_) +
                                           " are left: raise --memory to at least " +
-                                          size_option(used() + bytes));
+                                          size_option(used() + bytes + expected_));
   }
   return reservation;
 }

@@ -48,6 +48,9 @@ class Budget {
   // For what the plan has already made room for; throws Error(resources) naming `what` where it does not fit.
   [[nodiscard]] Reservation reserve(std::uint64_t bytes, const char* what);
 
+  // What the run will ask for besides, at the least: messages then name a budget that is really enough.
+  void expect(std::uint64_t bytes) { expected_ = bytes; }
+
   [[nodiscard]] std::uint64_t total() const { return total_; }
   [[nodiscard]] std::uint64_t used() const { return used_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::uint64_t left() const { return total_ - used(); }
@@ -55,6 +58,7 @@ class Budget {
  private:
   friend class Reservation;
   std::uint64_t total_;
+  std::uint64_t expected_ = 0;
   std::atomic<std::uint64_t> used_{0};
 };
 

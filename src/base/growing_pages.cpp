@@ -12,7 +12,7 @@
 namespace winnow {
 
 namespace {
-constexpr std::size_t step = std::size_t{2} << 20;
+constexpr std::size_t step = std::size_t{64} << 10;
 
 constexpr std::size_t round_up(std::size_t bytes) {
   return (bytes + step - 1) / step * step;

@@ -7,7 +7,7 @@
 namespace winnow {
 
 FaceList::FaceList(Job& /*job*/, std::uint64_t memory, SortedRuns<CellFace>& runs)
-    : budget_(memory), pages_(budget_, memory / (2 << 20) * (2 << 20)), runs_(runs) {}
+    : budget_(memory), pages_(budget_, memory), runs_(runs) {}
 
 void FaceList::add(CellKey a, CellKey b, CellKey c) {
   if ((count_ + 1) * sizeof(CellFace) > pages_.usable() && !pages_.grow_to((count_ + 1) * sizeof(CellFace)))

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 
 #include <tbb/parallel_pipeline.h>
 
@@ -72,11 +71,7 @@ class FaceFuser {
 bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
   std::array<double, 3> mean{};
   for (const IndexedVertex& vertex : corner) {
-    // The normal that is written; where a cell's own normals nearly cancel it says nothing and counts little.
-    const auto [x, y, z] = vertex.normal;
-    const float length = std::sqrt(x * x + y * y + z * z);
-    const float divisor = length < shortest_normal ? 1.0F : length;
-    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += vertex.normal[axis] / divisor;
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += vertex.normal[axis];
   }
   const double length = (mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]) / 9;
   if (length < shortest_normal * shortest_normal) return false;

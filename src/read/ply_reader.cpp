@@ -399,7 +399,10 @@ class PlyReader final : public MeshReader {
     const std::uint64_t left = faces_.element->count - lists_->records();
     if (stride == 0 || left == 0 || !lists_->between_records()) return false;
     values_->sync();
-    const std::size_t wanted = std::min<std::uint64_t>(memory_.batch_faces, left);
+    // No more bytes at once than the plan has room for, however many properties a face has.
+    const std::size_t at_once =
+        std::clamp<std::size_t>(memory_.batch_faces * 72 / stride, 1, memory_.batch_faces);
+    const std::size_t wanted = std::min<std::uint64_t>(at_once, left);
     batch.block = source_->take(wanted * stride);
     const std::size_t whole = batch.block.bytes.size() / stride;
     const std::byte* count = batch.block.bytes.data() + list_offset();

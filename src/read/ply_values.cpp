@@ -74,11 +74,12 @@ class AsciiValues final : public PlyValues {
                                std::count(header.bytes.begin(), header.bytes.end(), std::byte{'\n'})));
   }
 
-  double real(PlyType /*type*/) override {
+  double real(PlyType type) override {
     const std::string_view word = next();
     const std::optional<double> value = parse_real(word);
     if (!value) fail(word);
-    return *value;
+    // What a binary file with this header would hold.
+    return type == PlyType::float32 ? double{static_cast<float>(*value)} : *value;
   }
 
   std::int64_t integer(PlyType /*type*/) override {

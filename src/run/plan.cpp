@@ -23,32 +23,45 @@ std::uint64_t blocks_in_flight(unsigned threads, std::size_t batch_faces) {
 
 }  // namespace
 
-MemoryPlan MemoryPlan::divide(std::uint64_t total, unsigned threads, bool quadrics) {
+namespace {
+
+constexpr std::size_t small_batch = 2048;
+constexpr std::size_t large_batch = 8192;
+
+std::size_t table_parts(unsigned threads) {
+  return std::clamp<std::size_t>(std::bit_ceil(std::size_t{4} * threads), 16, 256);
+}
+
+}  // namespace
+
+std::uint64_t MemoryPlan::smallest_for(unsigned threads, bool quadrics) {
+  const std::uint64_t table = ClusterMemory::smallest_table(table_parts(threads), quadrics);
+  const std::uint64_t faces = threads * ClusterMemory::smallest_faces_per_thread;
+  const std::uint64_t merge = SortedRuns<CellFace>::merge_memory();
+  // The smallest share decides.
+  const std::uint64_t rest = std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)});
+  const std::uint64_t fixed =
+      threads * ClusterMemory::per_thread(quadrics) + blocks_in_flight(threads, small_batch);
+  return (fixed + rest + mebibyte - 1) / mebibyte * mebibyte;
+}
+
+MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned threads, bool quadrics) {
   MemoryPlan plan;
-  plan.cluster.table_parts = std::clamp<std::size_t>(std::bit_ceil(std::size_t{4} * threads), 16, 256);
-  // Fewer faces a batch in a small budget: it bounds what is under way when the table is full.
-  constexpr std::size_t small_batch = 2048;
-  constexpr std::size_t large_batch = 8192;
-  const std::uint64_t tables = threads * ClusterMemory::per_thread(quadrics);
-  const std::uint64_t smallest_table = ClusterMemory::smallest_table(plan.cluster.table_parts, quadrics);
-  const std::uint64_t smallest_faces = threads * ClusterMemory::smallest_faces_per_thread;
-  // The rest in eighths: three for cells, two for faces, two for vertices of the input, one for merging. The
-  // smallest share decides.
-  const std::uint64_t smallest_merge = SortedRuns<CellFace>::merge_memory();
-  const std::uint64_t smallest_rest =
-      std::max({smallest_table * 8 / 3, smallest_faces * 4, smallest_merge * 8, CellCounts::memory(threads)});
-  plan.smallest =
-      (tables + blocks_in_flight(threads, small_batch) + smallest_rest + mebibyte - 1) / mebibyte * mebibyte;
-  const bool large = total >= std::max(256 * mebibyte, 4 * plan.smallest);
-  plan.reader.batch_faces = large ? large_batch : small_batch;
-  plan.fixed = tables + blocks_in_flight(threads, plan.reader.batch_faces);
-  if (total < plan.smallest) {
+  plan.smallest = smallest_for(threads, quadrics);
+  if (total < taken + plan.smallest) {
     throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) + " is too small for " +
                                           std::to_string(threads) + (threads == 1 ? " thread" : " threads") +
                                           "; the smallest that works is --memory " +
-                                          size_option(plan.smallest));
+                                          size_option(taken + plan.smallest));
   }
-  const std::uint64_t rest = total - plan.fixed;
+  plan.cluster.table_parts = table_parts(threads);
+  // Fewer faces a batch in a small budget: it bounds what is under way when the table is full.
+  const bool large = total - taken >= std::max(256 * mebibyte, 4 * plan.smallest);
+  plan.reader.batch_faces = large ? large_batch : small_batch;
+  plan.fixed =
+      threads * ClusterMemory::per_thread(quadrics) + blocks_in_flight(threads, plan.reader.batch_faces);
+  // The rest in eighths: three for cells, two for faces, two for vertices of the input, one for merging.
+  const std::uint64_t rest = total - taken - plan.fixed;
   plan.cluster.table = rest * 3 / 8;
   plan.cluster.faces = rest / 4;
   plan.reader.vertices = rest / 4;

@@ -19,8 +19,10 @@ struct MemoryPlan {
   std::uint64_t fixed = 0;     // per-thread tables and blocks in flight
   std::uint64_t smallest = 0;  // the least total that works
 
-  // Throws Error(resources) naming the smallest budget that works.
-  static MemoryPlan divide(std::uint64_t total, unsigned threads, bool quadrics);
+  // Divides what of `total` is not `taken` already. Throws Error(resources) naming the smallest budget that
+  // works.
+  static MemoryPlan divide(std::uint64_t total, std::uint64_t taken, unsigned threads, bool quadrics);
+  static std::uint64_t smallest_for(unsigned threads, bool quadrics);
 
   [[nodiscard]] std::vector<SimplifyPlan::Part> parts() const;
 };

@@ -184,15 +184,23 @@ class Simplification {
 SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::string& output,
                                  const SimplifyOptions& options) {
   const Stopwatch watch;
-  const MemoryPlan plan = MemoryPlan::divide(job.context.memory, job.threads, quadrics(options));
-  const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
+  // Before the input is opened: a wrong budget or output is not worth waiting for a pipe.
+  MemoryPlan::divide(job.budget.total(), 0, job.threads, quadrics(options));
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output);
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   ByteSink sink(job, output, options.force);
   SimplifyReport report;
 
+  // Decompressing takes memory of its own, which shows with the first bytes; the rest is divided.
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, quadrics(options)));
+  std::unique_ptr<ByteSource> source = open_source(job, input);
+  source->peek(1);
+  const MemoryPlan plan =
+      MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, quadrics(options));
+  job.budget.expect(0);
+  const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   const std::unique_ptr<MeshReader> reader =
-      open_reader(job, open_source(job, input), options.from, access_for(options), plan.reader);
+      open_reader(job, std::move(source), options.from, access_for(options), plan.reader);
   Simplification simplification(job, *reader, options, plan, report);
   const double opened = watch.seconds();
   const ClusteredMesh mesh = simplification.run();
@@ -255,7 +263,7 @@ SimplifyPlan plan_simplify(Context& context, const std::string& input, const std
                            const SimplifyOptions& options) {
   check(options);
   Job job(context);
-  const MemoryPlan plan = MemoryPlan::divide(context.memory, job.threads, quadrics(options));
+  const MemoryPlan plan = MemoryPlan::divide(context.memory, 0, job.threads, quadrics(options));
   const std::unique_ptr<ByteSource> source = open_source(job, input);
   const InputOutlook outlook = look_at(job, *source, options.from, access_for(options));
   SimplifyPlan out;

@@ -157,7 +157,7 @@ TEST_CASE("the name's ending chooses the format where nothing else does") {
   };
   for (const char* path : {"a.stl", "dir.ply/b.STL", ".stl", "x.y.Stl"})
     CHECK(is_stl(Format::automatic, path));
-  for (const char* path : {"a.ply", "-", "", "stl", "a.stl.bak", "a.obj", "b.stl/c"})
+  for (const char* path : {"a.ply", "-", "", "stl", "a.stl.bak", "b.stl/c"})
     CHECK_FALSE(is_stl(Format::automatic, path));
   CHECK(is_stl(Format::stl, "a.ply"));
   CHECK_FALSE(is_stl(Format::ply, "a.stl"));

@@ -16,9 +16,9 @@
 namespace {
 
 // A standard stream that is closed would be replaced by the next file that is opened, and messages would end
-// up in the mesh.
+// up in the mesh. Opened for reading only, so that a mesh written to one of them is an error.
 void open_standard_streams() {
-  for (int fd = ::open("/dev/null", O_RDWR); fd >= 0; fd = ::dup(fd)) {
+  for (int fd = ::open("/dev/null", O_RDONLY); fd >= 0; fd = ::dup(fd)) {
     if (fd <= STDERR_FILENO) continue;
     ::close(fd);
     break;
