@@ -1,13 +1,13 @@
 #include "cluster/cell_table.hpp"
 
 #include "base/hash.hpp"
+#include "base/parallel.hpp"
 #include "base/wide.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 namespace winnow {
@@ -117,7 +117,7 @@ void CellTable<Sum>::spill_locked() {
 
 template <typename Sum>
 std::vector<std::unique_ptr<RecordCursor<Sum>>> CellTable<Sum>::sort_parts() {
-  tbb::parallel_for(std::size_t{0}, parts_.size(), [this](std::size_t p) {
+  parallel_for(parts_.size(), [this](std::size_t p) {
     Part& part = parts_[p];
     const std::span<Sum> entries = part.memory.template as<Sum>().first(part.capacity);
     std::size_t kept = 0;

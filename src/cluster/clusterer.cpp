@@ -1,5 +1,6 @@
 #include "cluster/clusterer.hpp"
 
+#include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "cluster/cell_table.hpp"
 #include "cluster/face_list.hpp"
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <tbb/parallel_for_each.h>
 
 namespace winnow {
 
@@ -129,7 +128,8 @@ class ClustererOf final : public Clusterer {
 
   ClusteredMesh finish() override {
     const std::vector<Worker*> all = workers_.all();
-    tbb::parallel_for_each(all.begin(), all.end(), [this](Worker* worker) {
+    parallel_for(all.size(), [&all, this](std::size_t w) {
+      Worker* worker = all[w];
       worker->cache.empty_into([&](const Sum& line) { worker->give_way(line, table_); });
       table_.add(worker->pending);
       worker->pending.clear();
@@ -143,7 +143,10 @@ class ClustererOf final : public Clusterer {
     table_.release();
     table_memory_.release();
     std::vector<std::unique_ptr<RecordCursor<CellFace>>> faces;
-    tbb::parallel_for_each(all.begin(), all.end(), [](Worker* worker) { worker->faces.sort(); });
+    parallel_for(all.size(), [&all](std::size_t w) {
+      Worker* worker = all[w];
+      worker->faces.sort();
+    });
     for (Worker* worker : all) worker->faces.finish(faces);
     face_runs_.add_cursors(faces);
     MergedCursor<CellFace> merged(std::move(faces));

@@ -1,6 +1,7 @@
 #include "generate/stream.hpp"
 
 #include "base/hash.hpp"
+#include "base/parallel.hpp"
 #include "generate/pipeline_step.hpp"
 
 #include <algorithm>
@@ -9,10 +10,8 @@
 #include <vector>
 
 #include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 #include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 namespace winnow {
@@ -223,9 +222,9 @@ void Streaming::run() {
   };
   const TakeBack take_back(*this, blocks);
   arena.execute([&] {
-    tbb::parallel_pipeline(tokens, tbb::make_filter<void, Block*>(serial, PipelineStep(number)) &
-                                       tbb::make_filter<Block*, Block*>(parallel, PipelineStep(make)) &
-                                       tbb::make_filter<Block*, void>(serial, PipelineStep(write)));
+    run_pipeline(tokens, step<void, Block*>(serial, PipelineStep(number)) &
+                             step<Block*, Block*>(parallel, PipelineStep(make)) &
+                             step<Block*, void>(serial, PipelineStep(write)));
   });
 }
 

@@ -1,12 +1,11 @@
 #include "run/write_mesh.hpp"
 
+#include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-
-#include <tbb/parallel_pipeline.h>
 
 namespace winnow {
 
@@ -18,27 +17,26 @@ constexpr std::uint64_t chunk = 8192;  // vertices or faces encoded at once
 template <typename Encode>
 void write_chunks(Job& job, std::uint64_t count, ByteSink& sink, Encode encode) {
   std::uint64_t next = 0;
-  tbb::parallel_pipeline(
-      2 * job.threads,
-      tbb::make_filter<void, std::uint64_t>(tbb::filter_mode::serial_in_order,
-                                            [&](tbb::flow_control& control) {
-                                              const std::uint64_t first = next;
-                                              next += chunk;
-                                              if (first >= count) control.stop();
-                                              return first;
-                                            }) &
-          tbb::make_filter<std::uint64_t, std::vector<std::byte>>(
-              tbb::filter_mode::parallel,
-              [&](std::uint64_t first) {
-                std::vector<std::byte> bytes;
-                encode(first, static_cast<std::size_t>(std::min(chunk, count - first)), bytes);
-                return bytes;
-              }) &
-          tbb::make_filter<std::vector<std::byte>, void>(tbb::filter_mode::serial_in_order,
-                                                         [&](const std::vector<std::byte>& bytes) {
-                                                           sink.write(bytes);
-                                                           job.progress.advance(chunk);
-                                                         }));
+  run_pipeline(2 * job.threads,
+               step<void, std::uint64_t>(tbb::filter_mode::serial_in_order,
+                                         [&](tbb::flow_control& control) {
+                                           const std::uint64_t first = next;
+                                           next += chunk;
+                                           if (first >= count) control.stop();
+                                           return first;
+                                         }) &
+                   step<std::uint64_t, std::vector<std::byte>>(
+                       tbb::filter_mode::parallel,
+                       [&](std::uint64_t first) {
+                         std::vector<std::byte> bytes;
+                         encode(first, static_cast<std::size_t>(std::min(chunk, count - first)), bytes);
+                         return bytes;
+                       }) &
+                   step<std::vector<std::byte>, void>(tbb::filter_mode::serial_in_order,
+                                                      [&](const std::vector<std::byte>& bytes) {
+                                                        sink.write(bytes);
+                                                        job.progress.advance(chunk);
+                                                      }));
 }
 
 MeshVertex finished(const IndexedVertex& vertex) {

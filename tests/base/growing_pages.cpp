@@ -50,7 +50,7 @@ TEST_CASE("what grows stays where it is and keeps its content") {
 }
 
 TEST_CASE("the budget stops the growing, down to the last step that fits") {
-  Budget budget(44 * mebibyte);
+  Budget budget(43 * mebibyte);
   const Reservation other = budget.try_reserve(mebibyte);
   GrowingPages pages(budget, 100 * mebibyte);
   REQUIRE(pages.grow_to(40 * mebibyte));

@@ -104,6 +104,18 @@ TEST_CASE("the name of a solid may hold any words") {
   }
 }
 
+TEST_CASE("a solid without its last line is read, and told") {
+  for (const bool end : {true, false}) {
+    test::TestJob test;
+    const std::string file = test::ascii_stl(some_faces(), {.end = end});
+    const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
+                                    Access::once, {test::usual_vertex_memory, 8});
+    CHECK(difference(test::read_faces(test.job, *reader), test::as_seen(some_faces())) == "");
+    CHECK(difference(test::read_faces(test.job, *reader), test::as_seen(some_faces())) == "");
+    CHECK(test.job.notes.size() == (end ? 0 : 1));
+  }
+}
+
 TEST_CASE("several solids are one mesh") {
   test::Random random(283);
   std::string file;

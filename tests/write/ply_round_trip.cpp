@@ -161,6 +161,11 @@ TEST_CASE("the name's ending chooses the format where nothing else does") {
     CHECK_FALSE(is_stl(Format::automatic, path));
   CHECK(is_stl(Format::stl, "a.ply"));
   CHECK_FALSE(is_stl(Format::ply, "a.stl"));
+  // Nobody who names an output so means a PLY.
+  for (const char* path : {"a.obj", "a.off", "a.glb", "a.ply.gz", "a.ply.zst"}) {
+    CHECK(error_of([&] { (void)make_encoder(Format::automatic, path); }).kind() == ErrorKind::usage);
+    CHECK_NOTHROW(make_encoder(Format::ply, path));
+  }
 }
 
 }  // namespace winnow

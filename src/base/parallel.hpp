@@ -1,0 +1,61 @@
+// The ways in which the library runs in parallel: oneTBB's, and under ThreadSanitizer the order that they
+// give.
+//
+// Debian's oneTBB is not built for ThreadSanitizer, which therefore does not see that a task starts after
+// what was before its call, and ends before what comes behind it. Each task tells it so, and nothing more:
+// tasks that run at the same time stay unordered, and their races are found.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
+
+namespace winnow {
+
+#ifdef __SANITIZE_THREAD__
+class TaskOrder {
+ public:
+  TaskOrder() { tasks_.load(std::memory_order_acquire); }
+  ~TaskOrder() { tasks_.fetch_add(1, std::memory_order_release); }
+  TaskOrder(const TaskOrder&) = delete;
+  TaskOrder& operator=(const TaskOrder&) = delete;
+
+ private:
+  static inline std::atomic<unsigned> tasks_{0};
+};
+#else
+struct TaskOrder {};
+#endif
+
+// work(0) to work(count - 1), in any order.
+template <typename Work>
+void parallel_for(std::size_t count, const Work& work) {
+  const auto task = [&work](std::size_t i) {
+    [[maybe_unused]] const TaskOrder order;
+    work(i);
+  };
+  { [[maybe_unused]] const TaskOrder before; }
+  tbb::parallel_for(std::size_t{0}, count, task);
+  { [[maybe_unused]] const TaskOrder after; }
+}
+
+// Steps of a pipeline, joined by `&`: one item at a time and in order, or several at once.
+template <typename In, typename Out, typename Work>
+tbb::filter<In, Out> step(tbb::filter_mode mode, Work work) {
+  return tbb::make_filter<In, Out>(mode, [work = std::move(work)](auto&& item) -> Out {
+    [[maybe_unused]] const TaskOrder order;
+    return work(std::forward<decltype(item)>(item));
+  });
+}
+
+// Runs the steps with at most `items` items on their way.
+inline void run_pipeline(std::size_t items, const tbb::filter<void, void>& steps) {
+  { [[maybe_unused]] const TaskOrder before; }
+  tbb::parallel_pipeline(items, steps);
+  { [[maybe_unused]] const TaskOrder after; }
+}
+
+}  // namespace winnow
