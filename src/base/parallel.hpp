@@ -8,7 +8,10 @@
 
 #include <atomic>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <utility>
+#include <vector>
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
@@ -29,6 +32,33 @@ class TaskOrder {
 #else
 struct TaskOrder {};
 #endif
+
+// What travels through a pipeline, owned outside of it: a pipeline that ends with an exception drops its
+// items without destroying them, so they are pointers to these.
+template <typename Item>
+class PipelineItems {
+ public:
+  Item* take() {
+    const std::scoped_lock lock(mutex_);
+    if (free_.empty()) {
+      owned_.push_back(std::make_unique<Item>());
+      free_.push_back(owned_.back().get());
+    }
+    Item* item = free_.back();
+    free_.pop_back();
+    return item;
+  }
+
+  void give_back(Item* item) {
+    const std::scoped_lock lock(mutex_);
+    free_.push_back(item);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Item>> owned_;
+  std::vector<Item*> free_;
+};
 
 // work(0) to work(count - 1), in any order.
 template <typename Work>
@@ -56,6 +86,37 @@ inline void run_pipeline(std::size_t items, const tbb::filter<void, void>& steps
   { [[maybe_unused]] const TaskOrder before; }
   tbb::parallel_pipeline(items, steps);
   { [[maybe_unused]] const TaskOrder after; }
+}
+
+// fill(item), in order, one at a time, until it says false; then work(item), several at once.
+template <typename Item, typename Fill, typename Work>
+void pipeline(std::size_t items, const Fill& fill, const Work& work) {
+  PipelineItems<Item> pool;
+  run_pipeline(items, step<void, Item*>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
+                        Item* item = pool.take();
+                        if (!fill(*item)) control.stop();
+                        return item;
+                      }) & step<Item*, void>(tbb::filter_mode::parallel, [&](Item* item) {
+                        work(*item);
+                        pool.give_back(item);
+                      }));
+}
+
+// The same, and then finish(item), in order, one at a time.
+template <typename Item, typename Fill, typename Work, typename Finish>
+void pipeline(std::size_t items, const Fill& fill, const Work& work, const Finish& finish) {
+  PipelineItems<Item> pool;
+  run_pipeline(items, step<void, Item*>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
+                        Item* item = pool.take();
+                        if (!fill(*item)) control.stop();
+                        return item;
+                      }) & step<Item*, Item*>(tbb::filter_mode::parallel, [&](Item* item) {
+                        work(*item);
+                        return item;
+                      }) & step<Item*, void>(tbb::filter_mode::serial_in_order, [&](Item* item) {
+                        finish(*item);
+                        pool.give_back(item);
+                      }));
 }
 
 }  // namespace winnow

@@ -93,35 +93,28 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings&
   mesh.vertices = std::make_unique<VertexIndex>(job, memory);
   Sum next{};
   bool more = cells.next(next);
-  run_pipeline(
-      2 * job.threads,
-      step<void, std::vector<WholeCell>>(tbb::filter_mode::serial_in_order,
-                                         [&](tbb::flow_control& control) {
-                                           std::vector<WholeCell> chunk;
-                                           chunk.reserve(chunk_cells);
-                                           while (more && chunk.size() < chunk_cells) {
-                                             WholeCell cell(next.key);
-                                             for (; more && next.key == cell.key(); more = cells.next(next))
-                                               cell.add(next);
-                                             ++mesh.cells;
-                                             if (cell.used()) chunk.push_back(cell);
-                                           }
-                                           job.progress.check_cancelled();
-                                           if (chunk.empty() && !more) control.stop();
-                                           return chunk;
-                                         }) &
-          step<std::vector<WholeCell>, std::vector<IndexedVertex>>(tbb::filter_mode::parallel,
-                                                                   [&](const std::vector<WholeCell>& chunk) {
-                                                                     std::vector<IndexedVertex> vertices;
-                                                                     vertices.reserve(chunk.size());
-                                                                     for (const WholeCell& cell : chunk)
-                                                                       vertices.push_back(
-                                                                           cell.vertex(settings));
-                                                                     return vertices;
-                                                                   }) &
-          step<std::vector<IndexedVertex>, void>(
-              tbb::filter_mode::serial_in_order,
-              [&](const std::vector<IndexedVertex>& vertices) { mesh.vertices->append(vertices); }));
+  struct Chunk {
+    std::vector<WholeCell> cells;
+    std::vector<IndexedVertex> vertices;
+  };
+  pipeline<Chunk>(
+      2 * std::size_t{job.threads},
+      [&](Chunk& chunk) {
+        chunk.cells.clear();
+        while (more && chunk.cells.size() < chunk_cells) {
+          WholeCell cell(next.key);
+          for (; more && next.key == cell.key(); more = cells.next(next)) cell.add(next);
+          ++mesh.cells;
+          if (cell.used()) chunk.cells.push_back(cell);
+        }
+        job.progress.check_cancelled();
+        return more || !chunk.cells.empty();
+      },
+      [&](Chunk& chunk) {
+        chunk.vertices.clear();
+        for (const WholeCell& cell : chunk.cells) chunk.vertices.push_back(cell.vertex(settings));
+      },
+      [&](const Chunk& chunk) { mesh.vertices->append(chunk.vertices); });
   mesh.vertices->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(ErrorKind::failed,
@@ -141,44 +134,43 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
   PerSlot<VertexIndex::Reader> readers(job.threads,
                                        [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
   std::atomic<std::uint64_t> turned{0};
-  run_pipeline(2 * job.threads,
-               step<void, std::vector<Triple>>(tbb::filter_mode::serial_in_order,
-                                               [&](tbb::flow_control& control) {
-                                                 FusedFaces chunk = fuser.chunk();
-                                                 job.progress.check_cancelled();
-                                                 if (chunk.faces.empty()) control.stop();
-                                                 mesh.fused += chunk.fused;
-                                                 return std::move(chunk.faces);
-                                               }) &
-                   step<std::vector<Triple>, std::vector<std::uint32_t>>(
-                       tbb::filter_mode::parallel,
-                       [&](const std::vector<Triple>& chunk) {
-                         VertexIndex::Reader& reader = readers.local();
-                         std::vector<std::uint32_t> numbers;
-                         numbers.reserve(3 * chunk.size());
-                         std::uint64_t turned_here = 0;
-                         for (const Triple& triple : chunk) {
-                           std::array<IndexedVertex, 3> corner;
-                           std::array<std::uint32_t, 3> number{};
-                           for (std::size_t i = 0; i < 3; ++i) {
-                             const VertexIndex::Reader::Found& found = reader.find(triple.cell[i]);
-                             corner[i] = found.vertex;
-                             number[i] = static_cast<std::uint32_t>(found.number);
-                           }
-                           if (shows_its_back(corner)) {
-                             std::swap(number[1], number[2]);
-                             ++turned_here;
-                           }
-                           numbers.insert(numbers.end(), number.begin(), number.end());
-                         }
-                         turned += turned_here;
-                         return numbers;
-                       }) &
-                   step<std::vector<std::uint32_t>, void>(
-                       tbb::filter_mode::serial_in_order, [&](const std::vector<std::uint32_t>& numbers) {
-                         mesh.faces->append(std::as_bytes(std::span(numbers)));
-                         mesh.face_count += numbers.size() / 3;
-                       }));
+  struct Chunk {
+    std::vector<Triple> faces;
+    std::vector<std::uint32_t> numbers;
+  };
+  pipeline<Chunk>(
+      2 * std::size_t{job.threads},
+      [&](Chunk& chunk) {
+        FusedFaces fused = fuser.chunk();
+        job.progress.check_cancelled();
+        mesh.fused += fused.fused;
+        chunk.faces = std::move(fused.faces);
+        return !chunk.faces.empty();
+      },
+      [&](Chunk& chunk) {
+        VertexIndex::Reader& reader = readers.local();
+        chunk.numbers.clear();
+        std::uint64_t turned_here = 0;
+        for (const Triple& triple : chunk.faces) {
+          std::array<IndexedVertex, 3> corner;
+          std::array<std::uint32_t, 3> number{};
+          for (std::size_t i = 0; i < 3; ++i) {
+            const VertexIndex::Reader::Found& found = reader.find(triple.cell[i]);
+            corner[i] = found.vertex;
+            number[i] = static_cast<std::uint32_t>(found.number);
+          }
+          if (shows_its_back(corner)) {
+            std::swap(number[1], number[2]);
+            ++turned_here;
+          }
+          chunk.numbers.insert(chunk.numbers.end(), number.begin(), number.end());
+        }
+        turned += turned_here;
+      },
+      [&](const Chunk& chunk) {
+        mesh.faces->append(std::as_bytes(std::span(chunk.numbers)));
+        mesh.face_count += chunk.numbers.size() / 3;
+      });
   mesh.faces->finish();
   mesh.turned = turned;
 }

@@ -13,22 +13,18 @@ template <typename Next, typename Decode>
 bool run_pass(Job& job, Next next, Decode decode, const std::function<bool()>& stop) {
   PerSlot<FaceBatch> slices(job.threads, [] { return std::make_unique<FaceBatch>(); });
   bool more = true;
-  run_pipeline(batches_in_flight(job.threads),
-               step<void, std::shared_ptr<RawBatch>>(tbb::filter_mode::serial_in_order,
-                                                     [&](tbb::flow_control& control) {
-                                                       auto batch = std::make_shared<RawBatch>();
-                                                       if (!stop || !stop()) {
-                                                         more = next(*batch);
-                                                         if (more) return batch;
-                                                       }
-                                                       control.stop();
-                                                       return batch;
-                                                     }) &
-                   step<std::shared_ptr<RawBatch>, void>(tbb::filter_mode::parallel,
-                                                         [&](const std::shared_ptr<RawBatch>& batch) {
-                                                           decode(*batch, slices.local());
-                                                           job.progress.advance(batch->count);
-                                                         }));
+  pipeline<RawBatch>(
+      batches_in_flight(job.threads),
+      [&](RawBatch& batch) {
+        if (stop && stop()) return false;
+        more = next(batch);
+        return more;
+      },
+      [&](RawBatch& batch) {
+        decode(batch, slices.local());
+        job.progress.advance(batch.count);
+        batch = {};  // lets a mapped window go
+      });
   return more;
 }
 

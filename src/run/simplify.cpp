@@ -184,8 +184,8 @@ class Simplification {
 SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::string& output,
                                  const SimplifyOptions& options) {
   const Stopwatch watch;
-  // Before the input is opened: a wrong budget or output is not worth waiting for a pipe.
-  MemoryPlan::divide(job.budget.total(), 0, job.threads, quadrics(options));
+  // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
+  if (input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, quadrics(options));
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output);
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   ByteSink sink(job, output, options.force);
@@ -263,12 +263,15 @@ SimplifyPlan plan_simplify(Context& context, const std::string& input, const std
                            const SimplifyOptions& options) {
   check(options);
   Job job(context);
-  const MemoryPlan plan = MemoryPlan::divide(context.memory, 0, job.threads, quadrics(options));
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, quadrics(options)));
   const std::unique_ptr<ByteSource> source = open_source(job, input);
+  source->peek(1);
+  const MemoryPlan plan =
+      MemoryPlan::divide(context.memory, job.budget.used(), job.threads, quadrics(options));
   const InputOutlook outlook = look_at(job, *source, options.from, access_for(options));
   SimplifyPlan out;
   out.memory = plan.parts();
-  out.smallest_memory = plan.smallest;
+  out.smallest_memory = plan.smallest + job.budget.used();
   out.passes = passes_of(outlook, options);
   out.faces = outlook.facts.faces;
   out.vertices = outlook.facts.vertices;

@@ -16,27 +16,26 @@ constexpr std::uint64_t chunk = 8192;  // vertices or faces encoded at once
 // Numbers 0 to `count` in chunks: `encode` appends a chunk's bytes, from several threads.
 template <typename Encode>
 void write_chunks(Job& job, std::uint64_t count, ByteSink& sink, Encode encode) {
+  struct Chunk {
+    std::uint64_t first = 0;
+    std::vector<std::byte> bytes;
+  };
   std::uint64_t next = 0;
-  run_pipeline(2 * job.threads,
-               step<void, std::uint64_t>(tbb::filter_mode::serial_in_order,
-                                         [&](tbb::flow_control& control) {
-                                           const std::uint64_t first = next;
-                                           next += chunk;
-                                           if (first >= count) control.stop();
-                                           return first;
-                                         }) &
-                   step<std::uint64_t, std::vector<std::byte>>(
-                       tbb::filter_mode::parallel,
-                       [&](std::uint64_t first) {
-                         std::vector<std::byte> bytes;
-                         encode(first, static_cast<std::size_t>(std::min(chunk, count - first)), bytes);
-                         return bytes;
-                       }) &
-                   step<std::vector<std::byte>, void>(tbb::filter_mode::serial_in_order,
-                                                      [&](const std::vector<std::byte>& bytes) {
-                                                        sink.write(bytes);
-                                                        job.progress.advance(chunk);
-                                                      }));
+  pipeline<Chunk>(
+      2 * std::size_t{job.threads},
+      [&](Chunk& part) {
+        part.first = next;
+        next += chunk;
+        return part.first < count;
+      },
+      [&](Chunk& part) {
+        part.bytes.clear();
+        encode(part.first, static_cast<std::size_t>(std::min(chunk, count - part.first)), part.bytes);
+      },
+      [&](const Chunk& part) {
+        sink.write(part.bytes);
+        job.progress.advance(chunk);
+      });
 }
 
 MeshVertex finished(const IndexedVertex& vertex) {

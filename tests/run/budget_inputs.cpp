@@ -7,7 +7,7 @@ namespace winnow::test {
 
 namespace {
 
-constexpr std::uint64_t faces = 2'000'000;
+constexpr std::uint64_t faces = 1'600'000;
 const Words coarse{"--cell", "0.01", "--threads", "2"};
 
 void check_pipe(const Directory& directory, const std::string& input, const Words& options) {
@@ -71,7 +71,10 @@ TEST_CASE("compressed input stays within the budget", "[budget]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   generate("scan", faces, input);
-  check_budget(directory, zstd_file(input), coarse, "smallest");
+  // Where zstd's own memory is not in the first message, it is in the second.
+  const std::string packed = zstd_file(input);
+  const std::string plain = smallest_memory(input, coarse);
+  check_budget(directory, packed, coarse, smallest_memory(packed, coarse, plain));
   check_budget(directory, gzip_file(input), coarse, "smallest");
 }
 

@@ -53,4 +53,18 @@ TEST_CASE("a zstd window counts against the budget", "[budget]") {
   check_peak(run_winnow(arguments + Words{enough}), enough);
 }
 
+TEST_CASE("the smallest budget for compressed input works", "[budget]") {
+  const Directory directory;
+  const std::string plain = directory.file("scan.ply");
+  generate("scan", 400'000, plain);
+  const std::string input = zstd_file(plain);
+  const Words options{"--cell", "0.02", "--threads", "2"};
+  const std::string memory = smallest_memory(input, options);
+  const std::string output = directory.file("out.ply");
+  const Words arguments = Words{"simplify", input, "-o", output, "--json", "--memory", memory} + options;
+  const nlohmann::json plan = winnow_ok(arguments + Words{"--dry-run"}).json();
+  CHECK(plan["smallest_memory"] == bytes_of_size(memory));
+  check_peak(run_winnow(arguments), memory);
+}
+
 }  // namespace winnow::test

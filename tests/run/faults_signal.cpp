@@ -60,13 +60,13 @@ void check_random_moments(const Directory& directory, const Words& arguments, in
 TEST_CASE("a run that spills is stopped at any moment", "[faults]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
-  generate("scan", 500'000, input);
+  generate("scan", 300'000, input);
   const Words options{"--cell", "0.001", "--threads", "2", "--placement", "quadric"};
   check_random_moments(
       directory,
       Words{"simplify", input, "-o", directory.file("out.ply"), "--memory", smallest_memory(input, options)} +
           options,
-      16);
+      14);
 }
 
 TEST_CASE("a run that samples a compressed stream is stopped at any moment", "[faults]") {

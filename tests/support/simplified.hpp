@@ -43,8 +43,10 @@ inline Simplified simplified(const Directory& directory, const std::string& inpu
 }
 
 // The smallest --memory that works for `input`, by the message that a smaller one gets.
-inline std::string smallest_memory(const std::string& input, const Words& options) {
-  const Run run = run_winnow(Words{"simplify", input, "-o", "never-written.ply", "--memory", "1M"} + options);
+inline std::string smallest_memory(const std::string& input, const Words& options,
+                                   const std::string& too_small = "1M") {
+  const Run run =
+      run_winnow(Words{"simplify", input, "-o", "never-written.ply", "--memory", too_small} + options);
   const std::string before = "the smallest that works is --memory ";
   const std::size_t at = run.err.find(before);
   INFO(run.err);

@@ -6,6 +6,13 @@
 
 #include <math.h>
 
+// No iteration of the next loop reads what another one writes. (Clang finds that out by itself.)
+#ifdef __clang__
+#define WINNOW_INDEPENDENT
+#else
+#define WINNOW_INDEPENDENT _Pragma("GCC ivdep")
+#endif
+
 #define WINNOW_JOIN2(a, b) a##b
 #define WINNOW_JOIN(a, b) WINNOW_JOIN2(a, b)
 
@@ -60,7 +67,7 @@ void place_corners(const Real* const (&position)[3][3], const KernelInput& in, s
   const Real* pcy = position[2][1] + from;
   const Real* pcz = position[2][2] + from;
   constexpr float to_cells = 1.0F / (1 << fraction_bits);
-#pragma GCC ivdep
+  WINNOW_INDEPENDENT
   for (std::size_t i = 0; i < n; ++i) {
     const double ax = (pax[i] - ox) * scale + rounder;
     const double ay = (pay[i] - oy) * scale + rounder;
@@ -98,7 +105,7 @@ inline std::int64_t packed(std::int64_t x, std::int64_t y, std::int64_t z) {
 }
 
 void sort_out(std::size_t from, std::size_t n, CornerSums& out) {
-#pragma GCC ivdep
+  WINNOW_INDEPENDENT
   for (std::size_t i = from; i < from + n; ++i) {
     const std::int64_t ax = out.place[0][0][i], ay = out.place[0][1][i], az = out.place[0][2][i];
     const std::int64_t bx = out.place[1][0][i], by = out.place[1][1][i], bz = out.place[1][2][i];
@@ -132,7 +139,7 @@ inline std::int32_t weight_of(float area, std::int32_t& clamped) {
 
 std::int32_t weigh_corners(std::size_t from, std::size_t n, Scratch& s, CornerSums& out) {
   std::int32_t clamped = 0;
-#pragma GCC ivdep
+  WINNOW_INDEPENDENT
   for (std::size_t i = 0; i < n; ++i) {
     const float abx = s.ab[0][i], aby = s.ab[1][i], abz = s.ab[2][i];
     const float acx = s.ac[0][i], acy = s.ac[1][i], acz = s.ac[2][i];
@@ -181,7 +188,7 @@ inline double fraction_of(std::int64_t place) {
 
 void add_up(std::size_t from, std::size_t n, CornerSums& out) {
   // Every product and sum here is a whole number below 2^52: exact.
-#pragma GCC ivdep
+  WINNOW_INDEPENDENT
   for (std::size_t i = from; i < from + n; ++i) {
     const double wa = out.weight[0][i];
     const double wb = out.weight[1][i];
