@@ -25,7 +25,7 @@ Reservation Budget::reserve(std::uint64_t bytes, const char* what) {
   if (!reservation) {
     throw Error(ErrorKind::resources, std::string(what) + " needs " + human_bytes(bytes) + " more memory; " +
                                           human_bytes(left()) + " of " + human_bytes(total_) +
-                                          " are left: raise --memory to at least " +
+                                          " are left; the smallest that works is --memory " +
                                           size_option(used() + bytes + expected_));
   }
   return reservation;

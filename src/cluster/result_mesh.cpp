@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 
 namespace winnow {
 
@@ -70,7 +71,11 @@ class FaceFuser {
 bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
   std::array<double, 3> mean{};
   for (const IndexedVertex& vertex : corner) {
-    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += vertex.normal[axis];
+    // The normal that is written; where a cell's own normals nearly cancel it says nothing and counts little.
+    const auto [x, y, z] = vertex.normal;
+    const float size = std::sqrt(x * x + y * y + z * z);
+    const float divisor = size < shortest_normal ? 1.0F : size;
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += vertex.normal[axis] / divisor;
   }
   const double length = (mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]) / 9;
   if (length < shortest_normal * shortest_normal) return false;
