@@ -76,7 +76,7 @@ TEST_CASE("what the plan has made room for fails by naming itself and a budget t
     CHECK(error.kind() == ErrorKind::resources);
     CHECK(message.find("the thing") != std::string::npos);
     CHECK(budget.used() == held);
-    const std::size_t at = message.find("at least ");
+    const std::size_t at = message.find("--memory ");
     REQUIRE(at != std::string::npos);
     Budget enough(std::stoull(message.substr(at + 9)) << 20);
     const Reservation again = enough.try_reserve(held);
