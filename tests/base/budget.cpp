@@ -84,6 +84,15 @@ TEST_CASE("what the plan has made room for fails by naming itself and a budget t
   }
 }
 
+TEST_CASE("a budget that is named counts what the run will ask for besides") {
+  Budget budget(std::uint64_t{8} << 20);
+  budget.expect(std::uint64_t{30} << 20);
+  const Reservation held = budget.try_reserve(std::uint64_t{5} << 20);
+  const Error error = test::error_of([&] { (void)budget.reserve(std::uint64_t{4} << 20, "the thing"); });
+  CHECK(std::string(error.what()).find("--memory 39M") != std::string::npos);
+  CHECK(budget.left() == std::uint64_t{3} << 20);  // expecting takes nothing
+}
+
 TEST_CASE("threads together never hold more than the budget", "[threads]") {
   constexpr std::uint64_t total = 10000;
   Budget budget(total);

@@ -1,4 +1,5 @@
 // Sums that are too large for 64 bits are the sums all the same.
+#include "base/parallel.hpp"
 #include "base/wide.hpp"
 #include "cluster/cell_table.hpp"
 #include "cluster/representative.hpp"
@@ -9,7 +10,6 @@
 #include <map>
 
 #include <catch2/catch.hpp>
-#include <tbb/parallel_for_each.h>
 
 namespace winnow {
 
@@ -140,8 +140,7 @@ TEST_CASE("entries near the bound add up exactly in any order", "[threads]") {
                                entries.begin() + static_cast<std::ptrdiff_t>(at + size));
           at += size;
         }
-        tbb::parallel_for_each(batches.begin(), batches.end(),
-                               [&](std::vector<CellSum>& batch) { table.add(batch); });
+        parallel_for(batches.size(), [&](std::size_t i) { table.add(batches[i]); });
       });
       std::map<CellKey, Sums> got;
       CellKey last = 0;

@@ -8,6 +8,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <thread>
 
 #include <catch2/catch.hpp>
 #include <fcntl.h>
@@ -173,6 +174,46 @@ TEST_CASE("what is no regular file is written straight and not replaced") {
   ByteSink nothing(test.job, "/dev/null", false);
   write_all(nothing, "gone");
   CHECK_NOTHROW(nothing.finish());
+}
+
+TEST_CASE("what a link points to is written, the link stays") {
+  const test::Directory directory;
+  const test::Directory elsewhere;
+  const std::string link = directory.file("link.ply");
+  const std::string target = elsewhere.file("target.ply");
+  std::filesystem::create_symlink(target, link);
+  {
+    test::TestJob test;
+    ByteSink sink(test.job, link, false);  // nothing is there yet
+    write_all(sink, "first");
+    sink.finish();
+  }
+  CHECK(std::filesystem::is_symlink(link));
+  CHECK(test::bytes_of_file(target) == "first");
+  test::TestJob test;
+  CHECK(test::error_of([&] { ByteSink(test.job, link, false); }).kind() == ErrorKind::usage);
+  ByteSink sink(test.job, link, true);
+  write_all(sink, "second");
+  sink.finish();
+  CHECK(std::filesystem::is_symlink(link));
+  CHECK(test::bytes_of_file(target) == "second");
+  CHECK(directory.names() == Names{"link.ply"});
+  CHECK(elsewhere.names() == Names{"target.ply"});
+}
+
+TEST_CASE("waiting for a reader of a named pipe ends when the run is cancelled") {
+  const test::Directory directory;
+  const std::string path = directory.file("pipe");
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  test::TestJob test;
+  std::thread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    test.context.cancel();
+  });
+  const Stopwatch watch;
+  CHECK(test::error_of([&] { ByteSink(test.job, path, false); }).kind() == ErrorKind::cancelled);
+  CHECK(watch.seconds() < 5);
+  later.join();
 }
 
 TEST_CASE("a full disk is an error") {

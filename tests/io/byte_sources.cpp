@@ -6,9 +6,11 @@
 #include "support/sources.hpp"
 
 #include <deque>
-#include <functional>
+#include <filesystem>
+#include <thread>
 
 #include <catch2/catch.hpp>
+#include <sys/stat.h>
 
 namespace winnow {
 
@@ -137,6 +139,42 @@ TEST_CASE("what cannot be read is an error that names it") {
   const test::FedPipe nothing("");
   CHECK(test::error_of([&] { copy_to_scratch(test.job, open_source(test.job, nothing.path())); }).kind() ==
         ErrorKind::bad_input);
+}
+
+TEST_CASE("a file that became shorter is noticed when it is asked about") {
+  const test::Directory directory;
+  const std::string path = directory.file("content");
+  for (const bool map : {false, true}) {
+    test::write_file(path, std::string(100'000, 'x'));
+    test::TestJob test({.map_input = map});
+    const auto source = open_source(test.job, path);
+    source->take(10);
+    CHECK_NOTHROW(source->check_whole());
+    std::filesystem::resize_file(path, 99'999);
+    CAPTURE(map);
+    CHECK(test::error_of([&] { source->check_whole(); }).kind() == ErrorKind::bad_input);
+    std::filesystem::resize_file(path, 200'000);  // longer is not wrong: it is read to where it ended
+    CHECK_NOTHROW(source->check_whole());
+  }
+  const test::FedPipe pipe("some bytes");
+  test::TestJob test;
+  CHECK_NOTHROW(open_source(test.job, pipe.path())->check_whole());
+}
+
+TEST_CASE("waiting for a writer of a named pipe ends when the run is cancelled") {
+  const test::Directory directory;
+  const std::string path = directory.file("pipe");
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  test::TestJob test;
+  std::thread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    test.context.cancel();
+  });
+  const Stopwatch watch;
+  // Nobody writes yet: that is no end.
+  CHECK(test::error_of([&] { open_source(test.job, path)->take(1); }).kind() == ErrorKind::cancelled);
+  CHECK(watch.seconds() < 5);
+  later.join();
 }
 
 TEST_CASE("waiting for a pipe ends when the run is cancelled") {

@@ -1,11 +1,11 @@
 #include "support/clustering.hpp"
 
+#include "base/parallel.hpp"
 #include "run/arena.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <memory>
-
-#include <tbb/parallel_for_each.h>
 
 namespace winnow::test {
 
@@ -76,10 +76,8 @@ PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& set
     const auto clusterer = Clusterer::make(test.job, settings, style.memory);
     constexpr std::size_t at_once = 16;
     for (std::size_t from = 0; from < batches.size(); from += at_once) {
-      const auto begin = batches.begin() + static_cast<std::ptrdiff_t>(from);
-      const auto end =
-          batches.begin() + static_cast<std::ptrdiff_t>(std::min(from + at_once, batches.size()));
-      tbb::parallel_for_each(begin, end, [&](const Batch& batch) { clusterer->add(*batch); });
+      const std::size_t count = std::min(at_once, batches.size() - from);
+      parallel_for(count, [&](std::size_t i) { clusterer->add(*batches[from + i]); });
       if (style.ask_to_spill && clusterer->wants_to_spill()) clusterer->spill();
     }
     const ClusterCounts counts = clusterer->counts();
