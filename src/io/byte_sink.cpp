@@ -27,10 +27,15 @@ std::string directory_of(const std::string& path) {
 
 // What a link points to is written, not the link replaced; also where that does not exist yet.
 std::string behind_links(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_symlink(path, ignored)) return path;
-  const auto target = std::filesystem::weakly_canonical(path, ignored);
-  return ignored ? path : target.string();
+  constexpr int most_links = 40;  // as many as the system follows
+  std::filesystem::path target(path);
+  std::error_code error;
+  for (int i = 0; i < most_links && std::filesystem::is_symlink(target, error); ++i) {
+    const std::filesystem::path next = std::filesystem::read_symlink(target, error);
+    if (error) return path;
+    target = target.parent_path() / next;  // an absolute `next` stands alone
+  }
+  return target.string();
 }
 
 [[noreturn]] void refuse_existing(const std::string& path) {
