@@ -51,6 +51,11 @@ Pages Pages::allocate(Budget& budget, std::size_t bytes, const char* what) {
   return {budget.reserve(bytes, what), bytes};
 }
 
+void Pages::touch() {
+  // A kernel before 5.14 refuses, and takes its faults.
+  if (data_ != nullptr) ::madvise(data_, size_, MADV_POPULATE_WRITE);
+}
+
 void Pages::clear() {
   if (data_ != nullptr) ::madvise(data_, size_, MADV_DONTNEED);
 }

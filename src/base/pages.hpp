@@ -33,6 +33,10 @@ class Pages {
     return {reinterpret_cast<T*>(data_), size_ / sizeof(T)};
   }
 
+  // Makes all of it resident at once, which is much cheaper than one fault a page where every page is going
+  // to be written, here and there: reading a fresh page and then writing it even takes two.
+  void touch();
+
   void clear();  // zero again, by handing the pages back
 
  private:

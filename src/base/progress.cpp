@@ -29,8 +29,8 @@ void ProgressMeter::advance(std::uint64_t amount) {
   context_.progress({stage_, done, total_, unit_});
 }
 
-void ProgressMeter::check_cancelled() const {
-  if (context_.cancelled()) throw Error(ErrorKind::cancelled, "stopped on request; nothing was written");
+void ProgressMeter::stop() {
+  throw Error(ErrorKind::cancelled, "stopped on request; nothing was written");
 }
 
 }  // namespace winnow

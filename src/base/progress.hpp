@@ -20,9 +20,22 @@ class ProgressMeter {
   // Counts `amount` more and throws Error(cancelled) if the caller asked to stop.
   void advance(std::uint64_t amount);
 
-  void check_cancelled() const;
+  void check_cancelled() const {
+    if (context_.cancelled()) stop();
+  }
+
+  // `before` for sorting: what many gibibytes take to sort is longer than a caller waits who wants to stop.
+  template <typename Before>
+  [[nodiscard]] auto cancellable(Before before) const {
+    return [this, before](const auto& a, const auto& b) {
+      check_cancelled();
+      return before(a, b);
+    };
+  }
 
  private:
+  [[noreturn]] static void stop();
+
   using Clock = std::chrono::steady_clock;
 
   Context& context_;

@@ -23,6 +23,22 @@ struct alignas(64) CellSum {
   [[nodiscard]] bool empty() const { return weight == 0; }
   [[nodiscard]] bool has_room(std::uint64_t more) const { return (weight & ~used_bit) + more < weight_bound; }
 
+  // Sums that are known to fit; the key and the highest bit of `weight` stay.
+  void add(const CellSum& more) {
+    weight += more.weight;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      position[axis] += more.position[axis];
+      normal[axis] += more.normal[axis];
+    }
+  }
+  void subtract(const CellSum& part) {
+    weight -= part.weight;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      position[axis] -= part.position[axis];
+      normal[axis] -= part.normal[axis];
+    }
+  }
+
   static bool before(const CellSum& a, const CellSum& b) { return a.key < b.key; }
 
   // Adds `from`, of the same cell; false, and nothing done, where the sum could overflow.
@@ -44,6 +60,17 @@ static_assert(sizeof(CellSum) == 64);
 struct alignas(64) QuadricCellSum : CellSum {
   std::array<std::int64_t, 5> squares;  // nx nx, nx ny, nx nz, ny ny, ny nz
   std::array<std::int64_t, 3> moment;
+
+  void add(const QuadricCellSum& more) {
+    CellSum::add(more);
+    for (std::size_t i = 0; i < 5; ++i) squares[i] += more.squares[i];
+    for (std::size_t i = 0; i < 3; ++i) moment[i] += more.moment[i];
+  }
+  void subtract(const QuadricCellSum& part) {
+    CellSum::subtract(part);
+    for (std::size_t i = 0; i < 5; ++i) squares[i] -= part.squares[i];
+    for (std::size_t i = 0; i < 3; ++i) moment[i] -= part.moment[i];
+  }
 
   static bool combine(QuadricCellSum& into, const QuadricCellSum& from) {
     if (!CellSum::combine(into, from)) return false;

@@ -51,6 +51,7 @@ bool CellTable<Sum>::grow(Part& part) {
                                                   : part.capacity + part.capacity / 2;
   Pages memory = Pages::try_allocate(budget_, capacity * sizeof(Sum));
   if (!memory) return false;
+  memory.touch();
   const Pages old = std::exchange(part.memory, std::move(memory));
   const std::size_t old_capacity = std::exchange(part.capacity, capacity);
   for (const Sum& entry : old.template as<Sum>().first(old_capacity)) {
@@ -125,8 +126,9 @@ std::vector<std::unique_ptr<RecordCursor<Sum>>> CellTable<Sum>::sort_parts() {
       if (!entry.empty()) entries[kept++] = entry;
     }
     const std::span<Sum> sums = entries.first(kept);
-    std::sort(sums.begin(), sums.end(), Before<Sum>());
-    std::sort(part.overflow.begin(), part.overflow.end(), Before<Sum>());
+    const auto before = job_.progress.cancellable(Before<Sum>());
+    std::sort(sums.begin(), sums.end(), before);
+    std::sort(part.overflow.begin(), part.overflow.end(), before);
   });
   std::vector<std::unique_ptr<RecordCursor<Sum>>> sources;
   for (Part& part : parts_) {
@@ -143,6 +145,7 @@ void CellTable<Sum>::spill() {
   runs_.add(merged);
   for (Part& part : parts_) {
     part.memory.clear();
+    part.memory.touch();
     part.count = 0;
     part.overflow.clear();
   }

@@ -18,7 +18,7 @@ static_assert(kernel_capacity == FaceBatch::capacity);
 
 constexpr std::size_t pending_entries = 1024;
 
-// The corner's contribution of a face that lies in several cells.
+// What one corner of a face adds to its cell.
 void add_corner(CellSum& sum, const CornerSums& face, std::size_t corner, std::size_t i) {
   const std::int64_t weight = face.weight[corner][i];
   sum.weight += static_cast<std::uint64_t>(weight);
@@ -35,7 +35,7 @@ void add_corner(QuadricCellSum& sum, const CornerSums& face, std::size_t corner,
   for (std::size_t k = 0; k < 3; ++k) sum.moment[k] += weight * face.moment[corner][k][i];
 }
 
-// All three corners of a face that lies in one cell.
+// What all three corners add together.
 void add_face(CellSum& sum, const CornerSums& face, std::size_t i) {
   sum.weight += static_cast<std::uint64_t>(face.total_weight[i]);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -85,31 +85,38 @@ class ClustererOf final : public Clusterer {
 
     // First the faces are told apart without a branch, then each kind has a loop of its own.
     std::size_t inside = 0;
+    std::size_t pairs = 0;
     std::size_t across = 0;
     std::size_t bad = 0;
     for (std::size_t i = 0; i < faces.count; ++i) {
       const std::int64_t kind = worker.corners.kind[i];
       const bool good = faces.status[i] == FaceStatus::good;
       worker.inside[inside] = static_cast<std::uint16_t>(i);
+      worker.pairs[pairs] = static_cast<std::uint16_t>(i);
       worker.across[across] = static_cast<std::uint16_t>(i);
       worker.bad[bad] = static_cast<std::uint16_t>(i);
       inside += (kind == one_cell) & good;
-      across += (kind == several_cells) & good;
-      bad += (kind > several_cells) | !good;
+      pairs += (kind >= alone_a) & (kind <= alone_c) & good;
+      across += (kind == three_cells) & good;
+      bad += (kind > three_cells) | !good;
     }
     const auto give_way = [&](const Sum& line) { worker.give_way(line, table_); };
-    for (std::size_t k = 0; k < inside; ++k) {
-      const std::size_t i = worker.inside[k];
-      add_face(worker.cache.entry(static_cast<PackedCell>(worker.corners.cell[0][i]),
-                                  static_cast<std::uint64_t>(worker.corners.total_weight[i]), give_way),
-               worker.corners, i);
+    // Neighbours in the file are mostly neighbours in space: what follows in the same cell is added up before
+    // the cell is looked for.
+    for (std::size_t k = 0; k < inside;) {
+      const std::int64_t cell = worker.corners.cell[0][worker.inside[k]];
+      Sum run{};
+      do add_face(run, worker.corners, worker.inside[k++]);
+      while (k < inside && worker.corners.cell[0][worker.inside[k]] == cell);
+      worker.cache.entry(static_cast<PackedCell>(cell), run.weight, give_way).add(run);
     }
-    for (std::size_t k = 0; k < across; ++k) add_across(worker, worker.across[k], give_way);
+    for (std::size_t k = 0; k < pairs; ++k) add_pair(worker, worker.pairs[k], give_way);
+    for (std::size_t k = 0; k < across; ++k) add_corners(worker, worker.across[k], give_way);
     for (std::size_t k = 0; k < bad; ++k) {
       const std::size_t i = worker.bad[k];
       if (worker.corners.kind[i] == close_corners && faces.status[i] == FaceStatus::good &&
           !repeats_a_corner(faces, i)) {
-        add_across(worker, i, give_way);
+        add_corners(worker, i, give_way);
       } else {
         count_bad(worker, faces, i);
       }
@@ -173,11 +180,27 @@ class ClustererOf final : public Clusterer {
     std::vector<Sum> pending;  // entries that gave way, on their way to the table
     FaceList faces;
     ClusterCounts counts;
-    std::array<std::uint16_t, kernel_capacity + 1> inside, across, bad;
+    std::array<std::uint16_t, kernel_capacity + 1> inside, pairs, across, bad;
   };
 
+  // Of a face with two corners in one cell.
   template <typename GiveWay>
-  void add_across(Worker& worker, std::size_t i, const GiveWay& give_way) {
+  void add_pair(Worker& worker, std::size_t i, const GiveWay& give_way) {
+    const CornerSums& face = worker.corners;
+    const auto corner = static_cast<std::size_t>(face.kind[i] - alone_a);
+    Sum alone{};
+    add_corner(alone, face, corner, i);
+    Sum both{};
+    add_face(both, face, i);
+    both.subtract(alone);
+    worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]), alone.weight, give_way).add(alone);
+    const std::size_t another = corner == 0 ? 1 : 0;
+    worker.cache.entry(static_cast<PackedCell>(face.cell[another][i]), both.weight, give_way).add(both);
+  }
+
+  // Of any face, corner by corner.
+  template <typename GiveWay>
+  void add_corners(Worker& worker, std::size_t i, const GiveWay& give_way) {
     const CornerSums& face = worker.corners;
     const auto a = static_cast<PackedCell>(face.cell[0][i]);
     const auto b = static_cast<PackedCell>(face.cell[1][i]);

@@ -6,8 +6,8 @@
 
 namespace winnow {
 
-FaceList::FaceList(Job& /*job*/, std::uint64_t memory, SortedRuns<CellFace>& runs)
-    : budget_(memory), pages_(budget_, memory), runs_(runs) {}
+FaceList::FaceList(Job& job, std::uint64_t memory, SortedRuns<CellFace>& runs)
+    : job_(job), budget_(memory), pages_(budget_, memory), runs_(runs) {}
 
 void FaceList::add(CellKey a, CellKey b, CellKey c) {
   if ((count_ + 1) * sizeof(CellFace) > pages_.usable() && !pages_.grow_to((count_ + 1) * sizeof(CellFace)))
@@ -28,7 +28,7 @@ void FaceList::add(CellKey a, CellKey b, CellKey c) {
 
 void FaceList::sort_and_combine() {
   const std::span<CellFace> all = faces();
-  std::sort(all.begin(), all.end(), Before<CellFace>());
+  std::sort(all.begin(), all.end(), job_.progress.cancellable(Before<CellFace>()));
   std::size_t kept = 0;
   for (const CellFace& face : all) {
     if (kept > 0 && all[kept - 1].cell == face.cell && CellFace::combine(all[kept - 1], face)) continue;

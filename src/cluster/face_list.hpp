@@ -33,6 +33,7 @@ class FaceList {
   void sort_and_combine();
   void make_room();
 
+  Job& job_;
   Budget budget_;
   GrowingPages pages_;
   SortedRuns<CellFace>& runs_;

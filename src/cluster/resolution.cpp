@@ -3,12 +3,12 @@
 #include "base/hash.hpp"
 #include "base/logarithm.hpp"
 #include "base/per_slot.hpp"
+#include "cluster/kernel/position_kernel.hpp"
 #include "read/for_each_batch.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace winnow {
 
@@ -30,24 +30,17 @@ Point point_at(const PositionView& view, std::size_t i) {
   return {view.axis[0][i], view.axis[1][i], view.axis[2][i]};
 }
 
-void add_to_box(const PositionView& view, Box& box) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Box part{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, view.count == 0};
-  double wrong = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double* p = view.axis[axis];
-    double low = infinity;
-    double high = -infinity;
-    for (std::size_t i = 0; i < view.count; ++i) {
-      wrong += p[i] - p[i];
-      low = p[i] < low ? p[i] : low;
-      high = p[i] > high ? p[i] : high;
-    }
-    part.low[axis] = low;
-    part.high[axis] = high;
+PositionInput input_of(const PositionView& view) {
+  return {{view.axis[0], view.axis[1], view.axis[2]}, view.count};
+}
+
+void add_to_box(const PositionKernel& kernel, const PositionView& view, Box& box) {
+  if (view.count == 0) return;
+  double low[3];
+  double high[3];
+  if (kernel.box(input_of(view), low, high)) {
+    return box.add(Box{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}, false});
   }
-  if (wrong == 0) return box.add(part);
-  // Something is not finite: one position at a time.
   for (std::size_t i = 0; i < view.count; ++i) {
     if (finite(point_at(view, i))) box.add(point_at(view, i));
   }
@@ -114,27 +107,16 @@ class DistinctCounter {
   unsigned shift_;
 };
 
-// Cells of the finite positions. The quick hash is enough: its high bits choose the bit.
-void count_positions(const PositionView& view, const Grid& grid, DistinctCounter& counter) {
-  alignas(64) std::array<std::int64_t, FaceBatch::capacity> packed;
-  alignas(64) std::array<std::int64_t, FaceBatch::capacity> wrong;
-  packed.fill(0);
-  wrong.fill(0);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double* p = view.axis[axis];
-    const double origin = grid.origin[axis];
-    const unsigned shift = static_cast<unsigned>(axis) * axis_bits;
-    for (std::size_t i = 0; i < view.count; ++i) {
-      const double place = (p[i] - origin) * grid.inverse;
-      const bool inside = (place >= 0) & (place < axis_cells);
-      wrong[i] |= inside ? 0 : 1;
-      packed[i] |= std::int64_t{static_cast<std::int32_t>(inside ? place : 0)} << shift;
-    }
-  }
+// Cells of the finite positions.
+void count_positions(const PositionKernel& kernel, const PositionView& view, const Grid& grid,
+                     DistinctCounter& counter) {
+  const double origin[3] = {grid.origin[0], grid.origin[1], grid.origin[2]};
+  alignas(64) std::array<std::int64_t, FaceBatch::capacity> cell;
+  kernel.cells(input_of(view), origin, grid.inverse, cell.data());
   std::int64_t last = -1;
   for (std::size_t i = 0; i < view.count; ++i) {
-    if (packed[i] == last || wrong[i] != 0) continue;
-    last = packed[i];
+    if (cell[i] == last || cell[i] < 0) continue;
+    last = cell[i];
     counter.add(mixed_hash(static_cast<std::uint64_t>(last)));
   }
 }
@@ -144,7 +126,9 @@ void count_positions(const PositionView& view, const Grid& grid, DistinctCounter
 Box measure_box(Job& job, MeshReader& reader) {
   job.progress.begin("measure", 0, "positions");
   PerSlot<Box> boxes(job.threads, [] { return std::make_unique<Box>(); });
-  for_each_position_batch(job, reader, [&](const PositionView& view) { add_to_box(view, boxes.local()); });
+  const PositionKernel& kernel = best_position_kernel();
+  for_each_position_batch(job, reader,
+                          [&](const PositionView& view) { add_to_box(kernel, view, boxes.local()); });
   Box box;
   for (const Box* part : boxes.all()) box.add(*part);
   return box;
@@ -162,9 +146,10 @@ CellCounts::CellCounts(Job& job, MeshReader& reader, std::uint64_t positions, st
   };
   PerSlot<Part> slots(job.threads, [] { return std::make_unique<Part>(); });
   const std::uint64_t step = std::max<std::uint64_t>(1, positions / crude_points);
+  const PositionKernel& kernel = best_position_kernel();
   for_each_position_batch(job, reader, [&](const PositionView& view) {
     Part& part = slots.local();
-    add_to_box(view, part.box);
+    add_to_box(kernel, view, part.box);
     pick_points(view, step, part.points);
   });
   std::vector<Point> points;
@@ -202,6 +187,7 @@ void CellCounts::count_cells(Job& job, MeshReader& reader, double crude, double 
     edge_[i] = natural_logarithm(edge);
   }
   const std::uint64_t bits = DistinctCounter::bits_for(2 * cells);
+  const PositionKernel& kernel = best_position_kernel();
   using Counters = std::vector<DistinctCounter>;
   PerSlot<Counters> slots(job.threads,
                           [&] { return std::make_unique<Counters>(sizes, DistinctCounter(bits)); });
@@ -210,7 +196,7 @@ void CellCounts::count_cells(Job& job, MeshReader& reader, double crude, double 
       [&](const PositionView& view) {
         if (view.corner != 0) return;
         Counters& counters = slots.local();
-        for (std::size_t i = 0; i < sizes; ++i) count_positions(view, grids[i], counters[i]);
+        for (std::size_t i = 0; i < sizes; ++i) count_positions(kernel, view, grids[i], counters[i]);
       },
       PassCorners::first);
   Counters all(sizes, DistinctCounter(bits));

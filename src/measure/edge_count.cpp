@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <functional>
 
 #include <tbb/parallel_sort.h>
 
 namespace winnow {
 
-EdgeCount::EdgeCount(Job& job, std::uint64_t memory) : pages_(job.budget, memory) {}
+EdgeCount::EdgeCount(Job& job, std::uint64_t memory) : job_(job), pages_(job.budget, memory) {}
 
 std::uint64_t EdgeCount::hash_position(const std::array<double, 3>& position) {
   std::uint64_t hash = 0;
@@ -41,9 +42,10 @@ std::optional<InfoReport::Edges> EdgeCount::finish() {
   if (too_many_) return {};
   auto* const begin = reinterpret_cast<std::uint64_t*>(pages_.data());
   auto* const end = begin + kept_;
-  tbb::parallel_sort(begin, end);
+  tbb::parallel_sort(begin, end, job_.progress.cancellable(std::less<>()));
   InfoReport::Edges edges;
   for (const std::uint64_t* at = begin; at != end;) {
+    job_.progress.check_cancelled();
     const std::uint64_t* next = at;
     while (next != end && *next == *at) ++next;
     ++edges.total;

@@ -31,6 +31,7 @@ class EdgeCount {
   [[nodiscard]] std::uint64_t memory_wanted() const { return added_ * sizeof(std::uint64_t); }
 
  private:
+  Job& job_;
   GrowingPages pages_;
   std::mutex mutex_;
   std::uint64_t kept_ = 0;

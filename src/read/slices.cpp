@@ -7,12 +7,19 @@ namespace winnow {
 void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index,
                     FaceBatch& slice) {
   const std::uint64_t size = vertices.size();
-  std::uint32_t wrong = 0;
+  // As signed numbers, which the plainest vector instructions compare.
+  constexpr std::uint32_t sign = 1U << 31;
+  std::int32_t low = INT32_MAX;
+  std::int32_t high = INT32_MIN;
   for (std::size_t i = 0; i < slice.count; ++i) {
-    wrong |=
-        static_cast<std::uint32_t>((index[0][i] >= size) | (index[1][i] >= size) | (index[2][i] >= size));
+    const auto a = static_cast<std::int32_t>(index[0][i] ^ sign);
+    const auto b = static_cast<std::int32_t>(index[1][i] ^ sign);
+    const auto c = static_cast<std::int32_t>(index[2][i] ^ sign);
+    low = std::min({low, a, b, c});
+    high = std::max({high, a, b, c});
   }
-  if (wrong != 0) {
+  VertexRange range{static_cast<std::uint32_t>(low) ^ sign, static_cast<std::uint32_t>(high) ^ sign};
+  if (slice.count > 0 && range.highest >= size) {
     for (std::size_t i = 0; i < slice.count; ++i) {
       if (slice.status[i] != FaceStatus::good) continue;
       for (const std::uint32_t* corner : index) {
@@ -27,11 +34,15 @@ void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*
       }
       return;
     }
+    range = {UINT32_MAX, 0};
     for (std::uint32_t* corner : index) {
-      for (std::size_t i = 0; i < slice.count; ++i) corner[i] = corner[i] >= size ? 0 : corner[i];
+      for (std::size_t i = 0; i < slice.count; ++i) {
+        corner[i] = corner[i] >= size ? 0 : corner[i];
+        range = {std::min(range.lowest, corner[i]), std::max(range.highest, corner[i])};
+      }
     }
   }
-  vertices.gather({index[0], index[1], index[2]}, slice.count, slice);
+  vertices.gather({index[0], index[1], index[2]}, range, slice.count, slice);
 }
 
 namespace {

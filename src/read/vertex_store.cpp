@@ -152,21 +152,13 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
   }
 }
 
-void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
-                         FaceBatch& out) const {
+void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, VertexRange range,
+                         std::size_t count, FaceBatch& out) const {
   if (count == 0) return;
   if (window_ == nullptr) return gather_mapped(kept_->data(), index, count, out);
   if (watched_) {
-    std::uint32_t lowest = UINT32_MAX;
-    std::uint32_t highest = 0;
-    for (const std::uint32_t* corner : index) {
-      for (std::size_t i = 0; i < count; ++i) {
-        lowest = std::min(lowest, corner[i]);
-        highest = std::max(highest, corner[i]);
-      }
-    }
-    const std::uint64_t begin = lowest * layout_.stride;
-    const std::uint64_t end = highest * layout_.stride + layout_.stride;
+    const std::uint64_t begin = range.lowest * layout_.stride;
+    const std::uint64_t end = range.highest * layout_.stride + layout_.stride;
     // One batch alone may use a quarter; faces that jump farther are read one vertex at a time, which is
     // slow but touches no page.
     if (end - begin > memory_limit_ / 4) return gather_by_reading(index, count, out);

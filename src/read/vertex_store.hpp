@@ -27,6 +27,10 @@ struct VertexLayout {
   bool swapped = false;  // big-endian
 };
 
+struct VertexRange {
+  std::uint32_t lowest, highest;
+};
+
 // Filled once, by one thread; then looked up by many.
 class VertexStore {
  public:
@@ -46,8 +50,10 @@ class VertexStore {
 
   [[nodiscard]] std::uint64_t size() const { return count_; }
 
-  // Positions of three vertices for each of `count` faces, every index below size(). `index[corner][face]`.
-  void gather(const std::array<const std::uint32_t*, 3>& index, std::size_t count, FaceBatch& out) const;
+  // Positions of three vertices for each of `count` faces: `index[corner][face]`, all in `range` and below
+  // size().
+  void gather(const std::array<const std::uint32_t*, 3>& index, VertexRange range, std::size_t count,
+              FaceBatch& out) const;
 
   // Positions in their order: `count` from `first` on, side by side into `out`.
   void read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const;

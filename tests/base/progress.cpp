@@ -5,6 +5,7 @@
 
 #include "support/job.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <thread>
@@ -47,6 +48,21 @@ TEST_CASE("progress adds up and starts again with each stage", "[threads]") {
   CHECK(std::string(told.back().stage) == "second");
   CHECK(std::string(told.back().unit) == "bytes");
   CHECK(told.back().done == 0);
+}
+
+TEST_CASE("sorting stops in the middle") {
+  Context context;
+  const ProgressMeter meter(context);
+  std::vector<int> numbers(100'000);
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i * 7919 % numbers.size());
+  std::size_t compared = 0;
+  const auto before = meter.cancellable([&](int a, int b) {
+    if (++compared == 1000) context.cancel();
+    return a < b;
+  });
+  CHECK(test::error_of([&] { std::sort(numbers.begin(), numbers.end(), before); }).kind() ==
+        ErrorKind::cancelled);
+  CHECK(compared == 1000);
 }
 
 TEST_CASE("a cancelled context stops whoever counts") {

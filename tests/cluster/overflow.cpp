@@ -26,7 +26,7 @@ std::map<CellKey, WholeCell> wide_sums(const std::vector<Triangle>& faces, const
                                      faces.begin() + static_cast<std::ptrdiff_t>(from + count));
     const auto sums = kernel_sums(corner_kernel_baseline, part, grid);
     for (std::size_t i = 0; i < count; ++i) {
-      REQUIRE(sums->kind[i] <= several_cells);
+      REQUIRE(sums->kind[i] <= three_cells);
       for (std::size_t corner = 0; corner < 3; ++corner) {
         QuadricCellSum one{};
         one.key = morton_key(static_cast<PackedCell>(sums->cell[corner][i]));

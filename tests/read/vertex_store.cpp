@@ -31,6 +31,14 @@ std::uint32_t some_index(test::Random& random, std::uint32_t near, bool anywhere
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(vertex_count - 1, near + random.below(2000)));
 }
 
+VertexRange range_of(const std::array<std::vector<std::uint32_t>, 3>& index) {
+  VertexRange range{UINT32_MAX, 0};
+  for (const auto& corner : index) {
+    for (const std::uint32_t i : corner) range = {std::min(range.lowest, i), std::max(range.highest, i)};
+  }
+  return range;
+}
+
 void check_lookups(const VertexStore& store) {
   test::Random random(321);
   const auto batch = std::make_unique<FaceBatch>();
@@ -43,7 +51,7 @@ void check_lookups(const VertexStore& store) {
       corner.resize(count);
       for (std::uint32_t& i : corner) i = some_index(random, near, anywhere);
     }
-    store.gather({index[0].data(), index[1].data(), index[2].data()}, count, *batch);
+    store.gather({index[0].data(), index[1].data(), index[2].data()}, range_of(index), count, *batch);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       for (std::size_t i = 0; i < count; ++i)
         REQUIRE(batch->corner(corner, i) == some_points()[index[corner][i]]);
@@ -149,7 +157,8 @@ TEST_CASE("threads look vertices up at once while pages are dropped", "[threads]
       for (int round = 0; round < 300; ++round) {
         const auto near = static_cast<std::uint32_t>(random.below(vertex_count));
         for (std::uint32_t& i : index) i = some_index(random, near, false);
-        store.gather({index.data(), index.data(), index.data()}, index.size(), *batch);
+        store.gather({index.data(), index.data(), index.data()}, range_of({index, index, index}),
+                     index.size(), *batch);
         for (std::size_t i = 0; i < index.size(); ++i)
           wrong += batch->corner(1, i) == some_points()[index[i]] ? 0 : 1;
       }
@@ -167,7 +176,7 @@ TEST_CASE("a store of nothing holds nothing") {
   store.finish_keeping();
   CHECK(store.size() == 0);
   const auto batch = std::make_unique<FaceBatch>();
-  CHECK_NOTHROW(store.gather({nullptr, nullptr, nullptr}, 0, *batch));
+  CHECK_NOTHROW(store.gather({nullptr, nullptr, nullptr}, {0, 0}, 0, *batch));
 }
 
 }  // namespace winnow

@@ -36,9 +36,8 @@ void check_random_moments(const Directory& directory, const Words& arguments, in
   int stopped = 0;
   for (int i = 0; i < tries; ++i) {
     Program program(arguments, setup);
-    // Before main has set its handlers a signal ends the program as it ends any: not of interest here.
-    const double moment =
-        0.02 + (whole.seconds - 0.02) * (i + std::uniform_real_distribution(0.0, 1.0)(random)) / tries;
+    program.await_handlers();
+    const double moment = whole.seconds * (i + std::uniform_real_distribution(0.0, 1.0)(random)) / tries;
     sleep_for(moment);
     program.signal(i % 2 == 0 ? SIGINT : SIGTERM);
     const Run run = program.wait();
@@ -96,6 +95,7 @@ TEST_CASE("waiting for a silent pipe is stopped", "[faults]") {
       Program program({"simplify", "-", "-o", directory.file("out.ply"), how, how == "--cell" ? "0.1" : "50"},
                       {.in = "|"});
       program.write(bytes.substr(0, sent));
+      program.await_handlers();
       sleep_for(0.05);
       program.signal(sent == 0 ? SIGTERM : SIGINT);
       // The pipe stays open: it is the signal that ends the wait.
@@ -134,6 +134,7 @@ TEST_CASE("waiting for the other end of a named pipe is stopped", "[faults]") {
   for (const Words& arguments : {Words{"simplify", pipe, "-o", directory.file("out.ply"), "--cell", "0.1"},
                                  Words{"simplify", input, "-o", pipe, "--cell", "0.1"}}) {
     Program program(arguments);
+    program.await_handlers();
     sleep_for(0.1);
     REQUIRE(program.running());
     program.signal(SIGINT);
@@ -148,7 +149,8 @@ TEST_CASE("a second signal does no harm", "[faults]") {
   const std::string input = directory.file("scan.ply");
   generate("scan", 500'000, input);
   Program program({"simplify", input, "-o", directory.file("out.ply"), "--cell", "0.001"});
-  sleep_for(0.1);
+  program.await_handlers();
+  sleep_for(0.05);
   for (int i = 0; i < 20; ++i) ::kill(program.pid(), i % 2 == 0 ? SIGINT : SIGTERM);
   program.signal(SIGINT);
   check_stopped(program.wait());

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 
@@ -191,6 +192,20 @@ std::string Program::read(std::size_t most) {
 }
 std::string Program::read_err() {
   return read_some(err_, 1 << 16);
+}
+
+void Program::await_handlers() {
+  const double until = now() + 10 * patience;
+  while (now() < until && running()) {
+    std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
+    std::uint64_t caught = 0;
+    for (std::string word; status >> word;) {
+      if (word == "SigCgt:") status >> std::hex >> caught;
+    }
+    const auto catches = [&](int number) { return (caught >> (number - 1) & 1) != 0; };
+    if (catches(SIGINT) && catches(SIGTERM)) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 void Program::signal(int number) {

@@ -50,6 +50,8 @@ class Program {
   std::string read_err();
   void close_out();
 
+  // Until it has set its handlers: before, a signal ends it as it ends any program.
+  void await_handlers();
   void signal(int number);  // Run::seconds counts from here
   [[nodiscard]] bool running();
   [[nodiscard]] pid_t pid() const { return pid_; }

@@ -118,11 +118,15 @@ void sort_out(std::size_t from, std::size_t n, CornerSums& out) {
     const std::int64_t bc = (bx ^ cx) | (by ^ cy) | (bz ^ cz);
     // Outside of the lattice, and where there is no number, bits above the 43 of a place are set.
     const std::int64_t any = (ax | ay | az) | (bx | by | bz) | (cx | cy | cz);
-    const std::int64_t inside = ((ab | ac) & ~fraction_mask) == 0 ? one_cell : several_cells;
+    const std::int64_t alone_or_three = (ac & ~fraction_mask) == 0   ? alone_b
+                                        : (bc & ~fraction_mask) == 0 ? alone_a
+                                                                     : three_cells;
+    const std::int64_t with_c = (ac & ~fraction_mask) == 0 ? one_cell : alone_c;
+    const std::int64_t cells = (ab & ~fraction_mask) == 0 ? with_c : alone_or_three;
     const std::int64_t apart = ab == 0   ? close_corners
                                : ac == 0 ? close_corners
                                : bc == 0 ? close_corners
-                                         : inside;
+                                         : cells;
     out.kind[i] = (any & ~((std::int64_t{1} << 43) - 1)) != 0 ? outside : apart;
   }
 }

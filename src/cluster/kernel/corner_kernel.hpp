@@ -26,9 +26,13 @@ inline constexpr std::size_t kernel_capacity = 128;  // faces; that of FaceBatch
 
 enum FaceKind : std::int64_t {
   one_cell = 0,  // all corners in one cell
-  several_cells = 1,
-  close_corners = 2,  // two corners at the same place of the lattice; maybe at the same position
-  outside = 3,        // a corner that is not finite, or outside of the lattice
+  // One corner in a cell, the other two in another: 1 + the corner that is alone.
+  alone_a = 1,
+  alone_b = 2,
+  alone_c = 3,
+  three_cells = 4,
+  close_corners = 5,  // two corners at the same place of the lattice; maybe at the same position
+  outside = 6,        // a corner that is not finite, or outside of the lattice
 };
 
 // Arrays side by side, indexed by face. `[corner]` and `[axis]` come before it.
@@ -38,7 +42,7 @@ struct CornerSums {
   alignas(64) std::int64_t kind[kernel_capacity];         // FaceKind
   alignas(64) std::int32_t weight[3][kernel_capacity];
   alignas(64) std::int32_t normal[3][kernel_capacity];  // unit normal times 2^20; 0 without area
-  // Sums over the three corners, for faces of one cell.
+  // Sums over the three corners.
   alignas(64) std::int64_t total_weight[kernel_capacity];
   alignas(64) std::int64_t total_position[3][kernel_capacity];
   alignas(64) std::int64_t total_normal[3][kernel_capacity];
@@ -48,7 +52,7 @@ struct CornerSums {
   alignas(64) std::int32_t squares[5][kernel_capacity];  // nx nx, nx ny, nx nz, ny ny, ny nz, times 2^20
   alignas(
       64) std::int32_t moment[3][3][kernel_capacity];  // [corner][axis]: distance times normal, times 2^20
-  // Sums over the three corners, for faces of one cell.
+  // Sums over the three corners.
   alignas(64) std::int64_t total_squares[5][kernel_capacity];
   alignas(64) std::int64_t total_moment[3][kernel_capacity];
 };
