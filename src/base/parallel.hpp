@@ -29,8 +29,18 @@ class TaskOrder {
  private:
   static inline std::atomic<unsigned> tasks_{0};
 };
+
+// Around a call that runs tasks, however it ends.
+class CallOrder {
+ public:
+  CallOrder() { TaskOrder(); }
+  ~CallOrder() { TaskOrder(); }
+  CallOrder(const CallOrder&) = delete;
+  CallOrder& operator=(const CallOrder&) = delete;
+};
 #else
 struct TaskOrder {};
+struct CallOrder {};
 #endif
 
 // What travels through a pipeline, owned outside of it: a pipeline that ends with an exception drops its
@@ -67,9 +77,8 @@ void parallel_for(std::size_t count, const Work& work) {
     [[maybe_unused]] const TaskOrder order;
     work(i);
   };
-  { [[maybe_unused]] const TaskOrder before; }
+  [[maybe_unused]] const CallOrder order;
   tbb::parallel_for(std::size_t{0}, count, task);
-  { [[maybe_unused]] const TaskOrder after; }
 }
 
 // Steps of a pipeline, joined by `&`: one item at a time and in order, or several at once.
@@ -83,9 +92,8 @@ tbb::filter<In, Out> step(tbb::filter_mode mode, Work work) {
 
 // Runs the steps with at most `items` items on their way.
 inline void run_pipeline(std::size_t items, const tbb::filter<void, void>& steps) {
-  { [[maybe_unused]] const TaskOrder before; }
+  [[maybe_unused]] const CallOrder order;
   tbb::parallel_pipeline(items, steps);
-  { [[maybe_unused]] const TaskOrder after; }
 }
 
 // fill(item), in order, one at a time, until it says false; then work(item), several at once.

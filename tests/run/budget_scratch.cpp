@@ -24,7 +24,7 @@ TEST_CASE("the worst case for scratch is within the prediction", "[budget]") {
   const Directory directory;
   // No shared corners: cells far below the edge length, faces in a scattered order.
   const std::string soup = directory.file("soup.stl");
-  generate("scan", 500'000, soup, {"--shuffle"});
+  generate("scan", 500'000, soup, {.shuffle = true});
   for (const char* placement : {"mean", "quadric"}) {
     const Words options{"--cell", "0.00001", "--threads", "2", "--placement", placement};
     check_scratch(directory, soup, options + Words{"--memory", smallest_memory(soup, options)});

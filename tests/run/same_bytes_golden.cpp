@@ -22,11 +22,11 @@ std::map<std::string, std::string> current() {
   for (const char* surface : {"scan", "terrain", "part"}) {
     for (const char* format : {".ply", ".stl"}) {
       const std::string name = std::string(surface) + format;
-      generate(surface, 30'000, inputs[name] = directory.file(name), {"--seed", "7"});
+      generate(surface, 30'000, inputs[name] = directory.file(name), {.seed = 7});
     }
   }
   generate("terrain", 30'000, inputs["far.ply"] = directory.file("far.ply"),
-           {"--offset", "431000,5412000,300"});
+           {.offset = {431000, 5412000, 300}});
   for (const char* name : {"whale_cranium.ply.zst", "white_mountains.ply.zst"}) {
     inputs[name] = std::string(WINNOW_TEST_DATA) + "/" + name;
   }

@@ -9,7 +9,7 @@ TEST_CASE("the same bytes from faces in a scattered order", "[same_bytes]") {
     const std::string coherent = directory.file(std::string(surface) + ".ply");
     const std::string shuffled = directory.file(std::string(surface) + "-shuffled.ply");
     generate(surface, 60'000, coherent);
-    generate(surface, 60'000, shuffled, {"--shuffle"});
+    generate(surface, 60'000, shuffled, {.shuffle = true});
     REQUIRE(hash_of_file(shuffled) != hash_of_file(coherent));
     // Cells of many faces, and cells so small that the smallest budget spills.
     for (const char* cell : {"0.3", "0.004"}) {

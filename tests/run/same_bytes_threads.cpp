@@ -28,14 +28,14 @@ void compare_threads(const std::string& format) {
 
 }  // namespace
 
-TEST_CASE("the same bytes with 1 2 and 4 threads from PLY", "[same_bytes][threads]") {
+TEST_CASE("the same bytes with 1 2 and 4 threads from PLY", "[same_bytes]") {
   compare_threads("ply");
 }
-TEST_CASE("the same bytes with 1 2 and 4 threads from STL", "[same_bytes][threads]") {
+TEST_CASE("the same bytes with 1 2 and 4 threads from STL", "[same_bytes]") {
   compare_threads("stl");
 }
 
-TEST_CASE("the same STL with 1 2 and 4 threads", "[same_bytes][threads]") {
+TEST_CASE("the same STL with 1 2 and 4 threads", "[same_bytes]") {
   const Directory directory;
   const std::string input = directory.file("part.ply");
   generate("part", 40'000, input);

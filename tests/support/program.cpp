@@ -268,10 +268,11 @@ Run winnow_ok(const std::vector<std::string>& arguments, const Setup& setup) {
 }
 
 void generate(const std::string& surface, std::uint64_t faces, const std::string& path,
-              const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"generate", surface, "--faces", std::to_string(faces), "-o", path, "-q"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  winnow_ok(arguments);
+              GenerateOptions options) {
+  options.surface = surface == "scan" ? Surface::scan : surface == "part" ? Surface::part : Surface::terrain;
+  options.faces = faces;
+  Context context;
+  winnow::generate(context, path, options);
 }
 
 }  // namespace winnow::test

@@ -1,6 +1,10 @@
 // The built program as a child process: what it reads and writes, how it ends, what it uses.
 #pragma once
 
+#include <winnow/generate.hpp>
+
+#include "support/sanitized.hpp"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -76,17 +80,8 @@ Run run_winnow(const std::vector<std::string>& arguments, const Setup& setup = {
 // The same, checked: it ended with 0.
 Run winnow_ok(const std::vector<std::string>& arguments, const Setup& setup = {});
 
-// A surface of `winnow generate`, written to `path`; more options behind.
+// A surface of `winnow generate`, by name, written to `path`.
 void generate(const std::string& surface, std::uint64_t faces, const std::string& path,
-              const std::vector<std::string>& more = {});
-
-// Every second that a promise speaks of; sanitizers slow everything down.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr double patience = 10;
-inline constexpr bool sanitized = true;
-#else
-inline constexpr double patience = 1;
-inline constexpr bool sanitized = false;
-#endif
+              GenerateOptions options = {});
 
 }  // namespace winnow::test
