@@ -8,11 +8,11 @@ namespace {
 void compare_budgets(const std::string& surface, const std::string& format, const std::string& output) {
   const Directory directory;
   const std::string input = directory.file(surface + "." + format);
-  generate(surface, 240'000, input);
+  generate(surface, 320'000, input);
   // Fine enough that the smallest budget holds neither all cells nor all faces.
   for (const Words& how :
        {Words{"--cell", "0.003", "--placement", "mean"}, Words{"--cell", "0.003", "--placement", "quadric"},
-        Words{"--grid", "600", "--placement", "quadric"}, Words{"--faces", "200k", "--placement", "quadric"},
+        Words{"--grid", "600", "--placement", "quadric"}, Words{"--faces", "250k", "--placement", "quadric"},
         Words{"--ratio", "80%", "--placement", "mean"}}) {
     const Words options = how + Words{"--threads", "2"};
     INFO(surface << "." << format << " " << joined(options));
