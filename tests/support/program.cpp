@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <thread>
@@ -196,15 +197,18 @@ std::string Program::read_err() {
 
 void Program::await_handlers() {
   const double until = now() + 10 * patience;
-  while (now() < until && running()) {
-    std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
+  const std::string process = "/proc/" + std::to_string(pid_);
+  std::error_code ignored;
+  for (; now() < until && running(); std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+    // Between fork and exec the handlers are those of the tests.
+    if (!std::filesystem::equivalent(process + "/exe", WINNOW_PROGRAM, ignored)) continue;
+    std::ifstream status(process + "/status");
     std::uint64_t caught = 0;
     for (std::string word; status >> word;) {
       if (word == "SigCgt:") status >> std::hex >> caught;
     }
     const auto catches = [&](int number) { return (caught >> (number - 1) & 1) != 0; };
     if (catches(SIGINT) && catches(SIGTERM)) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 
