@@ -75,6 +75,7 @@ TEST_CASE("faces and positions do not depend on how the bytes come", "[threads]"
   const std::string path = directory.file("mesh");
   int number = 0;
   for (const std::string& file : example_files()) {
+    if (test::sanitized && number++ % 3 != 0) continue;  // saves a minute
     test::write_file(path, file);
     const std::string packed = test::zstd_file(path);
     for (const Access access : {Access::once, Access::positions_first, Access::repeatedly}) {
@@ -94,7 +95,6 @@ TEST_CASE("faces and positions do not depend on how the bytes come", "[threads]"
       // A small memory for vertices makes them move to scratch, and mapped pages be dropped.
       for (const ReaderMemory& memory :
            {ReaderMemory{std::uint64_t{1} << 18, 600}, ReaderMemory{test::usual_vertex_memory, 8192}}) {
-        if (test::sanitized && memory.vertices == test::usual_vertex_memory) continue;  // saves a minute
         for (const bool map : {false, true}) {
           test::TestJob test({.map_input = map});
           same(map ? "mapped" : "read", read(test, path, access, memory));
@@ -108,7 +108,7 @@ TEST_CASE("faces and positions do not depend on how the bytes come", "[threads]"
         same("packed", read(test, packed, access, memory));
       }
     }
-    ++number;
+    if (!test::sanitized) ++number;
   }
 }
 
