@@ -6,6 +6,7 @@
 #include "io/compressed.hpp"
 #include "io/file_descriptor.hpp"
 #include "io/mapped_window.hpp"
+#include "io/read_ahead.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -44,7 +45,8 @@ class MappedSource final : public ByteSource {
         path_(path),
         keep_(std::move(keep)),
         file_(map_file(path)),
-        size_(size) {}
+        size_(size),
+        ahead_(file_.get_mapping_handle().handle, size) {}
 
   Block take(std::size_t bytes) override {
     const std::size_t wanted = std::min<std::uint64_t>(bytes, size_ - position_);
@@ -54,7 +56,7 @@ class MappedSource final : public ByteSource {
       window_.reset();
       window_ = std::make_shared<MappedWindow>(file_, position_, length);
       start_ = position_;
-      window_->read_ahead();
+      ahead_.reached(start_, start_ + length);
     }
     Block block{{window_->data() + (position_ - start_), wanted}, position_, window_, window_.get()};
     position_ += wanted;
@@ -65,7 +67,10 @@ class MappedSource final : public ByteSource {
   [[nodiscard]] std::uint64_t position() const override { return position_; }
   [[nodiscard]] std::optional<std::uint64_t> size() const override { return size_; }
   [[nodiscard]] bool seekable() const override { return true; }
-  void seek(std::uint64_t position) override { position_ = std::min(position, size_); }
+  void seek(std::uint64_t position) override {
+    position_ = std::min(position, size_);
+    ahead_.start_again();
+  }
   [[nodiscard]] std::string map_name() const override { return path_; }
 
   // The end of a page that the file shrank into reads as zeros and raises no signal: the size has to be
@@ -81,6 +86,7 @@ class MappedSource final : public ByteSource {
   std::shared_ptr<const void> keep_;
   boost::interprocess::file_mapping file_;
   std::uint64_t size_;
+  ReadAhead ahead_;
   std::uint64_t position_ = 0;
   std::uint64_t start_ = 0;
   std::shared_ptr<MappedWindow> window_;

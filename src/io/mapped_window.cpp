@@ -49,11 +49,6 @@ WholePages whole_pages(const void* address, std::size_t size) {
 }
 }  // namespace
 
-void MappedWindow::read_ahead() const {
-  const auto pages = whole_pages(region_.get_address(), region_.get_size());
-  ::madvise(pages.begin, pages.bytes, MADV_WILLNEED);
-}
-
 void MappedWindow::drop_pages() const {
   const auto pages = whole_pages(region_.get_address(), region_.get_size());
   ::madvise(pages.begin, pages.bytes, MADV_DONTNEED);

@@ -24,7 +24,6 @@ class MappedWindow {
   [[nodiscard]] const std::byte* data() const { return static_cast<const std::byte*>(region_.get_address()); }
   [[nodiscard]] std::size_t size() const { return region_.get_size(); }
 
-  void read_ahead() const;             // asks the system to fetch the pages
   void drop_pages() const;             // takes every page out of the resident set; they can be touched again
   [[nodiscard]] bool damaged() const;  // the file shrank under the window: what was read is not to be trusted
 

@@ -41,6 +41,7 @@ void VertexStore::open_mapping(const std::string& path, std::uint64_t offset, st
   file_ = std::make_unique<boost::interprocess::file_mapping>(map_file(path));
   window_ = std::make_unique<MappedWindow>(*file_, offset, bytes);
   file_offset_ = offset;
+  ahead_ = std::make_unique<ReadAhead>(file_->get_mapping_handle().handle, offset + bytes);
   watched_ = bytes > memory_limit_;
   resident_limit_ = std::min(bytes, memory_limit_);
   wake();
@@ -156,6 +157,8 @@ void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, Verte
                          std::size_t count, FaceBatch& out) const {
   if (count == 0) return;
   if (window_ == nullptr) return gather_mapped(kept_->data(), index, count, out);
+  ahead_->reached(file_offset_ + range.lowest * layout_.stride,
+                  file_offset_ + (range.highest + std::uint64_t{1}) * layout_.stride);
   if (watched_) {
     const std::uint64_t begin = range.lowest * layout_.stride;
     const std::uint64_t end = range.highest * layout_.stride + layout_.stride;
@@ -180,6 +183,7 @@ void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<
     base = kept_->data();
   } else {
     base = window_->data();
+    ahead_->reached(file_offset_ + begin, file_offset_ + end);
     if (watched_ && resident_.touch(begin, end) > memory_limit_ / 2) {
       const std::scoped_lock lock(dropping_);
       resident_.clear();
@@ -212,7 +216,9 @@ void VertexStore::rest() {
 }
 
 void VertexStore::wake() {
-  if (window_ == nullptr || reservation_) return;
+  if (window_ == nullptr) return;
+  ahead_->start_again();
+  if (reservation_) return;
   reservation_ = job_.budget.reserve(resident_limit_, "looking up vertices");
 }
 

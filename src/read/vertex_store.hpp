@@ -3,6 +3,7 @@
 
 #include "io/job.hpp"
 #include "io/mapped_window.hpp"
+#include "io/read_ahead.hpp"
 #include "io/spool.hpp"
 #include "read/face_batch.hpp"
 #include "read/ply_header.hpp"
@@ -92,7 +93,8 @@ class VertexStore {
   std::vector<std::byte> packed_;  // keep()'s own
   std::unique_ptr<boost::interprocess::file_mapping> file_;
   std::unique_ptr<MappedWindow> window_;
-  int fd_ = -1;  // of the mapped file, for lookups too scattered for a mapping
+  std::unique_ptr<ReadAhead> ahead_;  // of the mapped file
+  int fd_ = -1;                       // of the mapped file, for lookups too scattered for a mapping
   std::uint64_t file_offset_ = 0;
   std::uint64_t resident_limit_ = 0;
   Reservation reservation_;  // for the mapping's resident pages
