@@ -1,6 +1,7 @@
 // Small surfaces as triangles, turned outwards.
 #pragma once
 
+#include "base/vector.hpp"
 #include "cluster/grid.hpp"
 #include "support/random.hpp"
 
@@ -12,27 +13,6 @@
 
 namespace winnow::test {
 
-using Point = std::array<double, 3>;
-using Triangle = std::array<Point, 3>;
-
-inline Point operator+(const Point& a, const Point& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-inline Point operator-(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline Point operator*(double s, const Point& a) {
-  return {s * a[0], s * a[1], s * a[2]};
-}
-inline double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline double length(const Point& a) {
-  return std::sqrt(dot(a, a));
-}
-inline Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 inline Point area_vector(const Triangle& t) {
   return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
 }

@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
       "options of a command and examples.");
   winnow::cli::add_simplify(app);
   winnow::cli::add_info(app);
+  winnow::cli::add_compare(app);
   winnow::cli::add_generate(app);
 
   // A reader that goes away, and a file-size limit, are write errors like any other.

@@ -48,6 +48,7 @@ std::ostream& report_stream(const std::string& output);
 // One file a command.
 void add_simplify(CLI::App& app);
 void add_info(CLI::App& app);
+void add_compare(CLI::App& app);
 void add_generate(CLI::App& app);
 
 }  // namespace winnow::cli

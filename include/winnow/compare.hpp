@@ -1,0 +1,79 @@
+// How far a simplified mesh is from its original, and what is wrong with it.
+#pragma once
+
+#include <winnow/context.hpp>
+#include <winnow/simplify.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+struct CompareOptions {
+  std::uint64_t samples = 1'000'000;  // about so many points on each surface, evenly by area
+  std::string colored;                // a PLY of the simplified mesh coloured by its distance; empty: none
+  bool force = false;                 // replace an existing file
+  Format from_original = Format::automatic, from_simplified = Format::automatic;
+};
+
+// In model units.
+struct Distances {
+  double mean = 0, rms = 0;  // over the samples
+  double max = 0;            // over the samples and all vertices (one-sided Hausdorff distance of those)
+};
+
+struct CompareReport {
+  struct Mesh {
+    std::uint64_t faces = 0;       // good ones
+    BadFaces bad_faces;            // left out of everything else
+    double area = 0;               // model units squared
+    std::optional<double> volume;  // enclosed; absent where the surface is not closed
+    std::uint64_t samples = 0;
+  };
+  Mesh original, simplified;
+  double diagonal = 0;  // of the original's box, for percentages
+
+  Distances forward;    // from points of the original to the simplified surface
+  Distances backward;   // from points of the simplified mesh to the original surface
+  Distances symmetric;  // mean: of both means; rms: sqrt((forward^2 + backward^2) / 2); max: the larger
+  std::array<double, 3> worst{};  // where the largest distance was found
+
+  // Between the normal of the original at its samples and the normal of the nearest simplified face, degrees.
+  struct Normals {
+    double mean = 0, p95 = 0;  // p95 to a hundredth
+  } normal_deviation;
+
+  // Of the simplified mesh; vertices in the same place are one.
+  struct Topology {
+    std::uint64_t boundary_edges = 0, non_manifold_edges = 0;  // with one face; with more than two
+    std::uint64_t flipped = 0;     // opposed to the nearest original normal at four inner points
+    std::uint64_t degenerate = 0;  // a repeated corner, or no area
+    std::uint64_t duplicate = 0;   // the corners of an earlier face, in any order
+    std::uint64_t components = 0;
+  } topology;
+
+  // Smallest angle of each face, degrees, over faces that have an area.
+  struct Angles {
+    double min = 0, mean = 0;
+    double below_10 = 0;  // share of the faces with a smaller one, 0..1
+  } smallest_angles;
+
+  double area_change = 0;               // (simplified - original) / original
+  std::optional<double> volume_change;  // the same; absent unless both are closed
+  std::uint64_t peak_memory_bytes = 0;
+  double seconds = 0;
+  std::vector<std::string> notes;
+};
+
+// Compares in the manner of Metro (Cignoni, Rocchini, Scopigno 1998). `original` is streamed twice and may be
+// of any size; `simplified` must fit into the budget, with about 500 bytes a face. Either is a file's name;
+// one may be "-" for standard input, which is copied to scratch first. The report is the same for every
+// number of threads and every budget. Throws Error: usage, bad_input, resources (the message names a budget
+// that is enough), cancelled, failed.
+CompareReport compare(Context& context, const std::string& original, const std::string& simplified,
+                      const CompareOptions& options);
+
+}  // namespace winnow

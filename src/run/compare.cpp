@@ -1,0 +1,391 @@
+// How far two meshes lie apart: the simplified one in memory, the original streamed.
+#include <winnow/compare.hpp>
+#include <winnow/error.hpp>
+
+#include "base/growing_pages.hpp"
+#include "base/parallel.hpp"
+#include "base/per_slot.hpp"
+#include "base/text.hpp"
+#include "io/byte_sink.hpp"
+#include "measure/distance_sums.hpp"
+#include "measure/edge_count.hpp"
+#include "measure/nearest_points.hpp"
+#include "measure/normal_deviation.hpp"
+#include "measure/surface_sampler.hpp"
+#include "measure/surface_totals.hpp"
+#include "measure/surface_tree.hpp"
+#include "measure/welded_mesh.hpp"
+#include "read/for_each_batch.hpp"
+#include "read/mesh_reader.hpp"
+#include "run/arena.hpp"
+#include "write/colored_ply.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <mutex>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
+constexpr std::size_t batch_faces = 2048;
+
+// Blocks in flight, sums and recent vertices of each thread, Embree itself.
+std::uint64_t fixed_memory(unsigned threads) {
+  return 14 * mebibyte + threads * (2 * mebibyte + batches_in_flight(1) * batch_faces * 72);
+}
+
+// The least that an original is compared with at once.
+constexpr std::uint64_t smallest_chunk_faces = 64 * 1024;
+constexpr std::uint64_t bytes_a_chunk_face = sizeof(NumberedFace) + SurfaceTree::bytes_a_face;
+
+std::uint64_t bytes_a_simplified_face() {
+  return sizeof(NumberedFace) + SurfaceTree::bytes_a_face + WeldedMesh::bytes_a_face +
+         NearestPoints::bytes_a_face;
+}
+
+// Faces that come from any thread, kept side by side; in the order of their numbers once sorted.
+class FaceStore {
+ public:
+  FaceStore(Budget& budget, std::uint64_t faces) : pages_(budget, faces * sizeof(NumberedFace)) {}
+
+  // False where there is no more room.
+  bool add(std::span<const NumberedFace> faces) {
+    const std::scoped_lock lock(mutex_);
+    if (!pages_.grow_to((count_ + faces.size()) * sizeof(NumberedFace))) return false;
+    std::copy(faces.begin(), faces.end(), reinterpret_cast<NumberedFace*>(pages_.data()) + count_);
+    count_ += faces.size();
+    return true;
+  }
+
+  void sort(Job& job) {
+    const std::span<NumberedFace> all = span();
+    std::sort(all.begin(), all.end(),
+              job.progress.cancellable(
+                  [](const NumberedFace& a, const NumberedFace& b) { return a.number < b.number; }));
+  }
+
+  [[nodiscard]] std::span<NumberedFace> span() const {
+    return {reinterpret_cast<NumberedFace*>(pages_.data()), count_};
+  }
+  [[nodiscard]] std::size_t size() const { return count_; }
+  void clear() { count_ = 0; }
+
+ private:
+  std::mutex mutex_;
+  GrowingPages pages_;
+  std::size_t count_ = 0;
+};
+
+// What every face goes through first; `each` gets the good ones of a batch.
+class FaceIntake {
+ public:
+  FaceIntake(Job& job, const Point& origin)
+      : parts_(job.threads, [origin] { return std::make_unique<Part>(origin); }), all_(origin) {}
+
+  template <typename Each>
+  void add(const FaceBatch& faces, const Each& each) {
+    Part& part = parts_.local();
+    std::array<NumberedFace, FaceBatch::capacity> good;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < faces.count; ++i) {
+      if (const auto face = good_face(faces, i)) {
+        part.totals.add(*face);
+        good[count++] = {*face, faces.first + i};
+      } else {
+        count_bad(faces, i, part.bad);
+      }
+    }
+    each(std::span<const NumberedFace>(good.data(), count));
+  }
+
+  void finish() {
+    for (const Part* part : parts_.all()) {
+      all_.totals.merge(part->totals);
+      all_.bad.degenerate += part->bad.degenerate;
+      all_.bad.non_finite += part->bad.non_finite;
+      all_.bad.out_of_range += part->bad.out_of_range;
+    }
+  }
+
+  [[nodiscard]] const SurfaceTotals& totals() const { return all_.totals; }
+
+  void report(CompareReport::Mesh& mesh) const {
+    mesh.faces = all_.totals.faces();
+    mesh.bad_faces = all_.bad;
+    mesh.area = all_.totals.area();
+    if (all_.totals.closed()) mesh.volume = all_.totals.volume();
+  }
+
+ private:
+  struct Part {
+    explicit Part(const Point& origin) : totals(origin) {}
+    SurfaceTotals totals;
+    BadFaces bad;
+  };
+
+  static void count_bad(const FaceBatch& faces, std::size_t i, BadFaces& bad) {
+    if (faces.status[i] == FaceStatus::out_of_range) {
+      ++bad.out_of_range;
+    } else if (faces.status[i] == FaceStatus::good &&
+               !(finite(faces.corner(0, i)) && finite(faces.corner(1, i)) && finite(faces.corner(2, i)))) {
+      ++bad.non_finite;
+    } else {
+      ++bad.degenerate;
+    }
+  }
+
+  PerSlot<Part> parts_;
+  Part all_;
+};
+
+// From points of the original to the simplified surface.
+class ForwardDistances {
+ public:
+  ForwardDistances(Job& job, const SurfaceTree& tree, const SurfaceSampler& sampler)
+      : tree_(tree), sampler_(sampler), parts_(job.threads, [] { return std::make_unique<Part>(); }) {}
+
+  void add(std::span<const NumberedFace> faces) {
+    Part& part = parts_.local();
+    for (const NumberedFace& face : faces) {
+      const Point normal = doubled_area(face.corner);
+      const std::uint64_t samples = sampler_.count(face.number, length(normal) / 2);
+      for (std::uint64_t k = 0; k < samples; ++k) {
+        const Point point = SurfaceSampler::point(face.number, k, face.corner);
+        NearestFace nearest = guess(part, point);
+        tree_.search(point, nearest);
+        part.last = nearest.face;
+        part.sums.add(nearest.squared, point);
+        part.normals.add(normal, doubled_area(nearest.face->corner));
+      }
+      for (const Point& corner : face.corner) add_vertex(part, corner);
+    }
+  }
+
+  void finish(CompareReport& report, DistanceSums& sums) {
+    NormalDeviation normals;
+    for (const Part* part : parts_.all()) {
+      sums.merge(part->sums);
+      normals.merge(part->normals);
+    }
+    report.forward = sums.distances();
+    report.original.samples = sums.samples();
+    report.normal_deviation = normals.result();
+  }
+
+ private:
+  static constexpr unsigned recent_bits = 12;
+
+  struct Part {
+    Part() : recent(std::size_t{1} << recent_bits, Point{NAN, NAN, NAN}) {}
+    DistanceSums sums;
+    NormalDeviation normals;
+    const NumberedFace* last = nullptr;
+    std::vector<Point> recent;  // vertices that were just looked at: neighbouring faces share them
+  };
+
+  // A search that begins with a near face is short.
+  static NearestFace guess(const Part& part, const Point& point) {
+    return part.last == nullptr ? NearestFace{} : distance_to(*part.last, point);
+  }
+
+  // Vertices count for the maximum alone, so one that is nearer than the farthest so far need not be exact.
+  void add_vertex(Part& part, const Point& point) {
+    Point& recent = part.recent[quick_hash(EdgeCount::hash_position(point)) >> (64 - recent_bits)];
+    if (recent == point) return;
+    recent = point;
+    const double enough = part.sums.largest_squared();
+    NearestFace nearest = guess(part, point);
+    if (nearest.squared < enough) return;
+    tree_.search(point, nearest, enough);
+    part.last = nearest.face;
+    part.sums.add_to_maximum(nearest.squared, point);
+  }
+
+  const SurfaceTree& tree_;
+  const SurfaceSampler& sampler_;
+  PerSlot<Part> parts_;
+};
+
+class Comparison {
+ public:
+  Comparison(Job& job, const CompareOptions& options)
+      : job_(job),
+        options_(options),
+        fixed_(job.budget.reserve(fixed_memory(job.threads), "working threads")) {}
+
+  CompareReport run(const std::string& original, const std::string& simplified) {
+    read_simplified(simplified);
+    const WeldedMesh mesh(job_, simplified_->span());
+    report_.topology = mesh.topology();
+    report_.topology.degenerate += report_.simplified.bad_faces.degenerate;
+    report_.smallest_angles = mesh.smallest_angles();
+    const SurfaceTree tree(job_, simplified_->span());
+
+    const double density = density_for(report_.simplified.area);
+    NearestPoints points(job_, simplified_->span(), mesh.vertices(), SurfaceSampler(density));
+    compare_with(original, tree, points);
+
+    points.finish(report_, backward_);
+    combine();
+    if (sink_ != nullptr) {
+      write_colored_ply(job_, mesh.vertices(), mesh.faces(), points.vertex_distances(), *sink_);
+      sink_->finish();
+    }
+    return report_;
+  }
+
+ private:
+  void read_simplified(const std::string& name) {
+    if (!options_.colored.empty()) sink_ = std::make_unique<ByteSink>(job_, options_.colored, options_.force);
+    const std::unique_ptr<MeshReader> reader =
+        open_reader(job_, open_source(job_, name), options_.from_simplified, Access::once,
+                    {job_.budget.left() / 8, batch_faces});
+    if (reader->facts().faces) check_room(*reader->facts().faces);
+    simplified_ = std::make_unique<FaceStore>(job_.budget, job_.budget.left() / sizeof(NumberedFace));
+    FaceIntake intake(job_, reader->first_finite_position().value_or(Point{}));
+    job_.progress.begin("read the simplified mesh", reader->facts().faces.value_or(0), "faces");
+    reader->begin_faces();
+    for_each_face_batch(job_, *reader,
+                        [&](const FaceBatch& faces) {
+                          intake.add(faces, [&](std::span<const NumberedFace> good) {
+                            if (!simplified_->add(good)) refuse(2 * simplified_->size());
+                          });
+                        },
+                        {});
+    intake.finish();
+    intake.report(report_.simplified);
+    if (simplified_->size() == 0)
+      throw Error(ErrorKind::bad_input, "'" + name + "' has no face that could be compared");
+    check_room(simplified_->size());
+    simplified_->sort(job_);
+  }
+
+  // Everything that comes later, before it is too late to say so at once.
+  void check_room(std::uint64_t faces) const {
+    if (needed_for(faces) > job_.budget.total()) refuse(faces);
+  }
+
+  [[nodiscard]] std::uint64_t needed_for(std::uint64_t faces) const {
+    return fixed_.bytes() + faces * bytes_a_simplified_face() + options_.samples * sizeof(double) +
+           smallest_chunk_faces * bytes_a_chunk_face * 2 + 8 * mebibyte;
+  }
+
+  [[noreturn]] void refuse(std::uint64_t faces) const {
+    throw Error(ErrorKind::resources,
+                "a memory budget of " + human_bytes(job_.budget.total()) +
+                    " is too small to compare with a mesh of " + grouped(faces) +
+                    " faces; enough is --memory " +
+                    size_option((needed_for(faces) + mebibyte - 1) / mebibyte * mebibyte));
+  }
+
+  [[nodiscard]] double density_for(double area) const {
+    return area > 0 ? static_cast<double>(options_.samples) / area : 0;
+  }
+
+  void compare_with(const std::string& name, const SurfaceTree& tree, NearestPoints& points) {
+    const std::uint64_t left = job_.budget.left();
+    const std::unique_ptr<MeshReader> reader = open_reader(
+        job_, open_source(job_, name), options_.from_original, Access::repeatedly, {left / 4, batch_faces});
+    const std::uint64_t capacity = (job_.budget.left() - left / 4) / bytes_a_chunk_face;
+    FaceStore chunk(job_.budget, capacity);
+
+    // A first pass for what the samples hang on; of a large original it also takes a few faces everywhere, as
+    // points whose distance is nearly known are passed over quickly by most of what comes later.
+    FaceIntake intake(job_, reader->first_finite_position().value_or(Point{}));
+    const std::uint64_t known = reader->facts().faces.value_or(UINT64_MAX);
+    const bool whole = known <= capacity;
+    const std::uint64_t step =
+        known == UINT64_MAX ? 64 : std::max<std::uint64_t>(2, 2 * (known / capacity + 1));
+    job_.progress.begin("measure the original", reader->facts().faces.value_or(0), "faces");
+    reader->begin_faces();
+    for_each_face_batch(job_, *reader,
+                        [&](const FaceBatch& faces) {
+                          intake.add(faces, [&](std::span<const NumberedFace> good) {
+                            if (!whole) take_some(good, step, chunk);
+                          });
+                        },
+                        {});
+    intake.finish();
+    intake.report(report_.original);
+    report_.diagonal = intake.totals().diagonal();
+    if (report_.original.faces == 0)
+      throw Error(ErrorKind::bad_input, "'" + name + "' has no face that could be compared");
+    if (chunk.size() > 0) points.approach(chunk.span());
+    chunk.clear();
+
+    const SurfaceSampler sampler(density_for(report_.original.area));
+    ForwardDistances forward(job_, tree, sampler);
+    job_.progress.begin("compare", report_.original.faces, "faces");
+    reader->begin_faces();
+    const std::uint64_t in_flight = batches_in_flight(job_.threads) * batch_faces;
+    const auto full = [&] { return chunk.size() + in_flight > capacity; };
+    for (bool more = true; more;) {
+      more = for_each_face_batch(
+          job_, *reader,
+          [&](const FaceBatch& faces) {
+            std::array<NumberedFace, FaceBatch::capacity> good;
+            std::size_t count = 0;
+            for (std::size_t i = 0; i < faces.count; ++i) {
+              if (const auto face = good_face(faces, i)) good[count++] = {*face, faces.first + i};
+            }
+            const std::span<const NumberedFace> all(good.data(), count);
+            forward.add(all);
+            if (!chunk.add(all)) refuse(simplified_->size());
+          },
+          full);
+      points.approach(chunk.span());
+      chunk.clear();
+    }
+    forward.finish(report_, forward_);
+  }
+
+  static void take_some(std::span<const NumberedFace> faces, std::uint64_t step, FaceStore& store) {
+    for (const NumberedFace& face : faces) {
+      // Where there is no more room, fewer are enough.
+      if (mixed_hash(face.number) % step == 0 && !store.add({&face, 1})) return;
+    }
+  }
+
+  void combine() {
+    const Distances& f = report_.forward;
+    const Distances& b = report_.backward;
+    report_.symmetric = {(f.mean + b.mean) / 2, std::sqrt((f.rms * f.rms + b.rms * b.rms) / 2),
+                         std::max(f.max, b.max)};
+    report_.worst = f.max >= b.max ? forward_.worst() : backward_.worst();
+    if (report_.original.area > 0) {
+      report_.area_change = (report_.simplified.area - report_.original.area) / report_.original.area;
+    }
+    if (report_.original.volume && report_.simplified.volume && *report_.original.volume != 0) {
+      report_.volume_change =
+          (*report_.simplified.volume - *report_.original.volume) / std::abs(*report_.original.volume);
+    }
+  }
+
+  Job& job_;
+  const CompareOptions& options_;
+  Reservation fixed_;
+  std::unique_ptr<ByteSink> sink_;
+  std::unique_ptr<FaceStore> simplified_;
+  DistanceSums forward_, backward_;
+  CompareReport report_;
+};
+
+}  // namespace
+
+CompareReport compare(Context& context, const std::string& original, const std::string& simplified,
+                      const CompareOptions& options) {
+  if (original == "-" && simplified == "-")
+    throw Error(ErrorKind::usage, "only one of the two meshes can come from standard input");
+  const Stopwatch watch;
+  Job job(context);
+  CompareReport report = in_arena(job, [&] { return Comparison(job, options).run(original, simplified); });
+  report.notes = job.notes;
+  report.peak_memory_bytes = peak_resident_bytes();
+  report.seconds = watch.seconds();
+  return report;
+}
+
+}  // namespace winnow

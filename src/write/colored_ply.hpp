@@ -1,0 +1,23 @@
+// A mesh in memory as a PLY with a colour and a number at each vertex.
+#pragma once
+
+#include "base/vector.hpp"
+#include "io/byte_sink.hpp"
+#include "io/job.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace winnow {
+
+// Blue for nothing over green and yellow to red for `most` and more.
+std::array<std::uint8_t, 3> heat_color(double value, double most);
+
+// Distances by their squares. Each vertex carries its distance as `quality`, which MeshLab and others show,
+// and as its colour: red is three times the root mean square.
+void write_colored_ply(Job& job, std::span<const Point> vertices,
+                       std::span<const std::array<std::uint32_t, 3>> faces,
+                       std::span<const double> squared_distances, ByteSink& sink);
+
+}  // namespace winnow

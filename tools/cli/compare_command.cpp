@@ -1,0 +1,185 @@
+#include <winnow/compare.hpp>
+
+#include "numbers.hpp"
+#include "program.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+namespace winnow::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  std::string original, simplified, colored;
+  std::string samples = "1M";
+  bool force = false;
+  CommonOptions common;
+};
+
+Json json_of(const CompareReport::Mesh& mesh) {
+  return {{"faces", mesh.faces},
+          {"bad_faces",
+           {{"degenerate", mesh.bad_faces.degenerate},
+            {"non_finite", mesh.bad_faces.non_finite},
+            {"out_of_range", mesh.bad_faces.out_of_range}}},
+          {"area", mesh.area},
+          {"volume", mesh.volume ? Json(*mesh.volume) : Json(nullptr)},
+          {"samples", mesh.samples}};
+}
+
+double percent(double length, const CompareReport& report) {
+  return report.diagonal > 0 ? 100 * length / report.diagonal : 0;
+}
+
+Json json_of(const CompareReport& report) {
+  const auto distances = [&](const Distances& d) {
+    return Json{{"mean", d.mean},
+                {"rms", d.rms},
+                {"max", d.max},
+                {"mean_percent", percent(d.mean, report)},
+                {"rms_percent", percent(d.rms, report)},
+                {"max_percent", percent(d.max, report)}};
+  };
+  const auto& topology = report.topology;
+  return {
+      {"original", json_of(report.original)},
+      {"simplified", json_of(report.simplified)},
+      {"diagonal", report.diagonal},
+      {"distance",
+       {{"forward", distances(report.forward)},
+        {"backward", distances(report.backward)},
+        {"symmetric", distances(report.symmetric)},
+        {"worst", {{"x", report.worst[0]}, {"y", report.worst[1]}, {"z", report.worst[2]}}}}},
+      {"normal_deviation", {{"mean", report.normal_deviation.mean}, {"p95", report.normal_deviation.p95}}},
+      {"topology",
+       {{"boundary_edges", topology.boundary_edges},
+        {"non_manifold_edges", topology.non_manifold_edges},
+        {"flipped", topology.flipped},
+        {"degenerate", topology.degenerate},
+        {"duplicate", topology.duplicate},
+        {"components", topology.components}}},
+      {"smallest_angles",
+       {{"min", report.smallest_angles.min},
+        {"mean", report.smallest_angles.mean},
+        {"below_10", report.smallest_angles.below_10}}},
+      {"area_change", report.area_change},
+      {"volume_change", report.volume_change ? Json(*report.volume_change) : Json(nullptr)},
+      {"peak_memory_bytes", report.peak_memory_bytes},
+      {"seconds", report.seconds},
+      {"notes", report.notes}};
+}
+
+std::string fixed(double value, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+void show(const CompareReport& report, std::ostream& out) {
+  const auto line = [&](const char* name, const std::string& text) {
+    out << "  " << name << std::string(14 - std::string_view(name).size(), ' ') << text << "\n";
+  };
+  const auto distances = [&](const char* name, const Distances& d) {
+    const auto one = [&](double length) {
+      std::array<char, 64> text{};
+      std::snprintf(text.data(), text.size(), "%12s %8.4f %%", show_length(length).c_str(),
+                    percent(length, report));
+      return std::string(text.data());
+    };
+    line(name, one(d.mean) + one(d.rms) + one(d.max));
+  };
+  line("faces", show_count(report.original.faces) + " -> " + show_count(report.simplified.faces) + "  (" +
+                    fixed(100 * static_cast<double>(report.simplified.faces) /
+                              static_cast<double>(report.original.faces),
+                          2) +
+                    " %)");
+  line("distance", "        mean of diagonal          rms of diagonal          max of diagonal");
+  distances("  forward", report.forward);
+  distances("  backward", report.backward);
+  distances("  symmetric", report.symmetric);
+  line("  worst at", show_length(report.worst[0]) + " " + show_length(report.worst[1]) + " " +
+                         show_length(report.worst[2]));
+  line("normals", "differ by " + fixed(report.normal_deviation.mean, 2) +
+                      " degrees in the mean, 95 of 100 by up to " + fixed(report.normal_deviation.p95, 2));
+  const auto change = [](double part) { return (part < 0 ? "" : "+") + fixed(100 * part, 3) + " %"; };
+  line("area", change(report.area_change));
+  line("volume", report.volume_change ? change(*report.volume_change) : "not compared: not both are closed");
+  const auto& t = report.topology;
+  line("edges",
+       show_count(t.boundary_edges) + " boundary, " + show_count(t.non_manifold_edges) + " non-manifold");
+  line("faces", show_count(t.flipped) + " flipped, " + show_count(t.degenerate) + " degenerate, " +
+                    show_count(t.duplicate) + " duplicate");
+  line("components", show_count(t.components));
+  line("angles", "smallest of each face: " + fixed(report.smallest_angles.mean, 1) +
+                     " degrees in the mean, " + fixed(report.smallest_angles.min, 2) + " at least, " +
+                     fixed(100 * report.smallest_angles.below_10, 2) + " % of the faces below 10");
+  const std::uint64_t bad = report.original.bad_faces.total() + report.simplified.bad_faces.total();
+  if (bad > 0) {
+    line("left out", show_count(report.original.bad_faces.total()) + " bad faces of the original, " +
+                         show_count(report.simplified.bad_faces.total()) + " of the simplified mesh");
+  }
+  line("time", show_seconds(report.seconds) + ", peak memory " + show_bytes(report.peak_memory_bytes));
+  for (const std::string& note : report.notes) line("note", note);
+}
+
+void run(const Arguments& arguments) {
+  CompareOptions options;
+  options.samples = parse_count("--samples", arguments.samples);
+  options.colored = arguments.colored;
+  options.force = arguments.force;
+  Context context;
+  prepare(context, arguments.common, arguments.colored.empty() ? "-" : arguments.colored);
+  CompareReport report;
+  {
+    const ProgressBar bar(context, arguments.common);
+    report = compare(context, arguments.original, arguments.simplified, options);
+  }
+  std::ostream& out = report_stream(arguments.colored);
+  if (arguments.common.json) {
+    out << json_of(report).dump(2) << "\n";
+  } else if (!arguments.common.quiet) {
+    show(report, out);
+  }
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("compare", "Measure how far a simplified mesh is from its original");
+  command->add_option("original", arguments->original, "Of any size: it is streamed; - is standard input")
+      ->required()
+      ->type_name("ORIGINAL");
+  command->add_option("simplified", arguments->simplified, "Must fit into --memory, with 500 bytes a face")
+      ->required()
+      ->type_name("SIMPLIFIED");
+  command
+      ->add_option("--samples", arguments->samples,
+                   "Points on each surface, evenly by area; all vertices count for the maximum besides")
+      ->capture_default_str()
+      ->type_name("N");
+  command
+      ->add_option("--colored", arguments->colored,
+                   "Write the simplified mesh, coloured by its distance and with it as 'quality'")
+      ->type_name("FILE.ply");
+  command->add_flag("--force", arguments->force, "Replace an existing file");
+  arguments->common.add_to(*command, true);
+  command->footer(
+      "Distances are from points of one surface to the nearest of the other: forward from the original to "
+      "the\n"
+      "simplified mesh, backward the other way.\n"
+      "Examples:\n"
+      "  winnow compare scan.ply small.ply\n"
+      "  winnow compare scan.ply small.ply --json --samples 10M\n"
+      "  winnow compare scan.ply small.ply --colored distances.ply");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace winnow::cli
