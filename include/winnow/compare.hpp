@@ -15,7 +15,8 @@ namespace winnow {
 struct CompareOptions {
   std::uint64_t samples = 1'000'000;  // about so many points on each surface, evenly by area
   std::string colored;                // a PLY of the simplified mesh coloured by its distance; empty: none
-  bool force = false;                 // replace an existing file
+  std::string picture;  // a PNG: original left, simplified right, coloured by distance; empty: none
+  bool force = false;   // replace existing files
   Format from_original = Format::automatic, from_simplified = Format::automatic;
 };
 

@@ -15,6 +15,7 @@
 #include "measure/surface_totals.hpp"
 #include "measure/surface_tree.hpp"
 #include "measure/welded_mesh.hpp"
+#include "picture/surface_view.hpp"
 #include "read/for_each_batch.hpp"
 #include "read/mesh_reader.hpp"
 #include "run/arena.hpp"
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <mutex>
 
 namespace winnow {
@@ -44,6 +46,17 @@ constexpr std::uint64_t bytes_a_chunk_face = sizeof(NumberedFace) + SurfaceTree:
 std::uint64_t bytes_a_simplified_face() {
   return sizeof(NumberedFace) + SurfaceTree::bytes_a_face + WeldedMesh::bytes_a_face +
          NearestPoints::bytes_a_face;
+}
+
+constexpr std::size_t view_pixels = 720;
+constexpr std::size_t picture_width = 2 * view_pixels;
+constexpr std::size_t picture_height = view_pixels + 50;
+
+// Three digits, for a scale.
+std::string significant(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
 }
 
 // Faces that come from any thread, kept side by side; in the order of their numbers once sorted.
@@ -230,6 +243,7 @@ class Comparison {
 
     points.finish(report_, backward_);
     combine();
+    if (picture_ != nullptr) draw_picture(tree, mesh, points.vertex_distances());
     if (sink_ != nullptr) {
       write_colored_ply(job_, mesh.vertices(), mesh.faces(), points.vertex_distances(), *sink_);
       sink_->finish();
@@ -239,6 +253,10 @@ class Comparison {
 
  private:
   void read_simplified(const std::string& name) {
+    if (!options_.picture.empty()) {
+      picture_ = std::make_unique<ByteSink>(job_, options_.picture, options_.force);
+      views_memory_ = job_.budget.reserve(picture_memory(), "the picture");
+    }
     if (!options_.colored.empty()) sink_ = std::make_unique<ByteSink>(job_, options_.colored, options_.force);
     const std::unique_ptr<MeshReader> reader =
         open_reader(job_, open_source(job_, name), options_.from_simplified, Access::once,
@@ -269,8 +287,8 @@ class Comparison {
   }
 
   [[nodiscard]] std::uint64_t needed_for(std::uint64_t faces) const {
-    return fixed_.bytes() + faces * bytes_a_simplified_face() + options_.samples * sizeof(double) +
-           smallest_chunk_faces * bytes_a_chunk_face * 2 + 8 * mebibyte;
+    return fixed_.bytes() + views_memory_.bytes() + faces * bytes_a_simplified_face() +
+           options_.samples * sizeof(double) + smallest_chunk_faces * bytes_a_chunk_face * 2 + 8 * mebibyte;
   }
 
   [[noreturn]] void refuse(std::uint64_t faces) const {
@@ -313,6 +331,11 @@ class Comparison {
     report_.diagonal = intake.totals().diagonal();
     if (report_.original.faces == 0)
       throw Error(ErrorKind::bad_input, "'" + name + "' has no face that could be compared");
+    if (picture_ != nullptr) {
+      const auto [low, high] = std::pair(intake.totals().low(), intake.totals().high());
+      original_view_ = std::make_unique<SurfaceView>(low, high, view_pixels);
+      simplified_view_ = std::make_unique<SurfaceView>(low, high, view_pixels);
+    }
     if (chunk.size() > 0) points.approach(chunk.span());
     chunk.clear();
 
@@ -333,6 +356,7 @@ class Comparison {
             }
             const std::span<const NumberedFace> all(good.data(), count);
             forward.add(all);
+            if (original_view_ != nullptr) draw_original(all);
             if (!chunk.add(all)) refuse(simplified_->size());
           },
           full);
@@ -346,6 +370,54 @@ class Comparison {
     for (const NumberedFace& face : faces) {
       // Where there is no more room, fewer are enough.
       if (mixed_hash(face.number) % step == 0 && !store.add({&face, 1})) return;
+    }
+  }
+
+  static std::uint64_t picture_memory() {
+    return 2 * SurfaceView::memory(view_pixels) + 3 * picture_width * picture_height * 2;
+  }
+
+  void draw_original(std::span<const NumberedFace> faces) {
+    for (const NumberedFace& face : faces) original_view_->draw(face.corner, face.number, {});
+  }
+
+  // What is seen of the original is measured pixel by pixel, of the simplified mesh at its vertices.
+  void draw_picture(const SurfaceTree& tree, const WeldedMesh& mesh, std::span<const double> squared) {
+    job_.progress.begin("picture", 0, "pixels");
+    original_view_->revalue([&tree](const Point& point) {
+      NearestFace nearest;
+      tree.search(point, nearest);
+      return std::sqrt(nearest.squared);
+    });
+    const std::span<const NumberedFace> faces = simplified_->span();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const auto& [a, b, c] = mesh.faces()[f];
+      simplified_view_->draw(faces[f].corner, f,
+                             {std::sqrt(squared[a]), std::sqrt(squared[b]), std::sqrt(squared[c])});
+    }
+    const double most = 3 * std::max(report_.forward.rms, report_.backward.rms);
+    Image image(picture_width, picture_height, {255, 255, 255});
+    original_view_->paint(image, 0, 0, most);
+    simplified_view_->paint(image, view_pixels, 0, most);
+    draw_bar(image, most);
+    image.write_png(*picture_);
+    picture_->finish();
+  }
+
+  // From no distance to `most`, in model units.
+  static void draw_bar(Image& image, double most) {
+    constexpr std::size_t left = view_pixels / 2;
+    constexpr std::size_t width = view_pixels;
+    constexpr std::size_t top = view_pixels + 10;
+    constexpr std::size_t height = 16;
+    for (std::size_t i = 0; i < width; ++i)
+      image.fill(left + i, top, 1, height,
+                 heat_color(static_cast<double>(i), static_cast<double>(width - 1)));
+    constexpr Color ink{40, 40, 40};
+    for (std::size_t part = 0; part <= 3; ++part) {
+      const std::size_t x = left + part * (width - 1) / 3;
+      image.fill(x, top + height, 1, 5, ink);
+      image.number(x + 4, top + height + 5, 16, significant(most * static_cast<double>(part) / 3), ink);
     }
   }
 
@@ -367,7 +439,9 @@ class Comparison {
   Job& job_;
   const CompareOptions& options_;
   Reservation fixed_;
-  std::unique_ptr<ByteSink> sink_;
+  std::unique_ptr<ByteSink> sink_, picture_;
+  Reservation views_memory_;
+  std::unique_ptr<SurfaceView> original_view_, simplified_view_;
   std::unique_ptr<FaceStore> simplified_;
   DistanceSums forward_, backward_;
   CompareReport report_;

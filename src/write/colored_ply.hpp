@@ -11,9 +11,6 @@
 
 namespace winnow {
 
-// Blue for nothing over green and yellow to red for `most` and more.
-std::array<std::uint8_t, 3> heat_color(double value, double most);
-
 // Distances by their squares. Each vertex carries its distance as `quality`, which MeshLab and others show,
 // and as its colour: red is three times the root mean square.
 void write_colored_ply(Job& job, std::span<const Point> vertices,

@@ -31,20 +31,23 @@ TEST_CASE("a comparison is the same for any threads and budget", "[same_bytes]")
   }
 }
 
-TEST_CASE("the colored mesh is the same for any threads and budget", "[same_bytes]") {
+TEST_CASE("the colored mesh and the picture are the same for any threads and budget", "[same_bytes]") {
   const Directory directory;
   const std::string original = directory.file("scan.ply");
   const std::string small = directory.file("small.ply");
   const std::string colored = directory.file("colored.ply");
+  const std::string picture = directory.file("picture.png");
   generate("scan", 300'000, original);
   winnow_ok({"simplify", original, "-o", small, "--faces", "3k"});
   const auto hash = [&](const Words& options) {
-    winnow_ok(Words{"compare", original, small, "--colored", colored, "--force", "-q"} + options);
-    return hash_of_file(colored);
+    winnow_ok(Words{"compare", original, small, "--colored", colored, "--picture", picture, "--force", "-q"} +
+              options);
+    return hash_of_file(colored) + hash_of_file(picture);
   };
   const std::string one = hash({"--threads", "1"});
   CHECK(hash({"--threads", "2"}) == one);
-  CHECK(hash({"--threads", "2", "--memory", "96M"}) == one);
+  CHECK(hash({"--threads", "2", "--memory", "128M"}) == one);
+  CHECK(bytes_of_file(picture).substr(1, 3) == "PNG");
   const nlohmann::json info = winnow_ok({"info", colored, "--json"}).json();
   CHECK(info["faces"] == winnow_ok({"info", small, "--json"}).json()["faces"]);
 }

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
-  std::string original, simplified, colored;
+  std::string original, simplified, colored, picture;
   std::string samples = "1M";
   bool force = false;
   CommonOptions common;
@@ -133,6 +133,7 @@ void run(const Arguments& arguments) {
   CompareOptions options;
   options.samples = parse_count("--samples", arguments.samples);
   options.colored = arguments.colored;
+  options.picture = arguments.picture;
   options.force = arguments.force;
   Context context;
   prepare(context, arguments.common, arguments.colored.empty() ? "-" : arguments.colored);
@@ -141,7 +142,8 @@ void run(const Arguments& arguments) {
     const ProgressBar bar(context, arguments.common);
     report = compare(context, arguments.original, arguments.simplified, options);
   }
-  std::ostream& out = report_stream(arguments.colored);
+  const bool mesh_on_output = arguments.colored == "-" || arguments.picture == "-";
+  std::ostream& out = report_stream(mesh_on_output ? "-" : "");
   if (arguments.common.json) {
     out << json_of(report).dump(2) << "\n";
   } else if (!arguments.common.quiet) {
@@ -169,7 +171,11 @@ void add_compare(CLI::App& app) {
       ->add_option("--colored", arguments->colored,
                    "Write the simplified mesh, coloured by its distance and with it as 'quality'")
       ->type_name("FILE.ply");
-  command->add_flag("--force", arguments->force, "Replace an existing file");
+  command
+      ->add_option("--picture", arguments->picture,
+                   "Draw the original (left) and the simplified mesh side by side, coloured by distance")
+      ->type_name("FILE.png");
+  command->add_flag("--force", arguments->force, "Replace existing files");
   arguments->common.add_to(*command, true);
   command->footer(
       "Distances are from points of one surface to the nearest of the other: forward from the original to "
@@ -178,7 +184,7 @@ void add_compare(CLI::App& app) {
       "Examples:\n"
       "  winnow compare scan.ply small.ply\n"
       "  winnow compare scan.ply small.ply --json --samples 10M\n"
-      "  winnow compare scan.ply small.ply --colored distances.ply");
+      "  winnow compare scan.ply small.ply --colored distances.ply --picture distances.png");
   command->callback([arguments] { run(*arguments); });
 }
 
