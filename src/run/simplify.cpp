@@ -282,7 +282,7 @@ SimplifyPlan plan_simplify(Context& context, const std::string& input, const std
     out.scratch_worst = worst_scratch(*out.faces, quadrics(options)) + kept;
     out.scratch_expected = expected_scratch(*out.faces, plan, quadrics(options)) + kept;
     // A rate measured once for one thread (bench/RESULTS.md), for want of knowing the machine.
-    out.seconds_expected = static_cast<double>(*out.faces) / (2.5e7 * job.threads);
+    out.seconds_expected = static_cast<double>(*out.faces) / (2.2e7 * job.threads);
   }
   return out;
 }
