@@ -44,15 +44,18 @@ def without_directories(text, command):
     return text
 
 
-def measure(command, feed=None, memory_limit=None):
+def measure(command, feed=None, memory_limit=None, data_limit=None):
     """Runs a command to its end: its seconds, CPU seconds, peak resident set, and the JSON that it printed.
 
     `feed` is a command whose output is piped in; only the fed process is measured. The kernel counts the
-    peak from before exec, so nothing smaller than this script (about 20 MiB) can be seen.
+    peak from before exec, so nothing smaller than this script (about 20 MiB) can be seen. `memory_limit` bounds
+    all addresses, `data_limit` the memory that no file is behind.
     """
     def limit():
         if memory_limit:
             resource.setrlimit(resource.RLIMIT_AS, (memory_limit, memory_limit))
+        if data_limit:
+            resource.setrlimit(resource.RLIMIT_DATA, (data_limit, data_limit))
 
     command = [str(word) for word in command]
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as errors:

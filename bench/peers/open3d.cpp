@@ -1,8 +1,12 @@
-// Open3D's vertex clustering as a whole program from file to file, with its own reader and writer:
+// Open3D's vertex clustering or edge collapse as a whole program from file to file, with its own reader and
+// writer:
 //   peer_open3d IN OUT --faces N|--ratio R|--voxel X [--contraction average|quadric]
+//   peer_open3d IN OUT --faces N|--ratio R --decimate
 // With --faces the voxel is found by trial (see find_cells) outside the reported times, and reported, so
 // that a timed run can be given --voxel.
 #include "peers/driver.hpp"
+
+#include <limits>
 
 #include <open3d/geometry/TriangleMesh.h>
 #include <open3d/io/TriangleMeshIO.h>
@@ -27,8 +31,9 @@ void run(const bench::Arguments& arguments) {
   report.read = watch.lap();
   report.faces_in = mesh.triangles_.size();
 
+  const bool decimate = arguments.has("--decimate");
   double voxel = arguments.number("--voxel", 0);
-  if (voxel == 0) {
+  if (voxel == 0 && !decimate) {
     const double side = (mesh.GetMaxBound() - mesh.GetMinBound()).maxCoeff();
     const auto target = static_cast<double>(arguments.target_faces(report.faces_in));
     voxel = side / bench::find_cells(target, [&](double cells) {
@@ -37,7 +42,10 @@ void run(const bench::Arguments& arguments) {
   }
   const double seconds_search = watch.lap();
 
-  const auto small = mesh.SimplifyVertexClustering(voxel, contraction);
+  const auto small =
+      decimate ? mesh.SimplifyQuadricDecimation(static_cast<int>(arguments.target_faces(report.faces_in)),
+                                                std::numeric_limits<double>::infinity(), 1.0)
+               : mesh.SimplifyVertexClustering(voxel, contraction);
   report.simplify = watch.lap();
   report.faces_out = small->triangles_.size();
   if (!open3d::io::WriteTriangleMesh(arguments.files()[1], *small)) throw std::runtime_error("cannot write");
@@ -49,6 +57,6 @@ void run(const bench::Arguments& arguments) {
 
 int main(int argc, char** argv) {
   return bench::guarded("peer_open3d", [&] {
-    run(bench::Arguments(argc, argv, {}, {"--faces", "--ratio", "--voxel", "--contraction"}));
+    run(bench::Arguments(argc, argv, {"--decimate"}, {"--faces", "--ratio", "--voxel", "--contraction"}));
   });
 }

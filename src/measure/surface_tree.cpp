@@ -117,7 +117,7 @@ SurfaceTree::SurfaceTree(Job& job, std::span<const NumberedFace> faces) : state_
   if (state.device == nullptr) throw Error(ErrorKind::failed, "Embree does not run on this machine");
   state.scene = rtcNewScene(state.device);
   // Embree numbers faces with 32 bits; larger surfaces come in many trees.
-  const RTCGeometry geometry = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_USER);
+  RTCGeometry geometry = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(faces.size()));
   rtcSetGeometryUserData(geometry, &state);
   rtcSetGeometryBoundsFunction(
