@@ -20,8 +20,9 @@ class ProgressMeter {
   // Counts `amount` more and throws Error(cancelled) if the caller asked to stop.
   void advance(std::uint64_t amount);
 
+  [[nodiscard]] bool cancelled() const { return context_.cancelled(); }
   void check_cancelled() const {
-    if (context_.cancelled()) stop();
+    if (cancelled()) stop();
   }
 
   // `before` for sorting: what many gibibytes take to sort is longer than a caller waits who wants to stop.

@@ -142,16 +142,20 @@ void ByteSink::put(std::span<const std::byte> bytes) {
   }
 }
 
-void ByteSink::finish() {
+void ByteSink::settle() {
   put(buffer_);
   buffer_.clear();
   job_.progress.check_cancelled();
+  if (!aside_.empty() && ::fsync(fd_) != 0) fail(errno);
+}
+
+void ByteSink::finish() {
+  settle();
   if (aside_.empty()) {
     const int fd = std::exchange(fd_, -1);
     if (::close(fd) != 0 && errno != EINTR) fail(errno);
     return;
   }
-  if (::fsync(fd_) != 0) fail(errno);
   const int fd = std::exchange(fd_, -1);
   if (::close(fd) != 0) fail(errno);
   if (force_) {

@@ -25,6 +25,8 @@ class ByteSink {
   ByteSink& operator=(const ByteSink&) = delete;
 
   void write(std::span<const std::byte> bytes);
+  // Everything that can fail for want of room; of several files, all are settled before any is finished.
+  void settle();
   void finish();
   [[nodiscard]] std::uint64_t written() const { return written_; }
 

@@ -31,7 +31,10 @@ NearestPoints::NearestPoints(Job& job, std::span<const NumberedFace> faces,
     : job_(job), faces_(faces), vertices_(vertices), sampler_(sampler) {
   std::uint64_t samples = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (i % block_faces == 0) first_sample_.push_back(samples);
+    if (i % block_faces == 0) {
+      job.progress.check_cancelled();
+      first_sample_.push_back(samples);
+    }
     samples += sampler_.count(faces[i].number, length(doubled_area(faces[i].corner)) / 2);
   }
   reservation_ = job.budget.reserve(
@@ -74,10 +77,12 @@ void NearestPoints::approach_block(const SurfaceTree& tree, std::size_t block) {
     return best.face != nullptr;
   };
   for (std::size_t f = block * block_faces; f < end; ++f) {
+    job_.progress.check_cancelled();
     const NumberedFace& face = faces_[f];
     const Point normal = doubled_area(face.corner);
     const std::uint64_t samples = sampler_.count(face.number, length(normal) / 2);
     for (std::uint64_t k = 0; k < samples; ++k, ++at) {
+      if (k % 256 == 255) job_.progress.check_cancelled();
       // Number 0 lets no other face of the same distance win: only the distance counts.
       NearestFace nearest{sample_squared_[at], 0};
       if (search(SurfaceSampler::point(face.number, k, face.corner), nearest))
@@ -94,6 +99,7 @@ void NearestPoints::approach_block(const SurfaceTree& tree, std::size_t block) {
 
 void NearestPoints::finish(CompareReport& report, DistanceSums& sums) const {
   for (std::size_t block = 0; block < first_sample_.size(); ++block) {
+    job_.progress.check_cancelled();
     std::uint64_t at = first_sample_[block];
     const std::size_t end = std::min(faces_.size(), (block + 1) * block_faces);
     for (std::size_t f = block * block_faces; f < end; ++f) {

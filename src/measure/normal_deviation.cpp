@@ -9,6 +9,7 @@ namespace winnow {
 void NormalDeviation::add(const Point& one, const Point& other) {
   if (one == Point{} || other == Point{}) return;
   const double degrees = std::atan2(length(cross(one, other)), dot(one, other)) * (180 / std::numbers::pi);
+  if (!std::isfinite(degrees)) return;
   ++count_;
   degrees_.add(degrees);
   ++hundredths_[static_cast<std::size_t>(std::clamp(degrees * 100, 0.0, 18000.0))];

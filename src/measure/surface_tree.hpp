@@ -36,6 +36,7 @@ class SurfaceTree {
  public:
   // Memory of a tree, beside the faces themselves, which stay the caller's.
   static constexpr std::uint64_t bytes_a_face = 192;
+  static constexpr std::uint64_t most_faces = std::uint64_t{1} << 30;  // Embree counts with 32 bits
 
   SurfaceTree(Job& job, std::span<const NumberedFace> faces);
   ~SurfaceTree();

@@ -48,15 +48,21 @@ WeldedMesh::WeldedMesh(Job& job, std::span<const NumberedFace> faces) : job_(job
                                           " faces is too large to compare; give the smaller mesh second");
   }
   reservation_ = job.budget.reserve(faces.size() * bytes_a_face, "the simplified mesh");
+  faces_.reserve(faces.size());
   // A closed surface has half as many vertices as faces; one of loose faces three times as many.
-  PlaceTable table(faces.size());
-  std::size_t room = faces.size();
+  std::size_t room = faces.size() + 3;
+  PlaceTable table(room);
+  vertices_.reserve(room);
   for (const NumberedFace& face : faces) {
     if (vertices_.size() + 3 > room) {
-      room *= 2;
+      // Of old and new, until the old ones are copied.
+      room = 3 * faces.size() + 3;
+      more_ = job.budget.reserve(room * bytes_a_place, "the vertices of the simplified mesh");
       table = PlaceTable(room);
-      const std::vector<Point> places = std::exchange(vertices_, {});
-      for (const Point& place : places) table.number(place, vertices_);
+      std::vector<Point> places;
+      places.reserve(room);
+      for (const Point& place : vertices_) table.number(place, places);
+      vertices_.swap(places);
     }
     faces_.push_back({table.number(face.corner[0], vertices_), table.number(face.corner[1], vertices_),
                       table.number(face.corner[2], vertices_)});
@@ -114,6 +120,7 @@ void WeldedMesh::count_components(CompareReport::Topology& topology) const {
   };
   std::uint64_t components = vertices_.size();
   for (const auto& face : faces_) {
+    job_.progress.check_cancelled();
     for (const std::uint32_t other : {face[1], face[2]}) {
       const std::uint32_t a = root(face[0]);
       const std::uint32_t b = root(other);
@@ -133,6 +140,7 @@ CompareReport::Angles WeldedMesh::smallest_angles() const {
   std::uint64_t count = 0;
   std::uint64_t small = 0;
   for (const auto& face : faces_) {
+    job_.progress.check_cancelled();
     if (!has_area(face)) continue;
     double smallest = 180;
     for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -15,10 +15,14 @@ namespace winnow {
 
 class WeldedMesh {
  public:
-  // Memory of a mesh of so many faces, while it is made and its topology counted.
-  static constexpr std::uint64_t bytes_a_face = 64;
+  // Memory of a mesh of so many faces with at most as many vertices, while it is made and its topology
+  // counted; one with more takes more of the budget.
+  static constexpr std::uint64_t bytes_a_place = 24 + 12;
+  static constexpr std::uint64_t bytes_a_face = bytes_a_place + 12 + 24;
 
   WeldedMesh(Job& job, std::span<const NumberedFace> faces);
+
+  [[nodiscard]] std::uint64_t more_bytes() const { return more_.bytes(); }  // beyond bytes_a_face
 
   [[nodiscard]] const std::vector<Point>& vertices() const { return vertices_; }
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& faces() const { return faces_; }
@@ -34,7 +38,7 @@ class WeldedMesh {
   void count_components(CompareReport::Topology& topology) const;
 
   Job& job_;
-  Reservation reservation_;
+  Reservation reservation_, more_;
   std::vector<Point> vertices_;
   std::vector<std::array<std::uint32_t, 3>> faces_;  // in the order given
 };

@@ -76,9 +76,11 @@ void SurfaceView::draw(const Triangle& face, std::uint64_t number, const std::ar
   }
 }
 
-void SurfaceView::revalue(const std::function<double(const Point&)>& value) {
+void SurfaceView::revalue(const std::function<double(const Point&)>& value,
+                          const std::function<void()>& begin_row) {
   const double middle = static_cast<double>(pixels_) / 2;
   parallel_for(pixels_, [&](std::size_t row) {
+    begin_row();
     for (std::size_t column = 0; column < pixels_; ++column) {
       Pixel& pixel = all_[row * pixels_ + column];
       if (!std::isfinite(pixel.depth)) continue;

@@ -26,8 +26,9 @@ class SurfaceView {
   // near the lowest number is seen, so no order of drawing shows.
   void draw(const Triangle& face, std::uint64_t number, const std::array<double, 3>& values);
 
-  // Replaces the value at each pixel where there is a surface by that of its point; rows at once.
-  void revalue(const std::function<double(const Point&)>& value);
+  // Replaces the value at each pixel where there is a surface by that of its point; rows at once. `begin_row`
+  // is called before each.
+  void revalue(const std::function<double(const Point&)>& value, const std::function<void()>& begin_row);
 
   // Into `image`, by the heat colours of the values up to `most`, with the light beside the viewer.
   void paint(Image& image, std::size_t left, std::size_t top, double most) const;

@@ -22,9 +22,10 @@
 #include "write/colored_ply.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <mutex>
 
 namespace winnow {
@@ -39,8 +40,14 @@ std::uint64_t fixed_memory(unsigned threads) {
   return 14 * mebibyte + threads * (2 * mebibyte + batches_in_flight(1) * batch_faces * 72);
 }
 
-// The least that an original is compared with at once.
-constexpr std::uint64_t smallest_chunk_faces = 64 * 1024;
+std::uint64_t faces_in_flight(unsigned threads) {
+  return batches_in_flight(threads) * batch_faces;
+}
+
+// The least of an original that is looked at in one tree: what is under way when it is full must still fit.
+std::uint64_t smallest_chunk(unsigned threads) {
+  return 64 * 1024 + 2 * faces_in_flight(threads);
+}
 constexpr std::uint64_t bytes_a_chunk_face = sizeof(NumberedFace) + SurfaceTree::bytes_a_face;
 
 std::uint64_t bytes_a_simplified_face() {
@@ -51,6 +58,16 @@ std::uint64_t bytes_a_simplified_face() {
 constexpr std::size_t view_pixels = 720;
 constexpr std::size_t picture_width = 2 * view_pixels;
 constexpr std::size_t picture_height = view_pixels + 50;
+
+constexpr std::uint64_t least_samples = 100;
+constexpr std::uint64_t most_samples = 1'000'000'000'000;
+
+bool same_place(const std::string& one, const std::string& other) {
+  if (one.empty() || other.empty()) return false;
+  std::error_code ignored;
+  return one == other ||
+         std::filesystem::weakly_canonical(one, ignored) == std::filesystem::weakly_canonical(other, ignored);
+}
 
 // Three digits, for a scale.
 std::string significant(double value) {
@@ -67,9 +84,10 @@ class FaceStore {
   // False where there is no more room.
   bool add(std::span<const NumberedFace> faces) {
     const std::scoped_lock lock(mutex_);
-    if (!pages_.grow_to((count_ + faces.size()) * sizeof(NumberedFace))) return false;
-    std::copy(faces.begin(), faces.end(), reinterpret_cast<NumberedFace*>(pages_.data()) + count_);
-    count_ += faces.size();
+    const std::size_t count = count_;
+    if (!pages_.grow_to((count + faces.size()) * sizeof(NumberedFace))) return false;
+    std::copy(faces.begin(), faces.end(), reinterpret_cast<NumberedFace*>(pages_.data()) + count);
+    count_ = count + faces.size();
     return true;
   }
 
@@ -84,12 +102,13 @@ class FaceStore {
     return {reinterpret_cast<NumberedFace*>(pages_.data()), count_};
   }
   [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] std::size_t room() const { return pages_.limit() / sizeof(NumberedFace); }
   void clear() { count_ = 0; }
 
  private:
   std::mutex mutex_;
   GrowingPages pages_;
-  std::size_t count_ = 0;
+  std::atomic<std::size_t> count_ = 0;
 };
 
 // What every face goes through first; `each` gets the good ones of a batch.
@@ -158,7 +177,10 @@ class FaceIntake {
 class ForwardDistances {
  public:
   ForwardDistances(Job& job, const SurfaceTree& tree, const SurfaceSampler& sampler)
-      : tree_(tree), sampler_(sampler), parts_(job.threads, [] { return std::make_unique<Part>(); }) {}
+      : job_(job),
+        tree_(tree),
+        sampler_(sampler),
+        parts_(job.threads, [] { return std::make_unique<Part>(); }) {}
 
   void add(std::span<const NumberedFace> faces) {
     Part& part = parts_.local();
@@ -166,6 +188,7 @@ class ForwardDistances {
       const Point normal = doubled_area(face.corner);
       const std::uint64_t samples = sampler_.count(face.number, length(normal) / 2);
       for (std::uint64_t k = 0; k < samples; ++k) {
+        if (k % 256 == 255) job_.progress.check_cancelled();
         const Point point = SurfaceSampler::point(face.number, k, face.corner);
         NearestFace nearest = guess(part, point);
         tree_.search(point, nearest);
@@ -217,6 +240,7 @@ class ForwardDistances {
     part.sums.add_to_maximum(nearest.squared, point);
   }
 
+  Job& job_;
   const SurfaceTree& tree_;
   const SurfaceSampler& sampler_;
   PerSlot<Part> parts_;
@@ -230,8 +254,14 @@ class Comparison {
         fixed_(job.budget.reserve(fixed_memory(job.threads), "working threads")) {}
 
   CompareReport run(const std::string& original, const std::string& simplified) {
+    job_.budget.expect(0);
     read_simplified(simplified);
     const WeldedMesh mesh(job_, simplified_->span());
+    const std::size_t faces = simplified_->size();
+    loose_places_ = mesh.vertices().size() > faces
+                        ? mesh.more_bytes() + sizeof(double) * (mesh.vertices().size() - faces)
+                        : 0;
+    check_room(faces);
     report_.topology = mesh.topology();
     report_.topology.degenerate += report_.simplified.bad_faces.degenerate;
     report_.smallest_angles = mesh.smallest_angles();
@@ -246,8 +276,13 @@ class Comparison {
     if (picture_ != nullptr) draw_picture(tree, mesh, points.vertex_distances());
     if (sink_ != nullptr) {
       write_colored_ply(job_, mesh.vertices(), mesh.faces(), points.vertex_distances(), *sink_);
-      sink_->finish();
     }
+    // Nothing is left under a name unless all was written.
+    for (const auto* sink : {&picture_, &sink_}) {
+      if (*sink != nullptr) (*sink)->settle();
+    }
+    if (picture_ != nullptr) picture_->finish();
+    if (sink_ != nullptr) sink_->finish();
     return report_;
   }
 
@@ -269,16 +304,31 @@ class Comparison {
     for_each_face_batch(job_, *reader,
                         [&](const FaceBatch& faces) {
                           intake.add(faces, [&](std::span<const NumberedFace> good) {
-                            if (!simplified_->add(good)) refuse(2 * simplified_->size());
+                            if (!simplified_->add(good)) refuse(2 * simplified_->room());
                           });
                         },
                         {});
     intake.finish();
     intake.report(report_.simplified);
+    check_size(intake.totals(), name);
     if (simplified_->size() == 0)
       throw Error(ErrorKind::bad_input, "'" + name + "' has no face that could be compared");
     check_room(simplified_->size());
     simplified_->sort(job_);
+  }
+
+  // Beyond, products of areas leave the range of doubles.
+  static void check_size(const SurfaceTotals& totals, const std::string& name) {
+    constexpr double largest = 1e35;
+    double most = 0;
+    for (const Point& p : {totals.low(), totals.high()}) {
+      for (const double x : p) most = std::max(most, std::abs(x));
+    }
+    if (totals.faces() > 0 && (most > largest || totals.diagonal() < 1 / largest)) {
+      throw Error(ErrorKind::bad_input, "'" + name + "' has coordinates up to " + shortest(most) +
+                                            " and a diagonal of " + shortest(totals.diagonal()) +
+                                            "; both must be between 1e-35 and 1e35");
+    }
   }
 
   // Everything that comes later, before it is too late to say so at once.
@@ -287,16 +337,18 @@ class Comparison {
   }
 
   [[nodiscard]] std::uint64_t needed_for(std::uint64_t faces) const {
-    return fixed_.bytes() + views_memory_.bytes() + faces * bytes_a_simplified_face() +
-           options_.samples * sizeof(double) + smallest_chunk_faces * bytes_a_chunk_face * 2 + 8 * mebibyte;
+    return fixed_.bytes() + views_memory_.bytes() + loose_places_ + faces * bytes_a_simplified_face() +
+           options_.samples * sizeof(double) + smallest_chunk(job_.threads) * bytes_a_chunk_face * 3 / 2 +
+           16 * mebibyte;
   }
 
-  [[noreturn]] void refuse(std::uint64_t faces) const {
+  // `besides`: what a compressed original takes, which only its content tells.
+  [[noreturn]] void refuse(std::uint64_t faces, std::uint64_t besides = 0) const {
     throw Error(ErrorKind::resources,
                 "a memory budget of " + human_bytes(job_.budget.total()) +
                     " is too small to compare with a mesh of " + grouped(faces) +
                     " faces; enough is --memory " +
-                    size_option((needed_for(faces) + mebibyte - 1) / mebibyte * mebibyte));
+                    size_option((needed_for(faces) + besides + mebibyte - 1) / mebibyte * mebibyte));
   }
 
   [[nodiscard]] double density_for(double area) const {
@@ -307,7 +359,10 @@ class Comparison {
     const std::uint64_t left = job_.budget.left();
     const std::unique_ptr<MeshReader> reader = open_reader(
         job_, open_source(job_, name), options_.from_original, Access::repeatedly, {left / 4, batch_faces});
-    const std::uint64_t capacity = (job_.budget.left() - left / 4) / bytes_a_chunk_face;
+    const std::uint64_t capacity =
+        std::min(SurfaceTree::most_faces,
+                 (job_.budget.left() - std::min(job_.budget.left(), left / 4)) / bytes_a_chunk_face);
+    if (capacity < smallest_chunk(job_.threads)) refuse(simplified_->size(), 2 * (left - job_.budget.left()));
     FaceStore chunk(job_.budget, capacity);
 
     // A first pass for what the samples hang on; of a large original it also takes a few faces everywhere, as
@@ -328,6 +383,7 @@ class Comparison {
                         {});
     intake.finish();
     intake.report(report_.original);
+    check_size(intake.totals(), name);
     report_.diagonal = intake.totals().diagonal();
     if (report_.original.faces == 0)
       throw Error(ErrorKind::bad_input, "'" + name + "' has no face that could be compared");
@@ -343,9 +399,10 @@ class Comparison {
     ForwardDistances forward(job_, tree, sampler);
     job_.progress.begin("compare", report_.original.faces, "faces");
     reader->begin_faces();
-    const std::uint64_t in_flight = batches_in_flight(job_.threads) * batch_faces;
-    const auto full = [&] { return chunk.size() + in_flight > capacity; };
+    const std::uint64_t in_flight = faces_in_flight(job_.threads);
+    const auto full = [&] { return chunk.size() > 0 && chunk.size() + in_flight > chunk.room(); };
     for (bool more = true; more;) {
+      job_.progress.check_cancelled();
       more = for_each_face_batch(
           job_, *reader,
           [&](const FaceBatch& faces) {
@@ -378,19 +435,25 @@ class Comparison {
   }
 
   void draw_original(std::span<const NumberedFace> faces) {
-    for (const NumberedFace& face : faces) original_view_->draw(face.corner, face.number, {});
+    for (const NumberedFace& face : faces) {
+      job_.progress.check_cancelled();
+      original_view_->draw(face.corner, face.number, {});
+    }
   }
 
   // What is seen of the original is measured pixel by pixel, of the simplified mesh at its vertices.
   void draw_picture(const SurfaceTree& tree, const WeldedMesh& mesh, std::span<const double> squared) {
     job_.progress.begin("picture", 0, "pixels");
-    original_view_->revalue([&tree](const Point& point) {
-      NearestFace nearest;
-      tree.search(point, nearest);
-      return std::sqrt(nearest.squared);
-    });
+    original_view_->revalue(
+        [&tree](const Point& point) {
+          NearestFace nearest;
+          tree.search(point, nearest);
+          return std::sqrt(nearest.squared);
+        },
+        [this] { job_.progress.check_cancelled(); });
     const std::span<const NumberedFace> faces = simplified_->span();
     for (std::size_t f = 0; f < faces.size(); ++f) {
+      job_.progress.check_cancelled();
       const auto& [a, b, c] = mesh.faces()[f];
       simplified_view_->draw(faces[f].corner, f,
                              {std::sqrt(squared[a]), std::sqrt(squared[b]), std::sqrt(squared[c])});
@@ -401,7 +464,6 @@ class Comparison {
     simplified_view_->paint(image, view_pixels, 0, most);
     draw_bar(image, most);
     image.write_png(*picture_);
-    picture_->finish();
   }
 
   // From no distance to `most`, in model units.
@@ -439,6 +501,7 @@ class Comparison {
   Job& job_;
   const CompareOptions& options_;
   Reservation fixed_;
+  std::uint64_t loose_places_ = 0;  // what a mesh with more vertices than faces takes besides
   std::unique_ptr<ByteSink> sink_, picture_;
   Reservation views_memory_;
   std::unique_ptr<SurfaceView> original_view_, simplified_view_;
@@ -453,8 +516,16 @@ CompareReport compare(Context& context, const std::string& original, const std::
                       const CompareOptions& options) {
   if (original == "-" && simplified == "-")
     throw Error(ErrorKind::usage, "only one of the two meshes can come from standard input");
+  if (options.samples < least_samples || options.samples > most_samples)
+    throw Error(ErrorKind::usage,
+                "--samples takes 100 to 1,000,000,000,000, not " + grouped(options.samples));
+  if (!options.colored.empty() && same_place(options.colored, options.picture))
+    throw Error(ErrorKind::usage, "the coloured mesh and the picture need a name each");
   const Stopwatch watch;
   Job job(context);
+  // So that the first refusal already names what is enough for a small mesh.
+  job.budget.expect(options.samples * sizeof(double) +
+                    smallest_chunk(job.threads) * bytes_a_chunk_face * 3 / 2 + 20 * mebibyte);
   CompareReport report = in_arena(job, [&] { return Comparison(job, options).run(original, simplified); });
   report.notes = job.notes;
   report.peak_memory_bytes = peak_resident_bytes();

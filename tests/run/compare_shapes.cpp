@@ -132,6 +132,31 @@ TEST_CASE("what is far from the origin is measured as well") {
   check_all(compare_faces(low, high).symmetric, 0.25);
 }
 
+TEST_CASE("any unit of length will do, and what no unit explains is refused") {
+  for (const double unit : {1e-25, 1e19, 1e25}) {
+    Faces low = square(0, 4);
+    Faces high = square(0.25, 4, 1);
+    for (Faces* faces : {&low, &high}) {
+      for (Triangle& face : *faces) {
+        for (Point& p : face) p = unit * p;
+      }
+    }
+    const CompareReport report = compare_faces(low, high);
+    CHECK(report.symmetric.max == Approx(0.25 * unit).epsilon(1e-6));
+    CHECK(report.symmetric.rms == Approx(0.25 * unit).epsilon(1e-6));
+    CHECK(report.original.samples == Approx(20'000).epsilon(0.03));
+    // One face far away leaves the distances of the others as they are.
+    low.push_back({Point{0, 0, 0}, {unit, 0, 0}, {0, 1e5 * unit, 1e5 * unit}});
+    CHECK(compare_faces(high, low).forward.max == Approx(0.25 * unit).epsilon(1e-6));
+  }
+  const Faces huge{{Point{0, 0, 0}, {1e37, 0, 0}, {0, 1e37, 0}}};
+  const Faces tiny{{Point{0, 0, 0}, {1e-37, 0, 0}, {0, 1e-37, 0}}};
+  for (const Faces& faces : {huge, tiny}) {
+    CHECK(error_of([&] { compare_faces(square(0, 1), faces); }).kind() == ErrorKind::bad_input);
+    CHECK(error_of([&] { compare_faces(faces, square(0, 1)); }).kind() == ErrorKind::bad_input);
+  }
+}
+
 TEST_CASE("faces that show their backs are flipped") {
   const Faces faces = square(0, 4, 4);
   Faces some = faces;
@@ -176,6 +201,20 @@ TEST_CASE("what cannot be compared is refused") {
   CHECK(kind(mesh, nothing) == ErrorKind::bad_input);
   CHECK(kind(mesh, directory.file("missing.stl")) == ErrorKind::bad_input);
   CHECK(kind("-", "-") == ErrorKind::usage);
+  CompareOptions options;
+  for (const std::uint64_t samples : {std::uint64_t{0}, std::uint64_t{99}, std::uint64_t{1} << 61}) {
+    options.samples = samples;
+    CHECK(error_of([&] { compare(context, mesh, mesh, options); }).kind() == ErrorKind::usage);
+  }
+  options = {};
+  options.colored = directory.file("same");
+  options.picture = directory.path() + "/./same";
+  CHECK(error_of([&] { compare(context, mesh, mesh, options); }).kind() == ErrorKind::usage);
+  // A file that cannot be written leaves nothing of the other.
+  options.colored = "/dev/full";
+  options.picture = directory.file("picture.png");
+  CHECK(error_of([&] { compare(context, mesh, mesh, options); }).kind() == ErrorKind::resources);
+  CHECK_FALSE(exists(options.picture));
   context.memory = std::uint64_t{20} << 20;
   const Error small = error_of([&] { compare(context, mesh, mesh, {}); });
   CHECK(small.kind() == ErrorKind::resources);
