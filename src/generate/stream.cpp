@@ -2,17 +2,11 @@
 
 #include "base/hash.hpp"
 #include "base/parallel.hpp"
-#include "generate/pipeline_step.hpp"
+#include "io/arena.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 #include <vector>
-
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 namespace winnow {
 
@@ -55,7 +49,6 @@ class SharedCorners {
 
 // Everything that one block needs on its way, kept for the next.
 struct Block {
-  std::mutex working;
   bool of_faces = false;
   std::uint64_t first = 0;
   std::size_t count = 0;
@@ -89,20 +82,8 @@ class Streaming {
   void run();
 
  private:
-  // When the pipeline is through, by whatever way: the steps' work belongs to the calling thread again.
-  struct TakeBack {
-    TakeBack(Streaming& s, std::vector<Block>& b) : streaming(s), blocks(b) {}
-    ~TakeBack() {
-      const std::scoped_lock own(streaming.numbering_, streaming.writing_);
-      for (Block& block : blocks) const std::scoped_lock working(block.working);
-    }
-    TakeBack(const TakeBack&) = delete;
-    TakeBack& operator=(const TakeBack&) = delete;
-    Streaming& streaming;
-    std::vector<Block>& blocks;
-  };
-
   bool begin(Block& block);
+  void fill(Block& block) const;
   void fill_vertices(Block& block) const;
   void fill_faces(Block& block) const;
   void finish(const Block& block);
@@ -114,7 +95,6 @@ class Streaming {
   Scatter scatter_;
   std::uint64_t vertices_;
   std::uint64_t next_vertex_ = 0, next_face_ = 0;
-  std::mutex numbering_, writing_;
 };
 
 bool Streaming::begin(Block& block) {
@@ -134,6 +114,14 @@ void Streaming::evaluate(std::span<const std::uint64_t> ids, std::vector<Point>&
   for (Point& point : points) {
     for (std::size_t axis = 0; axis < 3; ++axis) point[axis] += offset[axis];
   }
+}
+
+void Streaming::fill(Block& block) const {
+  job_.progress.check_cancelled();
+  block.ids.resize(block.count);
+  std::iota(block.ids.begin(), block.ids.end(), block.first);
+  block.bytes.clear();
+  block.of_faces ? fill_faces(block) : fill_vertices(block);
 }
 
 void Streaming::fill_vertices(Block& block) const {
@@ -186,45 +174,11 @@ void Streaming::run() {
     if (!more) break;
     reservations.push_back(std::move(more));
   }
-  // Blocks leave in order, so the block `tokens` before this one is through: its place is free.
-  const std::size_t tokens = reservations.size();
-  std::vector<Block> blocks(tokens);
-  std::size_t turn = 0;
-
-  constexpr auto serial = tbb::filter_mode::serial_in_order;
-  constexpr auto parallel = tbb::filter_mode::parallel;
   job_.progress.begin("generate", file_.shape.faces, "faces");
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, job_.threads);
-  tbb::task_arena arena(static_cast<int>(job_.threads));
-  // The pipeline alone makes sure that no two steps meet in a block, in the numbering or in the writing. The
-  // locks, never contended, show that to ThreadSanitizer (see pipeline_step.hpp).
-  const auto number = [&](tbb::flow_control& control) -> Block* {
-    const std::scoped_lock numbering(numbering_);
-    Block& block = blocks[turn];
-    turn = (turn + 1) % tokens;
-    const std::scoped_lock working(block.working);
-    if (begin(block)) return &block;
-    control.stop();
-    return nullptr;
-  };
-  const auto make = [&](Block* block) {
-    const std::scoped_lock working(block->working);
-    job_.progress.check_cancelled();
-    block->ids.resize(block->count);
-    std::iota(block->ids.begin(), block->ids.end(), block->first);
-    block->bytes.clear();
-    block->of_faces ? fill_faces(*block) : fill_vertices(*block);
-    return block;
-  };
-  const auto write = [&](Block* block) {
-    const std::scoped_lock both(writing_, block->working);
-    finish(*block);
-  };
-  const TakeBack take_back(*this, blocks);
-  arena.execute([&] {
-    run_pipeline(tokens, step<void, Block*>(serial, PipelineStep(number)) &
-                             step<Block*, Block*>(parallel, PipelineStep(make)) &
-                             step<Block*, void>(serial, PipelineStep(write)));
+  in_arena(job_, [&] {
+    pipeline<Block>(
+        reservations.size(), [this](Block& block) { return begin(block); },
+        [this](Block& block) { fill(block); }, [this](const Block& block) { finish(block); });
   });
 }
 

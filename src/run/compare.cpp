@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "base/text.hpp"
+#include "io/arena.hpp"
 #include "io/byte_sink.hpp"
 #include "measure/distance_sums.hpp"
 #include "measure/edge_count.hpp"
@@ -18,7 +19,6 @@
 #include "picture/surface_view.hpp"
 #include "read/for_each_batch.hpp"
 #include "read/mesh_reader.hpp"
-#include "run/arena.hpp"
 #include "write/colored_ply.hpp"
 
 #include <algorithm>

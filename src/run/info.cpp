@@ -4,11 +4,11 @@
 #include "base/exact_sum.hpp"
 #include "base/per_slot.hpp"
 #include "base/text.hpp"
+#include "io/arena.hpp"
 #include "measure/edge_count.hpp"
 #include "measure/face_census.hpp"
 #include "read/for_each_batch.hpp"
 #include "read/mesh_reader.hpp"
-#include "run/arena.hpp"
 
 #include <algorithm>
 

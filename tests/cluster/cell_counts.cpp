@@ -2,8 +2,8 @@
 #include <winnow/generate.hpp>
 
 #include "cluster/resolution.hpp"
+#include "io/arena.hpp"
 #include "read/for_each_batch.hpp"
-#include "run/arena.hpp"
 #include "support/clustering.hpp"
 #include "support/files.hpp"
 #include "support/reading.hpp"

@@ -3,7 +3,7 @@
 #include "base/wide.hpp"
 #include "cluster/cell_table.hpp"
 #include "cluster/representative.hpp"
-#include "run/arena.hpp"
+#include "io/arena.hpp"
 #include "support/clustering.hpp"
 #include "support/kernels.hpp"
 

@@ -1,8 +1,8 @@
 // Faces that cannot take part: each kind is told apart and counted, in every form of file.
 #include "cluster/clusterer.hpp"
 #include "cluster/resolution.hpp"
+#include "io/arena.hpp"
 #include "read/for_each_batch.hpp"
-#include "run/arena.hpp"
 #include "support/ply_file.hpp"
 #include "support/reading.hpp"
 #include "support/sources.hpp"

@@ -1,7 +1,7 @@
 // Wrong and hostile files: an error that says where, quickly, and without taking memory for what is not
 // there.
+#include "io/arena.hpp"
 #include "read/for_each_batch.hpp"
-#include "run/arena.hpp"
 #include "support/ply_file.hpp"
 #include "support/reading.hpp"
 #include "support/sanitized.hpp"

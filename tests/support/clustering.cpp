@@ -1,7 +1,7 @@
 #include "support/clustering.hpp"
 
 #include "base/parallel.hpp"
-#include "run/arena.hpp"
+#include "io/arena.hpp"
 
 #include <algorithm>
 #include <bit>

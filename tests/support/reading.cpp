@@ -1,7 +1,7 @@
 #include "support/reading.hpp"
 
+#include "io/arena.hpp"
 #include "read/for_each_batch.hpp"
-#include "run/arena.hpp"
 #include "support/sources.hpp"
 
 #include <map>
