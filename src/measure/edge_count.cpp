@@ -11,6 +11,20 @@
 
 namespace winnow {
 
+InfoReport::Edges count_sorted_edges(std::span<const std::uint64_t> edges, const ProgressMeter& progress) {
+  InfoReport::Edges counts;
+  for (std::size_t at = 0; at < edges.size();) {
+    progress.check_cancelled();
+    std::size_t next = at;
+    while (next < edges.size() && edges[next] == edges[at]) ++next;
+    ++counts.total;
+    counts.boundary += next - at == 1 ? 1 : 0;
+    counts.non_manifold += next - at > 2 ? 1 : 0;
+    at = next;
+  }
+  return counts;
+}
+
 EdgeCount::EdgeCount(Job& job, std::uint64_t memory) : job_(job), pages_(job.budget, memory) {}
 
 std::uint64_t EdgeCount::hash_position(const std::array<double, 3>& position) {
@@ -43,17 +57,7 @@ std::optional<InfoReport::Edges> EdgeCount::finish() {
   auto* const begin = reinterpret_cast<std::uint64_t*>(pages_.data());
   auto* const end = begin + kept_;
   tbb::parallel_sort(begin, end, job_.progress.cancellable(std::less<>()));
-  InfoReport::Edges edges;
-  for (const std::uint64_t* at = begin; at != end;) {
-    job_.progress.check_cancelled();
-    const std::uint64_t* next = at;
-    while (next != end && *next == *at) ++next;
-    ++edges.total;
-    edges.boundary += next - at == 1 ? 1 : 0;
-    edges.non_manifold += next - at > 2 ? 1 : 0;
-    at = next;
-  }
-  return edges;
+  return count_sorted_edges({begin, end}, job_.progress);
 }
 
 }  // namespace winnow

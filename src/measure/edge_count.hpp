@@ -15,6 +15,9 @@
 
 namespace winnow {
 
+// Of edges named by numbers, once for each face, in ascending order.
+InfoReport::Edges count_sorted_edges(std::span<const std::uint64_t> edges, const ProgressMeter& progress);
+
 // Keeps a 64-bit hash of every side of every face, and sorts them at the end. Two of n different edges are
 // taken for one with a chance of n^2 / 2^65: for 10^8 edges, one in 3700.
 class EdgeCount {

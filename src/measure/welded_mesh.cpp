@@ -95,13 +95,9 @@ void WeldedMesh::count_edges(CompareReport::Topology& topology) const {
     }
   }
   std::sort(edges.begin(), edges.end(), job_.progress.cancellable(std::less<>()));
-  for (std::size_t at = 0; at < edges.size();) {
-    std::size_t next = at;
-    while (next < edges.size() && edges[next] == edges[at]) ++next;
-    topology.boundary_edges += next - at == 1 ? 1 : 0;
-    topology.non_manifold_edges += next - at > 2 ? 1 : 0;
-    at = next;
-  }
+  const InfoReport::Edges counts = count_sorted_edges(edges, job_.progress);
+  topology.boundary_edges = counts.boundary;
+  topology.non_manifold_edges = counts.non_manifold;
 }
 
 void WeldedMesh::count_duplicates(CompareReport::Topology& topology) const {
