@@ -5,34 +5,9 @@
 #include "base/text.hpp"
 #include "cluster/kernel/corner_kernel.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace winnow {
-
-void Box::add(const std::array<double, 3>& point) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    low[axis] = empty ? point[axis] : std::min(low[axis], point[axis]);
-    high[axis] = empty ? point[axis] : std::max(high[axis], point[axis]);
-  }
-  empty = false;
-}
-
-void Box::add(const Box& other) {
-  if (other.empty) return;
-  add(other.low);
-  add(other.high);
-}
-
-double Box::longest_side() const {
-  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-}
-
-double Box::diagonal() const {
-  double sum = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) sum += (high[axis] - low[axis]) * (high[axis] - low[axis]);
-  return std::sqrt(sum);
-}
 
 double Grid::cell_of(double coordinate, std::size_t axis) const {
   constexpr double scale = 1 << fraction_bits;

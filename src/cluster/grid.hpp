@@ -1,6 +1,7 @@
 // The lattice of cubic cells that vertices are clustered on.
 #pragma once
 
+#include "base/box.hpp"
 #include "base/morton.hpp"
 
 #include <array>
@@ -8,17 +9,6 @@
 #include <string>
 
 namespace winnow {
-
-// Finite corners of a box; empty until a point was added.
-struct Box {
-  std::array<double, 3> low{}, high{};
-  bool empty = true;
-
-  void add(const std::array<double, 3>& point);
-  void add(const Box& other);
-  [[nodiscard]] double longest_side() const;
-  [[nodiscard]] double diagonal() const;
-};
 
 // A position's place on the lattice is (position - origin) * inverse, rounded to whole 2^-22 cells; its cell
 // is the whole part of that. This one formula, in double, decides everywhere.

@@ -14,17 +14,10 @@ namespace winnow {
 
 namespace {
 
-using Point = std::array<double, 3>;
-
 constexpr std::uint64_t crude_points = 1 << 15;
 // A clustered surface has about two faces a vertex, as any closed triangle mesh.
 constexpr double faces_a_cell = 2;
 constexpr double largest_edge = 1.001;  // of the box's longest side: all in one cell
-
-bool finite(const Point& p) {
-  // Infinities and what is no number differ from themselves less themselves.
-  return p[0] - p[0] == 0 && p[1] - p[1] == 0 && p[2] - p[2] == 0;
-}
 
 Point point_at(const PositionView& view, std::size_t i) {
   return {view.axis[0][i], view.axis[1][i], view.axis[2][i]};

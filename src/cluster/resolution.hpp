@@ -30,7 +30,6 @@ class CellCounts {
   static std::uint64_t memory(unsigned threads);  // the most it uses
 
  private:
-  using Point = std::array<double, 3>;
   static constexpr std::size_t sizes = 3;
 
   [[nodiscard]] double crude_cell(const std::vector<Point>& points, double cells) const;

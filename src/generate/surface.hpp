@@ -4,16 +4,14 @@
 
 #include <winnow/generate.hpp>
 
+#include "base/vector.hpp"
 #include "write/mesh_encoder.hpp"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 
 namespace winnow {
-
-using Point = std::array<double, 3>;
 
 // Safe to use from all threads at once. Results are the same on every x86-64 machine: nothing but + - * /,
 // square root and conversions, which all are rounded exactly, ever touches a position.

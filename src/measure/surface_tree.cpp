@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/box.hpp"
 #include "measure/closest_point.hpp"
 
 #include <algorithm>
@@ -29,7 +30,8 @@ struct SurfaceTree::State {
   std::span<const NumberedFace> faces;
   Reservation reservation;
   Job* job = nullptr;
-  Point low{}, high{}, centre{};
+  Box box;
+  Point centre{};
   double scale = 1;  // a power of two
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
@@ -40,21 +42,11 @@ struct SurfaceTree::State {
   }
 
   void find_centre() {
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
     for (const NumberedFace& face : faces) {
-      for (const Point& p : face.corner) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          low[axis] = std::min(low[axis], p[axis]);
-          high[axis] = std::max(high[axis], p[axis]);
-        }
-      }
+      for (const Point& p : face.corner) box.add(p);
     }
-    double side = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      side = std::max(side, high[axis] - low[axis]);
-      centre[axis] = middle_of(axis);
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis) centre[axis] = middle_of(axis);
+    const double side = box.longest_side();
     scale = side > 0 ? std::ldexp(1.0, -std::ilogb(side)) : 1;
   }
 
@@ -74,7 +66,7 @@ struct SurfaceTree::State {
   [[nodiscard]] double squared_to_box(const Point& p) const {
     double squared = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double away = std::max({low[axis] - p[axis], p[axis] - high[axis], 0.0});
+      const double away = std::max({box.low[axis] - p[axis], p[axis] - box.high[axis], 0.0});
       squared += away * away;
     }
     return squared;

@@ -13,8 +13,6 @@ using namespace test;
 
 namespace {
 
-using Point = std::array<double, 3>;
-
 Box random_box(Random& random) {
   Box box;
   const double offset = random.one_of<double>({0, 0, 5e6, -1e9});

@@ -41,10 +41,9 @@ TEST_CASE("edges along and across the rows are about equally long") {
     double area = 0;
     for (const MeshFace& face : mesh.faces) {
       const auto& [a, b, c] = face.vertex;
-      const double edges = length(difference(mesh.points[a], mesh.points[b])) +
-                           length(difference(mesh.points[b], mesh.points[c])) +
-                           length(difference(mesh.points[c], mesh.points[a]));
-      const double twice = length(area_vector(mesh.points[a], mesh.points[b], mesh.points[c]));
+      const double edges = length(mesh.points[a] - mesh.points[b]) + length(mesh.points[b] - mesh.points[c]) +
+                           length(mesh.points[c] - mesh.points[a]);
+      const double twice = length(doubled_area({mesh.points[a], mesh.points[b], mesh.points[c]}));
       // 1 for half a square, weighted by area: fans and throats are slim but small.
       sum += twice * (edges / std::sqrt(twice) / (2 + std::sqrt(2.0)));
       area += twice;

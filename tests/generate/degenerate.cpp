@@ -17,7 +17,7 @@ Point rounded(const Point& point) {
 }
 
 bool has_area(const Point& a, const Point& b, const Point& c) {
-  return length(area_vector(rounded(a), rounded(b), rounded(c))) > 0;
+  return length(doubled_area({rounded(a), rounded(b), rounded(c)})) > 0;
 }
 
 }  // namespace

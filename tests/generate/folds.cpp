@@ -19,8 +19,8 @@ double sharpest(std::uint64_t faces, std::uint32_t seed) {
     std::array<Point, 2> normal{};
     for (std::size_t half = 0; half < 2; ++half) {
       const MeshFace face = scan->face(2 * square + half);
-      normal[half] = area_vector(scan->vertex(face.vertex[0]), scan->vertex(face.vertex[1]),
-                                 scan->vertex(face.vertex[2]));
+      normal[half] = doubled_area(
+          {scan->vertex(face.vertex[0]), scan->vertex(face.vertex[1]), scan->vertex(face.vertex[2])});
     }
     least = std::min(least, dot(normal[0], normal[1]) / (length(normal[0]) * length(normal[1])));
   }

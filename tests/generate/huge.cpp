@@ -23,11 +23,11 @@ TEST_CASE("vertices and faces beyond 2^32 are where they belong") {
         const MeshFace face = huge->face(id);
         const std::uint64_t highest = *std::max_element(face.vertex.begin(), face.vertex.end());
         REQUIRE(highest < huge->vertices());
-        std::array<Point, 3> corners{};
+        Triangle corners{};
         for (std::size_t n = 0; n < 3; ++n) corners[n] = huge->vertex(face.vertex[n]);
-        CHECK(length(area_vector(corners[0], corners[1], corners[2])) > 0);
-        CHECK(length(difference(corners[0], corners[1])) < 5 * edge);
-        CHECK(length(difference(corners[0], corners[2])) < 5 * edge);
+        CHECK(length(doubled_area(corners)) > 0);
+        CHECK(length(corners[0] - corners[1]) < 5 * edge);
+        CHECK(length(corners[0] - corners[2]) < 5 * edge);
       }
       std::set<std::uint64_t> last;
       for (std::uint64_t id = huge->faces() - 100; id < huge->faces(); ++id) {

@@ -22,7 +22,7 @@ TEST_CASE("the boundary of a terrain is its rim") {
       if (edges.count({edge.second, edge.first}) == 1) continue;
       ++rim;
       right = right && on_rim(edge.first) && on_rim(edge.second);
-      Point step = difference(mesh.points[edge.first], mesh.points[edge.second]);
+      Point step = mesh.points[edge.first] - mesh.points[edge.second];
       step[2] = 0;
       around += length(step);
     }
@@ -39,7 +39,7 @@ TEST_CASE("a terrain is seen from above and has flat lakes") {
   std::size_t flat = 0;
   for (const MeshFace& face : mesh.faces) {
     const auto& [a, b, c] = face.vertex;
-    const Point normal = area_vector(mesh.points[a], mesh.points[b], mesh.points[c]);
+    const Point normal = doubled_area({mesh.points[a], mesh.points[b], mesh.points[c]});
     upwards = upwards && normal[2] > 0;
     if (normal[0] == 0 && normal[1] == 0) ++flat;
   }

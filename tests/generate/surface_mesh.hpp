@@ -3,10 +3,10 @@
 
 #include <winnow/generate.hpp>
 
+#include "base/vector.hpp"
 #include "generate/surface.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -59,22 +59,6 @@ inline std::map<DirectedEdge, int> directed_edges(const SurfaceMesh& mesh) {
     for (std::size_t n = 0; n < 3; ++n) ++edges[{face.vertex[n], face.vertex[(n + 1) % 3]}];
   }
   return edges;
-}
-
-inline Point difference(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline Point area_vector(const Point& a, const Point& b, const Point& c) {
-  return cross(difference(b, a), difference(c, a));
-}
-inline double length(const Point& a) {
-  return std::sqrt(dot(a, a));
 }
 
 // A directory that goes with the test.
