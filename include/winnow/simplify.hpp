@@ -43,6 +43,11 @@ struct BadFaces {
   std::uint64_t non_finite = 0;    // a corner at infinity or not a number
   std::uint64_t out_of_range = 0;  // an index of no vertex
   [[nodiscard]] std::uint64_t total() const { return degenerate + non_finite + out_of_range; }
+  void add(const BadFaces& more) {
+    degenerate += more.degenerate;
+    non_finite += more.non_finite;
+    out_of_range += more.out_of_range;
+  }
 };
 
 struct SimplifyReport {

@@ -284,9 +284,7 @@ std::uint64_t ClusterMemory::smallest_table(std::size_t parts, bool quadrics) {
 
 void ClusterCounts::add(const ClusterCounts& other) {
   faces += other.faces;
-  bad.degenerate += other.bad.degenerate;
-  bad.non_finite += other.bad.non_finite;
-  bad.out_of_range += other.bad.out_of_range;
+  bad.add(other.bad);
   clamped += other.clamped;
   if (other.first_bad.face < first_bad.face) first_bad = other.first_bad;
   outside = std::max(outside, other.outside);

@@ -3,6 +3,7 @@
 
 #include <winnow/info.hpp>
 
+#include "base/box.hpp"
 #include "base/exact_sum.hpp"
 #include "base/per_slot.hpp"
 #include "measure/edge_count.hpp"
@@ -30,10 +31,9 @@ class FaceCensus {
     std::uint64_t faces = 0, zero_area = 0, sides = 0;
     BadFaces bad;
     ExactSum area, edge_lengths;
-    bool has_box = false;
-    std::array<double, 3> low{}, high{};
+    Box box;
   };
-  static void add_point(Part& part, const std::array<double, 3>& point);
+  static void add_point(Part& part, const Point& point);
 
   PerSlot<Part> parts_;
   EdgeCount edges_;

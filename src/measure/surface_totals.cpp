@@ -3,7 +3,6 @@
 #include "base/hash.hpp"
 #include "measure/edge_count.hpp"
 
-#include <algorithm>
 #include <bit>
 
 namespace winnow {
@@ -17,23 +16,9 @@ std::uint64_t direction(std::uint64_t from, std::uint64_t to) {
 
 }  // namespace
 
-std::optional<Triangle> good_face(const FaceBatch& faces, std::size_t i) {
-  if (faces.status[i] != FaceStatus::good) return {};
-  const Triangle t{faces.corner(0, i), faces.corner(1, i), faces.corner(2, i)};
-  if (!finite(t[0]) || !finite(t[1]) || !finite(t[2])) return {};
-  if (t[0] == t[1] || t[0] == t[2] || t[1] == t[2]) return {};
-  return t;
-}
-
 void SurfaceTotals::add(const Triangle& face) {
-  if (faces_ == 0) low_ = high_ = face[0];
   ++faces_;
-  for (const Point& p : face) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low_[axis] = std::min(low_[axis], p[axis]);
-      high_[axis] = std::max(high_[axis], p[axis]);
-    }
-  }
+  for (const Point& p : face) box_.add(p);
   const double area = length(doubled_area(face)) / 2;
   if (std::isfinite(area)) area_.add(area);
   const double volume = dot(face[0] - origin_, cross(face[1] - origin_, face[2] - origin_));
@@ -46,19 +31,11 @@ void SurfaceTotals::add(const Triangle& face) {
 }
 
 void SurfaceTotals::merge(const SurfaceTotals& other) {
-  if (other.faces_ == 0) return;
-  if (faces_ == 0) {
-    low_ = other.low_;
-    high_ = other.high_;
-  }
   faces_ += other.faces_;
   area_.merge(other.area_);
   volume_.merge(other.volume_);
   directions_ += other.directions_;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    low_[axis] = std::min(low_[axis], other.low_[axis]);
-    high_[axis] = std::max(high_[axis], other.high_[axis]);
-  }
+  box_.add(other.box_);
 }
 
 }  // namespace winnow

@@ -1,19 +1,13 @@
 // What the faces of a surface add up to, in constant memory and whatever their order.
 #pragma once
 
-#include <winnow/simplify.hpp>
-
+#include "base/box.hpp"
 #include "base/exact_sum.hpp"
 #include "base/vector.hpp"
-#include "read/face_batch.hpp"
 
 #include <cstdint>
-#include <optional>
 
 namespace winnow {
-
-// Face `i` of a batch, if all its corners exist, are finite and stand in three places.
-std::optional<Triangle> good_face(const FaceBatch& faces, std::size_t i);
 
 class SurfaceTotals {
  public:
@@ -25,9 +19,7 @@ class SurfaceTotals {
 
   [[nodiscard]] std::uint64_t faces() const { return faces_; }
   [[nodiscard]] double area() const { return area_.value(); }
-  [[nodiscard]] const Point& low() const { return low_; }
-  [[nodiscard]] const Point& high() const { return high_; }
-  [[nodiscard]] double diagonal() const { return length(high_ - low_); }
+  [[nodiscard]] const Box& box() const { return box_; }
 
   // Whether every side of a face is met by one of the opposite direction: then the surface has an inside.
   // Told by a sum of hashes, so that it takes no memory; wrong with a chance of 2^-64.
@@ -41,7 +33,7 @@ class SurfaceTotals {
   std::uint64_t faces_ = 0;
   ExactSum area_, volume_;
   std::uint64_t directions_ = 0;
-  Point low_{}, high_{};
+  Box box_;
 };
 
 }  // namespace winnow

@@ -3,6 +3,7 @@
 
 #include "base/vector.hpp"
 #include "io/job.hpp"
+#include "measure/good_faces.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -10,11 +11,6 @@
 #include <span>
 
 namespace winnow {
-
-struct NumberedFace {
-  Triangle corner;
-  std::uint64_t number;
-};
 
 struct NearestFace {
   double squared = std::numeric_limits<double>::infinity();  // of the distance

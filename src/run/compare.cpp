@@ -10,6 +10,7 @@
 #include "io/byte_sink.hpp"
 #include "measure/distance_sums.hpp"
 #include "measure/edge_count.hpp"
+#include "measure/good_faces.hpp"
 #include "measure/nearest_points.hpp"
 #include "measure/normal_deviation.hpp"
 #include "measure/surface_sampler.hpp"
@@ -120,25 +121,16 @@ class FaceIntake {
   template <typename Each>
   void add(const FaceBatch& faces, const Each& each) {
     Part& part = parts_.local();
-    std::array<NumberedFace, FaceBatch::capacity> good;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < faces.count; ++i) {
-      if (const auto face = good_face(faces, i)) {
-        part.totals.add(*face);
-        good[count++] = {*face, faces.first + i};
-      } else {
-        count_bad(faces, i, part.bad);
-      }
-    }
-    each(std::span<const NumberedFace>(good.data(), count));
+    const GoodFaces good(faces);
+    part.bad.add(good.bad());
+    for (const NumberedFace& face : good.faces()) part.totals.add(face.corner);
+    each(good.faces());
   }
 
   void finish() {
     for (const Part* part : parts_.all()) {
       all_.totals.merge(part->totals);
-      all_.bad.degenerate += part->bad.degenerate;
-      all_.bad.non_finite += part->bad.non_finite;
-      all_.bad.out_of_range += part->bad.out_of_range;
+      all_.bad.add(part->bad);
     }
   }
 
@@ -157,17 +149,6 @@ class FaceIntake {
     SurfaceTotals totals;
     BadFaces bad;
   };
-
-  static void count_bad(const FaceBatch& faces, std::size_t i, BadFaces& bad) {
-    if (faces.status[i] == FaceStatus::out_of_range) {
-      ++bad.out_of_range;
-    } else if (faces.status[i] == FaceStatus::good &&
-               !(finite(faces.corner(0, i)) && finite(faces.corner(1, i)) && finite(faces.corner(2, i)))) {
-      ++bad.non_finite;
-    } else {
-      ++bad.degenerate;
-    }
-  }
 
   PerSlot<Part> parts_;
   Part all_;
@@ -321,12 +302,12 @@ class Comparison {
   static void check_size(const SurfaceTotals& totals, const std::string& name) {
     constexpr double largest = 1e35;
     double most = 0;
-    for (const Point& p : {totals.low(), totals.high()}) {
+    for (const Point& p : {totals.box().low, totals.box().high}) {
       for (const double x : p) most = std::max(most, std::abs(x));
     }
-    if (totals.faces() > 0 && (most > largest || totals.diagonal() < 1 / largest)) {
+    if (totals.faces() > 0 && (most > largest || totals.box().diagonal() < 1 / largest)) {
       throw Error(ErrorKind::bad_input, "'" + name + "' has coordinates up to " + shortest(most) +
-                                            " and a diagonal of " + shortest(totals.diagonal()) +
+                                            " and a diagonal of " + shortest(totals.box().diagonal()) +
                                             "; both must be between 1e-35 and 1e35");
     }
   }
@@ -384,13 +365,13 @@ class Comparison {
     intake.finish();
     intake.report(report_.original);
     check_size(intake.totals(), name);
-    report_.diagonal = intake.totals().diagonal();
+    report_.diagonal = intake.totals().box().diagonal();
     if (report_.original.faces == 0)
       throw Error(ErrorKind::bad_input, "'" + name + "' has no face that could be compared");
     if (picture_ != nullptr) {
-      const auto [low, high] = std::pair(intake.totals().low(), intake.totals().high());
-      original_view_ = std::make_unique<SurfaceView>(low, high, view_pixels);
-      simplified_view_ = std::make_unique<SurfaceView>(low, high, view_pixels);
+      const Box& box = intake.totals().box();
+      original_view_ = std::make_unique<SurfaceView>(box.low, box.high, view_pixels);
+      simplified_view_ = std::make_unique<SurfaceView>(box.low, box.high, view_pixels);
     }
     if (chunk.size() > 0) points.approach(chunk.span());
     chunk.clear();
@@ -406,15 +387,10 @@ class Comparison {
       more = for_each_face_batch(
           job_, *reader,
           [&](const FaceBatch& faces) {
-            std::array<NumberedFace, FaceBatch::capacity> good;
-            std::size_t count = 0;
-            for (std::size_t i = 0; i < faces.count; ++i) {
-              if (const auto face = good_face(faces, i)) good[count++] = {*face, faces.first + i};
-            }
-            const std::span<const NumberedFace> all(good.data(), count);
-            forward.add(all);
-            if (original_view_ != nullptr) draw_original(all);
-            if (!chunk.add(all)) refuse(simplified_->size());
+            const GoodFaces good(faces);
+            forward.add(good.faces());
+            if (original_view_ != nullptr) draw_original(good.faces());
+            if (!chunk.add(good.faces())) refuse(simplified_->size());
           },
           full);
       points.approach(chunk.span());

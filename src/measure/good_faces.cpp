@@ -1,0 +1,20 @@
+#include "measure/good_faces.hpp"
+
+namespace winnow {
+
+GoodFaces::GoodFaces(const FaceBatch& faces) {
+  for (std::size_t i = 0; i < faces.count; ++i) {
+    const Triangle t{faces.corner(0, i), faces.corner(1, i), faces.corner(2, i)};
+    if (faces.status[i] == FaceStatus::out_of_range) {
+      ++bad_.out_of_range;
+    } else if (faces.status[i] == FaceStatus::good && !(finite(t[0]) && finite(t[1]) && finite(t[2]))) {
+      ++bad_.non_finite;
+    } else if (faces.status[i] != FaceStatus::good || t[0] == t[1] || t[0] == t[2] || t[1] == t[2]) {
+      ++bad_.degenerate;
+    } else {
+      good_[count_++] = {t, faces.first + i};
+    }
+  }
+}
+
+}  // namespace winnow

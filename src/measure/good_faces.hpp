@@ -1,0 +1,34 @@
+// The faces of a batch that are faces, and what is wrong with the others.
+#pragma once
+
+#include <winnow/simplify.hpp>
+
+#include "base/vector.hpp"
+#include "read/face_batch.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace winnow {
+
+struct NumberedFace {
+  Triangle corner;
+  std::uint64_t number;
+};
+
+// Those whose corners exist, are finite and stand in three places; the others are counted by kind.
+class GoodFaces {
+ public:
+  explicit GoodFaces(const FaceBatch& faces);
+
+  [[nodiscard]] std::span<const NumberedFace> faces() const { return {good_.data(), count_}; }
+  [[nodiscard]] const BadFaces& bad() const { return bad_; }
+
+ private:
+  std::array<NumberedFace, FaceBatch::capacity> good_;
+  std::size_t count_ = 0;
+  BadFaces bad_;
+};
+
+}  // namespace winnow
