@@ -2,32 +2,28 @@
 #include <winnow/compare.hpp>
 #include <winnow/error.hpp>
 
-#include "base/growing_pages.hpp"
-#include "base/parallel.hpp"
-#include "base/per_slot.hpp"
+#include "base/hash.hpp"
 #include "base/text.hpp"
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
 #include "measure/distance_sums.hpp"
-#include "measure/edge_count.hpp"
+#include "measure/face_intake.hpp"
+#include "measure/face_store.hpp"
+#include "measure/forward_distances.hpp"
 #include "measure/good_faces.hpp"
 #include "measure/nearest_points.hpp"
-#include "measure/normal_deviation.hpp"
 #include "measure/surface_sampler.hpp"
 #include "measure/surface_totals.hpp"
 #include "measure/surface_tree.hpp"
 #include "measure/welded_mesh.hpp"
-#include "picture/surface_view.hpp"
+#include "picture/side_by_side.hpp"
 #include "read/for_each_batch.hpp"
 #include "read/mesh_reader.hpp"
 #include "write/colored_ply.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <mutex>
 
 namespace winnow {
 
@@ -56,10 +52,6 @@ std::uint64_t bytes_a_simplified_face() {
          NearestPoints::bytes_a_face;
 }
 
-constexpr std::size_t view_pixels = 720;
-constexpr std::size_t picture_width = 2 * view_pixels;
-constexpr std::size_t picture_height = view_pixels + 50;
-
 constexpr std::uint64_t least_samples = 100;
 constexpr std::uint64_t most_samples = 1'000'000'000'000;
 
@@ -69,163 +61,6 @@ bool same_place(const std::string& one, const std::string& other) {
   return one == other ||
          std::filesystem::weakly_canonical(one, ignored) == std::filesystem::weakly_canonical(other, ignored);
 }
-
-// Three digits, for a scale.
-std::string significant(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
-
-// Faces that come from any thread, kept side by side; in the order of their numbers once sorted.
-class FaceStore {
- public:
-  FaceStore(Budget& budget, std::uint64_t faces) : pages_(budget, faces * sizeof(NumberedFace)) {}
-
-  // False where there is no more room.
-  bool add(std::span<const NumberedFace> faces) {
-    const std::scoped_lock lock(mutex_);
-    const std::size_t count = count_;
-    if (!pages_.grow_to((count + faces.size()) * sizeof(NumberedFace))) return false;
-    std::copy(faces.begin(), faces.end(), reinterpret_cast<NumberedFace*>(pages_.data()) + count);
-    count_ = count + faces.size();
-    return true;
-  }
-
-  void sort(Job& job) {
-    const std::span<NumberedFace> all = span();
-    std::sort(all.begin(), all.end(),
-              job.progress.cancellable(
-                  [](const NumberedFace& a, const NumberedFace& b) { return a.number < b.number; }));
-  }
-
-  [[nodiscard]] std::span<NumberedFace> span() const {
-    return {reinterpret_cast<NumberedFace*>(pages_.data()), count_};
-  }
-  [[nodiscard]] std::size_t size() const { return count_; }
-  [[nodiscard]] std::size_t room() const { return pages_.limit() / sizeof(NumberedFace); }
-  void clear() { count_ = 0; }
-
- private:
-  std::mutex mutex_;
-  GrowingPages pages_;
-  std::atomic<std::size_t> count_ = 0;
-};
-
-// What every face goes through first; `each` gets the good ones of a batch.
-class FaceIntake {
- public:
-  FaceIntake(Job& job, const Point& origin)
-      : parts_(job.threads, [origin] { return std::make_unique<Part>(origin); }), all_(origin) {}
-
-  template <typename Each>
-  void add(const FaceBatch& faces, const Each& each) {
-    Part& part = parts_.local();
-    const GoodFaces good(faces);
-    part.bad.add(good.bad());
-    for (const NumberedFace& face : good.faces()) part.totals.add(face.corner);
-    each(good.faces());
-  }
-
-  void finish() {
-    for (const Part* part : parts_.all()) {
-      all_.totals.merge(part->totals);
-      all_.bad.add(part->bad);
-    }
-  }
-
-  [[nodiscard]] const SurfaceTotals& totals() const { return all_.totals; }
-
-  void report(CompareReport::Mesh& mesh) const {
-    mesh.faces = all_.totals.faces();
-    mesh.bad_faces = all_.bad;
-    mesh.area = all_.totals.area();
-    if (all_.totals.closed()) mesh.volume = all_.totals.volume();
-  }
-
- private:
-  struct Part {
-    explicit Part(const Point& origin) : totals(origin) {}
-    SurfaceTotals totals;
-    BadFaces bad;
-  };
-
-  PerSlot<Part> parts_;
-  Part all_;
-};
-
-// From points of the original to the simplified surface.
-class ForwardDistances {
- public:
-  ForwardDistances(Job& job, const SurfaceTree& tree, const SurfaceSampler& sampler)
-      : job_(job),
-        tree_(tree),
-        sampler_(sampler),
-        parts_(job.threads, [] { return std::make_unique<Part>(); }) {}
-
-  void add(std::span<const NumberedFace> faces) {
-    Part& part = parts_.local();
-    for (const NumberedFace& face : faces) {
-      const Point normal = doubled_area(face.corner);
-      const std::uint64_t samples = sampler_.count(face.number, length(normal) / 2);
-      for (std::uint64_t k = 0; k < samples; ++k) {
-        if (k % 256 == 255) job_.progress.check_cancelled();
-        const Point point = SurfaceSampler::point(face.number, k, face.corner);
-        NearestFace nearest = guess(part, point);
-        tree_.search(point, nearest);
-        part.last = nearest.face;
-        part.sums.add(nearest.squared, point);
-        part.normals.add(normal, doubled_area(nearest.face->corner));
-      }
-      for (const Point& corner : face.corner) add_vertex(part, corner);
-    }
-  }
-
-  void finish(CompareReport& report, DistanceSums& sums) {
-    NormalDeviation normals;
-    for (const Part* part : parts_.all()) {
-      sums.merge(part->sums);
-      normals.merge(part->normals);
-    }
-    report.forward = sums.distances();
-    report.original.samples = sums.samples();
-    report.normal_deviation = normals.result();
-  }
-
- private:
-  static constexpr unsigned recent_bits = 12;
-
-  struct Part {
-    Part() : recent(std::size_t{1} << recent_bits, Point{NAN, NAN, NAN}) {}
-    DistanceSums sums;
-    NormalDeviation normals;
-    const NumberedFace* last = nullptr;
-    std::vector<Point> recent;  // vertices that were just looked at: neighbouring faces share them
-  };
-
-  // A search that begins with a near face is short.
-  static NearestFace guess(const Part& part, const Point& point) {
-    return part.last == nullptr ? NearestFace{} : distance_to(*part.last, point);
-  }
-
-  // Vertices count for the maximum alone, so one that is nearer than the farthest so far need not be exact.
-  void add_vertex(Part& part, const Point& point) {
-    Point& recent = part.recent[quick_hash(EdgeCount::hash_position(point)) >> (64 - recent_bits)];
-    if (recent == point) return;
-    recent = point;
-    const double enough = part.sums.largest_squared();
-    NearestFace nearest = guess(part, point);
-    if (nearest.squared < enough) return;
-    tree_.search(point, nearest, enough);
-    part.last = nearest.face;
-    part.sums.add_to_maximum(nearest.squared, point);
-  }
-
-  Job& job_;
-  const SurfaceTree& tree_;
-  const SurfaceSampler& sampler_;
-  PerSlot<Part> parts_;
-};
 
 class Comparison {
  public:
@@ -271,7 +106,7 @@ class Comparison {
   void read_simplified(const std::string& name) {
     if (!options_.picture.empty()) {
       picture_ = std::make_unique<ByteSink>(job_, options_.picture, options_.force);
-      views_memory_ = job_.budget.reserve(picture_memory(), "the picture");
+      views_memory_ = job_.budget.reserve(SideBySide::memory(), "the picture");
     }
     if (!options_.colored.empty()) sink_ = std::make_unique<ByteSink>(job_, options_.colored, options_.force);
     const std::unique_ptr<MeshReader> reader =
@@ -284,9 +119,9 @@ class Comparison {
     reader->begin_faces();
     for_each_face_batch(job_, *reader,
                         [&](const FaceBatch& faces) {
-                          intake.add(faces, [&](std::span<const NumberedFace> good) {
-                            if (!simplified_->add(good)) refuse(2 * simplified_->room());
-                          });
+                          const GoodFaces good(faces);
+                          intake.add(good);
+                          if (!simplified_->add(good.faces())) refuse(2 * simplified_->room());
                         },
                         {});
     intake.finish();
@@ -357,9 +192,9 @@ class Comparison {
     reader->begin_faces();
     for_each_face_batch(job_, *reader,
                         [&](const FaceBatch& faces) {
-                          intake.add(faces, [&](std::span<const NumberedFace> good) {
-                            if (!whole) take_some(good, step, chunk);
-                          });
+                          const GoodFaces good(faces);
+                          intake.add(good);
+                          if (!whole) take_some(good.faces(), step, chunk);
                         },
                         {});
     intake.finish();
@@ -368,11 +203,7 @@ class Comparison {
     report_.diagonal = intake.totals().box().diagonal();
     if (report_.original.faces == 0)
       throw Error(ErrorKind::bad_input, "'" + name + "' has no face that could be compared");
-    if (picture_ != nullptr) {
-      const Box& box = intake.totals().box();
-      original_view_ = std::make_unique<SurfaceView>(box.low, box.high, view_pixels);
-      simplified_view_ = std::make_unique<SurfaceView>(box.low, box.high, view_pixels);
-    }
+    if (picture_ != nullptr) views_ = std::make_unique<SideBySide>(intake.totals().box());
     if (chunk.size() > 0) points.approach(chunk.span());
     chunk.clear();
 
@@ -389,7 +220,7 @@ class Comparison {
           [&](const FaceBatch& faces) {
             const GoodFaces good(faces);
             forward.add(good.faces());
-            if (original_view_ != nullptr) draw_original(good.faces());
+            if (views_ != nullptr) draw_original(good.faces());
             if (!chunk.add(good.faces())) refuse(simplified_->size());
           },
           full);
@@ -406,21 +237,17 @@ class Comparison {
     }
   }
 
-  static std::uint64_t picture_memory() {
-    return 2 * SurfaceView::memory(view_pixels) + 3 * picture_width * picture_height * 2;
-  }
-
   void draw_original(std::span<const NumberedFace> faces) {
     for (const NumberedFace& face : faces) {
       job_.progress.check_cancelled();
-      original_view_->draw(face.corner, face.number, {});
+      views_->left().draw(face.corner, face.number, {});
     }
   }
 
   // What is seen of the original is measured pixel by pixel, of the simplified mesh at its vertices.
   void draw_picture(const SurfaceTree& tree, const WeldedMesh& mesh, std::span<const double> squared) {
     job_.progress.begin("picture", 0, "pixels");
-    original_view_->revalue(
+    views_->left().revalue(
         [&tree](const Point& point) {
           NearestFace nearest;
           tree.search(point, nearest);
@@ -431,32 +258,10 @@ class Comparison {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       job_.progress.check_cancelled();
       const auto& [a, b, c] = mesh.faces()[f];
-      simplified_view_->draw(faces[f].corner, f,
-                             {std::sqrt(squared[a]), std::sqrt(squared[b]), std::sqrt(squared[c])});
+      views_->right().draw(faces[f].corner, f,
+                           {std::sqrt(squared[a]), std::sqrt(squared[b]), std::sqrt(squared[c])});
     }
-    const double most = 3 * std::max(report_.forward.rms, report_.backward.rms);
-    Image image(picture_width, picture_height, {255, 255, 255});
-    original_view_->paint(image, 0, 0, most);
-    simplified_view_->paint(image, view_pixels, 0, most);
-    draw_bar(image, most);
-    image.write_png(*picture_);
-  }
-
-  // From no distance to `most`, in model units.
-  static void draw_bar(Image& image, double most) {
-    constexpr std::size_t left = view_pixels / 2;
-    constexpr std::size_t width = view_pixels;
-    constexpr std::size_t top = view_pixels + 10;
-    constexpr std::size_t height = 16;
-    for (std::size_t i = 0; i < width; ++i)
-      image.fill(left + i, top, 1, height,
-                 heat_color(static_cast<double>(i), static_cast<double>(width - 1)));
-    constexpr Color ink{40, 40, 40};
-    for (std::size_t part = 0; part <= 3; ++part) {
-      const std::size_t x = left + part * (width - 1) / 3;
-      image.fill(x, top + height, 1, 5, ink);
-      image.number(x + 4, top + height + 5, 16, significant(most * static_cast<double>(part) / 3), ink);
-    }
+    views_->write_png(*picture_, 3 * std::max(report_.forward.rms, report_.backward.rms));
   }
 
   void combine() {
@@ -480,7 +285,7 @@ class Comparison {
   std::uint64_t loose_places_ = 0;  // what a mesh with more vertices than faces takes besides
   std::unique_ptr<ByteSink> sink_, picture_;
   Reservation views_memory_;
-  std::unique_ptr<SurfaceView> original_view_, simplified_view_;
+  std::unique_ptr<SideBySide> views_;
   std::unique_ptr<FaceStore> simplified_;
   DistanceSums forward_, backward_;
   CompareReport report_;

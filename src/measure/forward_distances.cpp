@@ -1,0 +1,71 @@
+#include "measure/forward_distances.hpp"
+
+#include "base/hash.hpp"
+#include "measure/edge_count.hpp"
+
+#include <cmath>
+
+namespace winnow {
+
+namespace {
+
+constexpr unsigned recent_bits = 12;
+
+}  // namespace
+
+ForwardDistances::Part::Part() : recent(std::size_t{1} << recent_bits, Point{NAN, NAN, NAN}) {}
+
+ForwardDistances::ForwardDistances(Job& job, const SurfaceTree& tree, const SurfaceSampler& sampler)
+    : job_(job),
+      tree_(tree),
+      sampler_(sampler),
+      parts_(job.threads, [] { return std::make_unique<Part>(); }) {}
+
+void ForwardDistances::add(std::span<const NumberedFace> faces) {
+  Part& part = parts_.local();
+  for (const NumberedFace& face : faces) {
+    const Point normal = doubled_area(face.corner);
+    const std::uint64_t samples = sampler_.count(face.number, length(normal) / 2);
+    for (std::uint64_t k = 0; k < samples; ++k) {
+      if (k % 256 == 255) job_.progress.check_cancelled();
+      const Point point = SurfaceSampler::point(face.number, k, face.corner);
+      NearestFace nearest = guess(part, point);
+      tree_.search(point, nearest);
+      part.last = nearest.face;
+      part.sums.add(nearest.squared, point);
+      part.normals.add(normal, doubled_area(nearest.face->corner));
+    }
+    for (const Point& corner : face.corner) add_vertex(part, corner);
+  }
+}
+
+// A search that begins with a near face is short.
+NearestFace ForwardDistances::guess(const Part& part, const Point& point) {
+  return part.last == nullptr ? NearestFace{} : distance_to(*part.last, point);
+}
+
+// Vertices count for the maximum alone, so one that is nearer than the farthest so far need not be exact.
+void ForwardDistances::add_vertex(Part& part, const Point& point) const {
+  Point& recent = part.recent[quick_hash(EdgeCount::hash_position(point)) >> (64 - recent_bits)];
+  if (recent == point) return;
+  recent = point;
+  const double enough = part.sums.largest_squared();
+  NearestFace nearest = guess(part, point);
+  if (nearest.squared < enough) return;
+  tree_.search(point, nearest, enough);
+  part.last = nearest.face;
+  part.sums.add_to_maximum(nearest.squared, point);
+}
+
+void ForwardDistances::finish(CompareReport& report, DistanceSums& sums) const {
+  NormalDeviation normals;
+  for (const Part* part : parts_.all()) {
+    sums.merge(part->sums);
+    normals.merge(part->normals);
+  }
+  report.forward = sums.distances();
+  report.original.samples = sums.samples();
+  report.normal_deviation = normals.result();
+}
+
+}  // namespace winnow
