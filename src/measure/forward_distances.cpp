@@ -13,13 +13,11 @@ constexpr unsigned recent_bits = 12;
 
 }  // namespace
 
-ForwardDistances::Part::Part() : recent(std::size_t{1} << recent_bits, Point{NAN, NAN, NAN}) {}
+ForwardDistances::Part::Part(const SurfaceTree& tree)
+    : neighbours(tree), recent(std::size_t{1} << recent_bits, Point{NAN, NAN, NAN}) {}
 
 ForwardDistances::ForwardDistances(Job& job, const SurfaceTree& tree, const SurfaceSampler& sampler)
-    : job_(job),
-      tree_(tree),
-      sampler_(sampler),
-      parts_(job.threads, [] { return std::make_unique<Part>(); }) {}
+    : job_(job), sampler_(sampler), parts_(job.threads, [&tree] { return std::make_unique<Part>(tree); }) {}
 
 void ForwardDistances::add(std::span<const NumberedFace> faces) {
   Part& part = parts_.local();
@@ -29,9 +27,8 @@ void ForwardDistances::add(std::span<const NumberedFace> faces) {
     for (std::uint64_t k = 0; k < samples; ++k) {
       if (k % 256 == 255) job_.progress.check_cancelled();
       const Point point = SurfaceSampler::point(face.number, k, face.corner);
-      NearestFace nearest = guess(part, point);
-      tree_.search(point, nearest);
-      part.last = nearest.face;
+      NearestFace nearest;
+      part.neighbours.search(point, nearest);
       part.sums.add(nearest.squared, point);
       part.normals.add(normal, doubled_area(nearest.face->corner));
     }
@@ -39,21 +36,13 @@ void ForwardDistances::add(std::span<const NumberedFace> faces) {
   }
 }
 
-// A search that begins with a near face is short.
-NearestFace ForwardDistances::guess(const Part& part, const Point& point) {
-  return part.last == nullptr ? NearestFace{} : distance_to(*part.last, point);
-}
-
 // Vertices count for the maximum alone, so one that is nearer than the farthest so far need not be exact.
-void ForwardDistances::add_vertex(Part& part, const Point& point) const {
+void ForwardDistances::add_vertex(Part& part, const Point& point) {
   Point& recent = part.recent[quick_hash(EdgeCount::hash_position(point)) >> (64 - recent_bits)];
   if (recent == point) return;
   recent = point;
-  const double enough = part.sums.largest_squared();
-  NearestFace nearest = guess(part, point);
-  if (nearest.squared < enough) return;
-  tree_.search(point, nearest, enough);
-  part.last = nearest.face;
+  NearestFace nearest;
+  part.neighbours.search(point, nearest, part.sums.largest_squared());
   part.sums.add_to_maximum(nearest.squared, point);
 }
 

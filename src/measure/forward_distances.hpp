@@ -29,17 +29,15 @@ class ForwardDistances {
 
  private:
   struct Part {
-    Part();
+    explicit Part(const SurfaceTree& tree);
+    NeighbourSearch neighbours;
     DistanceSums sums;
     NormalDeviation normals;
-    const NumberedFace* last = nullptr;
     std::vector<Point> recent;  // vertices that were just looked at: neighbouring faces share them
   };
-  static NearestFace guess(const Part& part, const Point& point);
-  void add_vertex(Part& part, const Point& point) const;
+  static void add_vertex(Part& part, const Point& point);
 
   Job& job_;
-  const SurfaceTree& tree_;
   const SurfaceSampler& sampler_;
   PerSlot<Part> parts_;
 };

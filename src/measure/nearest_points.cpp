@@ -65,17 +65,7 @@ void NearestPoints::approach(std::span<const NumberedFace> surface) {
 void NearestPoints::approach_block(const SurfaceTree& tree, std::size_t block) {
   std::uint64_t at = first_sample_[block];
   const std::size_t end = std::min(faces_.size(), (block + 1) * block_faces);
-  const NumberedFace* last = nullptr;
-  // A search that begins with a near face is short.
-  const auto search = [&](const Point& point, NearestFace& best) {
-    if (last != nullptr) {
-      const NearestFace guess = distance_to(*last, point);
-      if (best.farther_than(guess.squared, guess.number)) best = guess;
-    }
-    tree.search(point, best);
-    if (best.face != nullptr) last = best.face;
-    return best.face != nullptr;
-  };
+  NeighbourSearch neighbours(tree);
   for (std::size_t f = block * block_faces; f < end; ++f) {
     job_.progress.check_cancelled();
     const NumberedFace& face = faces_[f];
@@ -85,13 +75,13 @@ void NearestPoints::approach_block(const SurfaceTree& tree, std::size_t block) {
       if (k % 256 == 255) job_.progress.check_cancelled();
       // Number 0 lets no other face of the same distance win: only the distance counts.
       NearestFace nearest{sample_squared_[at], 0};
-      if (search(SurfaceSampler::point(face.number, k, face.corner), nearest))
+      if (neighbours.search(SurfaceSampler::point(face.number, k, face.corner), nearest))
         sample_squared_[at] = nearest.squared;
     }
     for (std::size_t k = 0; k < 4; ++k) {
       InnerPoint& inner = inner_[4 * f + k];
       NearestFace nearest{inner.squared, inner.number};
-      if (search(inner_point(face.corner, k), nearest))
+      if (neighbours.search(inner_point(face.corner, k), nearest))
         inner = {nearest.squared, nearest.number, dot(normal, doubled_area(nearest.face->corner)) < 0};
     }
   }

@@ -176,7 +176,8 @@ SurfaceTree::~SurfaceTree() = default;
 
 bool SurfaceTree::search(const Point& point, NearestFace& best, double enough_squared) const {
   const State& state = *state_;
-  if (state.faces.empty() || state.squared_to_box(point) * (1 - 1e-9) > best.squared) return false;
+  if (state.faces.empty() || best.squared < enough_squared) return false;
+  if (state.squared_to_box(point) * (1 - 1e-9) > best.squared) return false;
   const Point at = state.scaled(point);
   const double size = std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
   Search search{state.faces, point, &best, enough_squared, state.scale, slack * size};
@@ -193,6 +194,18 @@ bool SurfaceTree::search(const Point& point, NearestFace& best, double enough_sq
   rtcInitPointQueryContext(&context);
   rtcPointQuery(state.scene, &query, &context, nullptr, &search);
   return search.found;
+}
+
+bool NeighbourSearch::search(const Point& point, NearestFace& best, double enough_squared) {
+  bool found = false;
+  if (last_ != nullptr) {
+    const NearestFace guess = distance_to(*last_, point);
+    found = best.farther_than(guess.squared, guess.number);
+    if (found) best = guess;
+  }
+  found = tree_.search(point, best, enough_squared) || found;
+  if (found) last_ = best.face;
+  return found;
 }
 
 }  // namespace winnow

@@ -48,4 +48,18 @@ class SurfaceTree {
   std::unique_ptr<State> state_;
 };
 
+// Searches for points that mostly lie near each other: one that begins with the face that the last found is
+// short. By one thread.
+class NeighbourSearch {
+ public:
+  explicit NeighbourSearch(const SurfaceTree& tree) : tree_(tree) {}
+
+  // As SurfaceTree::search().
+  bool search(const Point& point, NearestFace& best, double enough_squared = 0);
+
+ private:
+  const SurfaceTree& tree_;
+  const NumberedFace* last_ = nullptr;
+};
+
 }  // namespace winnow

@@ -96,6 +96,27 @@ TEST_CASE("a search may stop once it is near enough") {
   }
 }
 
+TEST_CASE("beginning with the face found last changes nothing of what is found") {
+  test::Random random(713);
+  const std::vector<NumberedFace> faces = random_faces(random, 2000, {0, 0, 0}, 0.1);
+  test::TestJob test;
+  const SurfaceTree tree(test.job, faces);
+  NeighbourSearch neighbours(tree);
+  Point point = random_point(random, 1.5);
+  for (int round = 0; round < 1000; ++round) {
+    // Some are no nearer than what is already known of their point, and must not be found.
+    point = random.chance(0.1) ? random_point(random, 1.5) : point + random_point(random, 0.01);
+    const double known = random.chance(0.5) ? NearestFace{}.squared : random.real(0, 0.01);
+    NearestFace right{known, 0};
+    const bool nearer = tree.search(point, right);
+    NearestFace found{known, 0};
+    CHECK(neighbours.search(point, found) == nearer);
+    CHECK(found.squared == right.squared);
+    CHECK(found.number == right.number);
+    CHECK(found.face == right.face);
+  }
+}
+
 TEST_CASE("a tree keeps to the memory it reserves") {
   test::Random random(712);
   test::TestJob test;
