@@ -8,7 +8,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
 #include <catch2/catch.hpp>
 #include <fcntl.h>
@@ -206,14 +205,10 @@ TEST_CASE("waiting for a reader of a named pipe ends when the run is cancelled")
   const std::string path = directory.file("pipe");
   REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
   test::TestJob test;
-  std::thread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    test.context.cancel();
-  });
+  const std::jthread later = test::cancel_later(test.context);
   const Stopwatch watch;
   CHECK(test::error_of([&] { ByteSink(test.job, path, false); }).kind() == ErrorKind::cancelled);
   CHECK(watch.seconds() < 5);
-  later.join();
 }
 
 TEST_CASE("a full disk is an error") {
@@ -251,14 +246,10 @@ TEST_CASE("a reader that does not read does not keep a cancelled run") {
   const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   test::TestJob test;
   ByteSink sink(test.job, path, false);
-  std::thread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    test.context.cancel();
-  });
+  const std::jthread later = test::cancel_later(test.context);
   const Stopwatch watch;
   CHECK(test::error_of([&] { write_all(sink, std::string(5'000'000, 'x')); }).kind() == ErrorKind::cancelled);
   CHECK(watch.seconds() < 5);
-  later.join();
   ::close(reader);
 }
 

@@ -7,7 +7,6 @@
 
 #include <deque>
 #include <filesystem>
-#include <thread>
 
 #include <catch2/catch.hpp>
 #include <sys/stat.h>
@@ -166,15 +165,11 @@ TEST_CASE("waiting for a writer of a named pipe ends when the run is cancelled")
   const std::string path = directory.file("pipe");
   REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
   test::TestJob test;
-  std::thread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    test.context.cancel();
-  });
+  const std::jthread later = test::cancel_later(test.context);
   const Stopwatch watch;
   // Nobody writes yet: that is no end.
   CHECK(test::error_of([&] { open_source(test.job, path)->take(1); }).kind() == ErrorKind::cancelled);
   CHECK(watch.seconds() < 5);
-  later.join();
 }
 
 TEST_CASE("waiting for a pipe ends when the run is cancelled") {
@@ -183,14 +178,10 @@ TEST_CASE("waiting for a pipe ends when the run is cancelled") {
   REQUIRE(::write(ends[1], "plyplyply", 9) == 9);  // and then nothing, but the pipe stays open
   test::TestJob test;
   const auto source = open_source(test.job, "/proc/self/fd/" + std::to_string(ends[0]));
-  std::thread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    test.context.cancel();
-  });
+  const std::jthread later = test::cancel_later(test.context);
   const Stopwatch watch;
   CHECK(test::error_of([&] { source->take(100); }).kind() == ErrorKind::cancelled);
   CHECK(watch.seconds() < 5);
-  later.join();
   ::close(ends[0]);
   ::close(ends[1]);
 }

@@ -3,11 +3,11 @@
 #include <winnow/error.hpp>
 
 #include "base/progress.hpp"
+#include "support/job.hpp"
 #include "support/sanitized.hpp"
 #include "support/simplified.hpp"
 
 #include <set>
-#include <thread>
 
 namespace winnow::test {
 
@@ -73,10 +73,7 @@ TEST_CASE("one face with all samples does not keep a comparison from stopping", 
   context.scratch = directory.path();
   CompareOptions options;
   options.samples = 30'000'000;
-  std::thread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    context.cancel();
-  });
+  const std::jthread later = cancel_later(context, std::chrono::milliseconds(500));
   const Stopwatch watch;
   int code = 0;
   try {
@@ -84,7 +81,6 @@ TEST_CASE("one face with all samples does not keep a comparison from stopping", 
   } catch (const Error& error) {
     code = error.exit_code();
   }
-  later.join();
   CHECK(code == 130);
   CHECK(watch.seconds() < 1.5 * patience);
 }

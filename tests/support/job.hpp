@@ -6,8 +6,10 @@
 
 #include "io/job.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <thread>
 
 #include <catch2/catch.hpp>
 
@@ -38,6 +40,15 @@ class TestJob {
   Prepared context;
   Job job;
 };
+
+// Cancels what runs in `context` in a while; the context must outlive the thread.
+[[nodiscard]] inline std::jthread cancel_later(
+    Context& context, std::chrono::milliseconds wait = std::chrono::milliseconds(150)) {
+  return std::jthread([&context, wait] {
+    std::this_thread::sleep_for(wait);
+    context.cancel();
+  });
+}
 
 // The Error that `call` throws; there has to be one.
 template <typename Call>
