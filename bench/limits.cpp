@@ -1,8 +1,8 @@
 // What this machine allows: the yardstick for every rate that winnow reports.
-//   bench_limits FILE [--threads N] [--repeats N] [--only sums|reads|memory]
+//   bench_limits FILE [--threads N] [--repeats N] [--only sums|warm|reads|memory]
 // A loop that maps the file and only sums what a simplifier must at least look at, in million faces a second
 // for 1..N threads (mapping, page faults and unmapping counted); reading the file warm, cold and past the
-// page cache; and the memory itself. Of every limit the best of several runs is given, null where it cannot
+// page cache; and the memory itself, read, copied and in STREAM's triad. Of every limit the best of several runs is given, null where it cannot
 // be had.
 #include "peers/driver.hpp"
 #include "peers/mesh_file.hpp"
@@ -121,14 +121,18 @@ class Bench {
     bench::Json json;
     json.add("file", path_).add("faces", layout_.faces).add("bytes", layout_.bytes);
     if (only.empty() || only == "sums") json.add("map_and_sum_mtri_s", all_sums());
-    if (only.empty() || only == "reads") {
+    if (only.empty() || only == "warm") {
       json.add("read_warm_gb_s", best_of(repeats_, [&] { return read_rate(0, 256 << 10); }));
+    }
+    if (only.empty() || only == "reads") {
       json.add("read_cold_gb_s", best_of(repeats_, [&] { return cold_read_rate(0, 1 << 20); }));
       json.add("read_direct_gb_s", direct_rate());
     }
     if (only.empty() || only == "memory") {
-      const auto [reading, copying] = memory_rates();
-      json.add("memory_read_gb_s", reading).add("memory_copy_gb_s", copying);
+      const Memory memory = memory_rates();
+      json.add("memory_read_gb_s", memory.reading)
+          .add("memory_copy_gb_s", memory.copying)
+          .add("memory_triad_gb_s", memory.triad);
     }
     return json;
   }
@@ -215,37 +219,49 @@ class Bench {
     return best > 0 ? best : HUGE_VAL;  // not every file system can: null
   }
 
-  // GB/s of reading memory, and of copying it (read and written bytes both counted).
-  std::pair<bench::Json, bench::Json> memory_rates() {
+  struct Memory {
+    bench::Json reading, copying, triad;
+  };
+
+  // GB/s by threads of reading memory, of copying it, and of a = b + 3 c; read and written bytes count alike,
+  // what the processor reads of a line before it writes there does not, as in STREAM.
+  Memory memory_rates() {
     struct sysinfo machine {};
     ::sysinfo(&machine);
     const std::uint64_t quarter = std::uint64_t{machine.totalram} * machine.mem_unit / 4;
-    const std::size_t count = std::min<std::uint64_t>(quarter / 2, 1 << 30) / 8;
-    bench::Array<std::uint64_t> from(count), to(count);
-    std::fill_n(from.data(), count, 1);
-    std::fill_n(to.data(), count, 2);
-    bench::Json reading, copying;
+    const std::size_t count = std::min<std::uint64_t>(quarter / 3, 1 << 30) / 8;
+    bench::Array<double> a(count), b(count), c(count);
+    std::fill_n(a.data(), count, 0.0);
+    std::fill_n(b.data(), count, 1.0);
+    std::fill_n(c.data(), count, 2.0);
     const double gb = double(count) * 8 / 1e9;
-    for (unsigned threads = 1; threads <= threads_; ++threads) {
-      const auto timed = [&](const std::function<double(Range)>& work) {
-        return best_of(repeats_, [&] {
-          bench::Stopwatch watch;
-          in_threads(threads, [&](unsigned i) { return work(share(count, i, threads)); });
-          return gb / watch.lap();
-        });
-      };
-      reading.add(std::to_string(threads), timed([&](Range part) {
-                    std::uint64_t sum = 0;
-                    for (std::uint64_t i = part.begin; i < part.end; ++i) sum += from[i];
-                    return double(sum);
+    const auto by_threads = [&](double arrays, const std::function<double(Range)>& work) {
+      bench::Json rates;
+      for (unsigned threads = 1; threads <= threads_; ++threads) {
+        rates.add(std::to_string(threads), best_of(repeats_, [&] {
+                    bench::Stopwatch watch;
+                    in_threads(threads, [&](unsigned i) { return work(share(count, i, threads)); });
+                    return arrays * gb / watch.lap();
                   }));
-      copying.add(std::to_string(threads), 2 * timed([&](Range part) {
-                                             std::memcpy(to.data() + part.begin, from.data() + part.begin,
-                                                         (part.end - part.begin) * 8);
-                                             return double(to[part.begin]);
-                                           }));
-    }
-    return {reading, copying};
+      }
+      return rates;
+    };
+    Memory rates;
+    rates.reading = by_threads(1, [&](Range part) {
+      std::uint64_t sum = 0;  // whole numbers: the compiler may add them in any order, and does
+      for (std::uint64_t i = part.begin; i < part.end; ++i) sum += std::bit_cast<std::uint64_t>(b[i]);
+      return double(sum);
+    });
+    rates.copying = by_threads(2, [&](Range part) {
+      std::memcpy(a.data() + part.begin, b.data() + part.begin, (part.end - part.begin) * 8);
+      return a[part.begin];
+    });
+    rates.triad = by_threads(3, [&](Range part) {
+      double* const __restrict out = a.data();
+      for (std::uint64_t i = part.begin; i < part.end; ++i) out[i] = b[i] + 3.0 * c[i];
+      return out[part.begin];
+    });
+    return rates;
   }
 
   std::string path_;
