@@ -2,8 +2,8 @@
 //   bench_limits FILE [--threads N] [--repeats N] [--only sums|warm|reads|memory]
 // A loop that maps the file and only sums what a simplifier must at least look at, in million faces a second
 // for 1..N threads (mapping, page faults and unmapping counted); reading the file warm, cold and past the
-// page cache; and the memory itself, read, copied and in STREAM's triad. Of every limit the best of several runs is given, null where it cannot
-// be had.
+// page cache; and the memory itself, read, copied and in STREAM's triad. Of every limit the best of several
+// runs is given, null where it cannot be had.
 #include "peers/driver.hpp"
 #include "peers/mesh_file.hpp"
 

@@ -3,8 +3,8 @@
 //   peer_open3d IN OUT --faces N|--ratio R|--voxel X [--contraction average|quadric]
 //   peer_open3d IN OUT --faces N|--ratio R --decimate
 // With --faces the voxel is found by trial (see find_cells) outside the reported times, and reported, so
-// that a timed run can be given --voxel. STL comes from the reader as a soup, which is welded for the collapse, as
-// reading.
+// that a timed run can be given --voxel. STL comes from the reader as a soup, which is welded for the
+// collapse, as reading.
 #include "peers/driver.hpp"
 
 #include <limits>
