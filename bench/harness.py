@@ -4,10 +4,13 @@ import json
 import os
 import pathlib
 import platform
+import re
 import resource
+import signal
 import statistics
 import subprocess
 import tempfile
+import threading
 import time
 
 MIB = 1 << 20
@@ -44,32 +47,98 @@ def without_directories(text, command):
     return text
 
 
-def measure(command, feed=None, memory_limit=None, data_limit=None):
+def descendants(pid):
+    """A process and all that it started."""
+    found = [pid]
+    for one in found:
+        try:
+            for task in pathlib.Path(f"/proc/{one}/task").iterdir():
+                found += map(int, (task / "children").read_text().split())
+        except OSError:  # it has ended meanwhile
+            pass
+    return found
+
+
+def unreclaimable(pid):
+    """Resident bytes of a process and all that it started which the kernel cannot drop: no file is behind them."""
+    total = 0
+    for one in descendants(pid):
+        try:
+            status = pathlib.Path(f"/proc/{one}/status").read_text()
+        except OSError:
+            continue
+        total += sum(int(kib) for kib in re.findall(r"^Rss(?:Anon|Shmem):\s+(\d+)", status, re.M))
+    return total * 1024
+
+
+class Guard:
+    """Ends a process, and all that it started, that takes too long or holds too much memory; says which it was.
+
+    The memory is what a memory cgroup without swap would count against it (less the kernel's own part), looked at
+    every few milliseconds: no right to make cgroups is needed, and memory that is asked for but never touched
+    costs nothing, unlike under RLIMIT_DATA or RLIMIT_AS.
+    """
+
+    def __init__(self, pid, seconds, resident_bytes):
+        self.reason = None
+        self.ended = threading.Event()
+        self.arguments = pid, seconds, resident_bytes
+        self.thread = threading.Thread(target=self.watch, daemon=True)
+        if seconds or resident_bytes:
+            self.thread.start()
+
+    def watch(self):
+        pid, seconds, resident_bytes = self.arguments
+        start = time.perf_counter()
+        while not self.ended.wait(0.005 if resident_bytes else 0.1):
+            if seconds and time.perf_counter() - start > seconds:
+                self.reason = f"did not finish in {seconds:g} s"
+            elif resident_bytes and unreclaimable(pid) > resident_bytes:
+                self.reason = "needs more memory"
+            if self.reason:
+                os.killpg(pid, signal.SIGKILL)
+                return
+
+    def stop(self):
+        """The process has ended but is not yet forgotten: its number cannot have gone to another."""
+        self.ended.set()
+        if self.thread.is_alive():
+            self.thread.join()
+
+
+def measure(command, feed=None, address_limit=None, resident_limit=None, timeout=None):
     """Runs a command to its end: its seconds, CPU seconds, peak resident set, and the JSON that it printed.
 
     `feed` is a command whose output is piped in; only the fed process is measured. The kernel counts the
-    peak from before exec, so nothing smaller than this script (about 20 MiB) can be seen. `memory_limit` bounds
-    all addresses, `data_limit` the memory that no file is behind.
+    peak from before exec, so nothing smaller than this script (about 20 MiB) can be seen. `address_limit` bounds
+    all addresses, `resident_limit` the resident memory that no file is behind, `timeout` the seconds.
     """
     def limit():
-        if memory_limit:
-            resource.setrlimit(resource.RLIMIT_AS, (memory_limit, memory_limit))
-        if data_limit:
-            resource.setrlimit(resource.RLIMIT_DATA, (data_limit, data_limit))
+        if address_limit:
+            resource.setrlimit(resource.RLIMIT_AS, (address_limit, address_limit))
 
     command = [str(word) for word in command]
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as errors:
         feeder = subprocess.Popen([str(w) for w in feed], stdout=subprocess.PIPE) if feed else None
         start = time.perf_counter()
         process = subprocess.Popen(command, stdin=feeder.stdout if feeder else subprocess.DEVNULL, stdout=out,
-                                   stderr=errors, preexec_fn=limit)
+                                   stderr=errors, preexec_fn=limit, start_new_session=True)
         if feeder:
             feeder.stdout.close()
-        _, status, usage = os.wait4(process.pid, 0)
+        guard = Guard(process.pid, timeout, resident_limit)
+        try:
+            os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
+        except KeyboardInterrupt:  # which the process, in a session of its own, has not seen
+            os.killpg(process.pid, signal.SIGKILL)
+            raise
         seconds = time.perf_counter() - start
+        guard.stop()
+        _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         if feeder:
             feeder.wait()
+        if guard.reason:
+            raise Failed(guard.reason)
         out.seek(0)
         errors.seek(0)
         said = errors.read().decode(errors="replace").strip().splitlines()
@@ -113,7 +182,11 @@ class Table:
         self.rows = [heads]
 
     def add(self, *cells):
-        self.rows.append([f"{cell:.3g}" if isinstance(cell, float) else str(cell) for cell in cells])
+        self.rows.append([str(round(cell)) if isinstance(cell, float) and cell >= 1000 else
+                          f"{cell:.3g}" if isinstance(cell, float) else str(cell) for cell in cells])
+
+    def fail(self, name, reason):
+        self.add(name, f"failed: {reason}", *[""] * (len(self.rows[0]) - 2))
 
     def print(self):
         for i, row in enumerate(self.rows):
