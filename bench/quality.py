@@ -1,0 +1,123 @@
+"""Sections of bench/run: how far the small meshes are from their originals, by `winnow compare`, and that itself."""
+
+import os
+import shutil
+
+from bench import PEERS, VARIANTS, faces_in, faces_out, real_meshes
+from harness import MIB, Failed, Table, measure, mebibytes, median, short, warm
+from speed import print_against
+
+
+def section_collapse(bench):
+    """Edge collapse, 1 %, warm: time, memory, and what is lost"""
+    options = bench.options
+    result = {}
+    for source in (bench.generate(options.collapse_faces), *real_meshes(options.data, 2)):
+        warm(source)
+        share = options.collapse_ratio
+        learned = bench.winnow(source, "--ratio", share)
+        kept = {}  # name -> its mesh, for the judge
+
+        def candidate(name, command, target, source=source, kept=kept):
+            kept[name] = target
+            return lambda: measure(command, address_limit=bench.peer_limit, timeout=options.collapse_timeout)
+
+        candidates = {}
+        for i, (name, arguments) in enumerate(VARIANTS.items()):
+            target = bench.work / f"variant-{i}.ply"
+            candidates[name] = candidate(
+                name, [options.winnow, "simplify", source, "-o", target, "--force", "--json", "--threads",
+                       options.threads, "--ratio", share, *arguments], target)
+        failures = {}
+        for peer in options.collapse_peers:
+            name, target = PEERS[peer][0], bench.work / f"peer-{peer}.ply"
+            try:
+                candidates[name] = candidate(name, bench.peer_command(peer, source, faces_out(learned), target), target)
+            except Failed as failure:
+                failures[name] = str(failure)
+        runs = bench.in_turn(candidates) | failures
+        print(f"**{source.name}**, {faces_in(learned)} faces to {share}, {options.threads} threads for winnow:\n")
+        print_against(runs)
+        result[source.name] = {name: {"runs": found} for name, found in runs.items()}
+        table = Table("program", "faces", "RMS % of the diagonal", "max %", "flipped", "non-manifold edges")
+        for name, found in runs.items():
+            if isinstance(found, str):
+                table.fail(name, found)
+                continue
+            try:
+                judged = bench.compare(source, kept[name], "--memory", options.large_memory)["report"]
+            except Failed as failure:
+                table.fail(name, failure)
+                continue
+            both, topology = judged["distance"]["symmetric"], judged["topology"]
+            table.add(name, judged["simplified"]["faces"], both["rms_percent"], both["max_percent"],
+                      topology["flipped"], topology["non_manifold_edges"])
+            result[source.name][name]["judged"] = judged
+        table.print()
+        for path in kept.values():
+            path.unlink(missing_ok=True)
+    return result
+
+
+def section_fidelity(bench):
+    """Distance to the original at the same face count (% of the box diagonal)"""
+    options = bench.options
+    result = {}
+    for source in (bench.generate(options.fidelity_faces), *real_meshes(options.data)):
+        share = options.fidelity_ratio
+        learned = bench.winnow(source, "--ratio", share)["report"]
+        faces = learned["output"]["faces"]
+        target = bench.work / "peer.ply"
+        print(f"**{source.name}**, {learned['input']['faces']} faces to {share}:\n")
+        table = Table("program", "faces",
+                      *(f"{way} {what}" for way in ("forward", "backward", "both") for what in
+                        ("mean", "RMS", "max")),
+                      "duplicate", "flipped", "non-manifold edges", "boundary edges")
+        candidates = {}
+        for placement in ("mean", "quadric"):
+            candidates[f"winnow {placement}"] = lambda placement=placement: (
+                bench.winnow(source, "--ratio", share, "--placement", placement), bench.out)[1]
+        for peer in options.fidelity_peers:
+            candidates[PEERS[peer][0]] = lambda peer=peer: (
+                measure(bench.peer_command(peer, source, faces, target), address_limit=bench.peer_limit,
+                        timeout=options.collapse_timeout), target)[1]
+        result[source.name] = {}
+        for name, make in candidates.items():
+            try:
+                found = bench.compare(source, make(), "--memory", options.large_memory)["report"]
+            except Failed as failure:
+                table.fail(name, failure)
+                continue
+            distances = [found["distance"][way][key] for way in ("forward", "backward", "symmetric")
+                         for key in ("mean_percent", "rms_percent", "max_percent")]
+            topology = found["topology"]
+            table.add(name, found["simplified"]["faces"], *distances, topology["duplicate"],
+                      topology["flipped"], topology["non_manifold_edges"], topology["boundary_edges"])
+            result[source.name][name] = found
+        table.print()
+    return result
+
+
+def section_compare(bench):
+    """`winnow compare` itself: an original against its small mesh, in a budget"""
+    options = bench.options
+    table = Table("original", "simplified", "--memory", "seconds", "CPU s", "ns an original face", "peak MiB",
+                  "within +32 MiB", "RMS %")
+    result = {}
+    for faces in options.compare_faces:
+        source = bench.generate(faces)
+        small = bench.work / "small.ply"
+        bench.winnow(source, "--faces", min(faces // 100, 500_000))  # the small mesh must fit into the budget
+        shutil.move(bench.out, small)
+        warm(source)
+        runs = [bench.compare(source, small, "--memory", options.compare_memory) for _ in range(options.rounds)]
+        report, peak = runs[0]["report"], median(runs, "peak_bytes")
+        seconds = median(runs, "seconds")
+        table.add(f"{short(faces)}, {os.path.getsize(source) / 1e9:.3g} GB", report["simplified"]["faces"],
+                  options.compare_memory, seconds, median(runs, "cpu_seconds"), 1e9 * seconds / faces,
+                  round(peak / MIB), "yes" if peak <= (mebibytes(options.compare_memory) + 32) * MIB else "NO",
+                  report["distance"]["symmetric"]["rms_percent"])
+        result[faces] = runs
+        small.unlink()
+    table.print()
+    return result
