@@ -74,9 +74,9 @@ def section_fidelity(bench):
                         ("mean", "RMS", "max")),
                       "duplicate", "flipped", "non-manifold edges", "boundary edges")
         candidates = {}
-        for placement in ("mean", "quadric"):
-            candidates[f"winnow {placement}"] = lambda placement=placement: (
-                bench.winnow(source, "--ratio", share, "--placement", placement), bench.out)[1]
+        for name, arguments in VARIANTS.items():
+            candidates[name] = lambda arguments=arguments: (
+                bench.winnow(source, "--ratio", share, *arguments), bench.out)[1]
         for peer in options.fidelity_peers:
             candidates[PEERS[peer][0]] = lambda peer=peer: (
                 measure(bench.peer_command(peer, source, faces, target), address_limit=bench.peer_limit,
