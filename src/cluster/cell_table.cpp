@@ -41,14 +41,18 @@ Sum& CellTable<Sum>::slot(Part& part, CellKey key) const {
 }
 
 // Fourfold while there is plenty, as every growth clears and fills pages anew; then by half: with doubling, a
-// budget would on average hold the table three quarters empty.
+// budget would on average hold the table three quarters empty. The last step goes as far as leaves room for
+// the old and the new memory of a part or two at once.
 template <typename Sum>
 bool CellTable<Sum>::grow(Part& part) {
   const std::size_t share = budget_.total() / parts_.size() / sizeof(Sum);
   const bool plenty = part.capacity * 16 < share;
-  const std::size_t capacity = part.capacity == 0 ? first_capacity
-                               : plenty           ? part.capacity * 4
-                                                  : part.capacity + part.capacity / 2;
+  const std::size_t wanted = part.capacity == 0 ? first_capacity
+                             : plenty           ? part.capacity * 4
+                                                : part.capacity + part.capacity / 2;
+  const std::size_t most = share - share / 8;
+  const std::size_t capacity = std::min(wanted, most);
+  if (capacity < part.capacity + part.capacity / 8) return false;
   Pages memory = Pages::try_allocate(budget_, capacity * sizeof(Sum));
   if (!memory) return false;
   memory.touch();

@@ -157,7 +157,7 @@ class ClustererOf final : public Clusterer {
     for (Worker* worker : all) worker->faces.finish(faces);
     face_runs_.add_cursors(faces);
     MergedCursor<CellFace> merged(std::move(faces));
-    collect_faces(job_, merged, memory_.result, mesh);
+    collect_faces(job_, merged, memory_.result, !settings_.for_refinement, mesh);
     return mesh;
   }
 
@@ -212,7 +212,7 @@ class ClustererOf final : public Clusterer {
       add_corner(sum, face, corner, i);
       if (kept) sum.weight |= CellSum::used_bit;
     }
-    if (kept) worker.faces.add(morton_key(a), morton_key(b), morton_key(c));
+    if (kept) worker.faces.add(cell_face(morton_key(a), morton_key(b), morton_key(c)));
   }
 
   static bool repeats_a_corner(const FaceBatch& faces, std::size_t i) {

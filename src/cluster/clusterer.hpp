@@ -8,6 +8,7 @@
 #include "io/job.hpp"
 #include "io/spool.hpp"
 #include "read/face_batch.hpp"
+#include "read/good_faces.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -30,11 +31,6 @@ struct ClusterMemory {
   static constexpr std::uint64_t smallest_faces_per_thread = std::uint64_t{2} << 20;
 };
 
-struct FirstBad {
-  std::uint64_t face = UINT64_MAX;
-  const char* what = "";
-};
-
 struct ClusterCounts {
   std::uint64_t faces = 0;
   BadFaces bad;
@@ -49,7 +45,8 @@ struct ClusterCounts {
 // The result: vertices in key order, faces as their numbers.
 struct ClusteredMesh {
   std::unique_ptr<VertexIndex> vertices;
-  std::unique_ptr<Spool> faces;  // three uint32 a face
+  std::unique_ptr<Spool> quadrics;  // of each vertex the Quadric of its cell; only for refinement
+  std::unique_ptr<Spool> faces;     // three uint32 a face, the lowest first; in ascending order of that
   std::uint64_t face_count = 0;
   std::uint64_t cells = 0;
   std::uint64_t turned = 0;
@@ -60,6 +57,10 @@ struct ClusterSettings {
   Grid grid;
   Placement placement = Placement::mean;
   bool double_positions = false;  // round positions to float otherwise
+  // Faces keep the windings that they inherit: every edge of a closed surface is still passed once in either
+  // direction.
+  bool for_refinement = false;
+  bool keep_quadrics = false;  // of the cells; with Placement::quadric
 };
 
 class Clusterer {

@@ -1,43 +1,29 @@
-// The faces that join three cells: kept by each thread for itself, sorted, counted once.
+// The faces that join three cells, or three vertices: kept by each thread for itself, sorted, counted once.
 #pragma once
 
-#include "base/growing_pages.hpp"
 #include "cluster/cell_sum.hpp"
-#include "io/sorted_runs.hpp"
+#include "io/sorted_list.hpp"
 
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <vector>
+#include <utility>
 
 namespace winnow {
 
-class FaceList {
- public:
-  // Several lists, one a thread, share `runs`.
-  FaceList(Job& job, std::uint64_t memory, SortedRuns<CellFace>& runs);
+using FaceList = SortedList<CellFace>;
 
-  // Three different cells, in the order of the face's corners.
-  void add(CellKey a, CellKey b, CellKey c);
-
-  // To be called before finish(), when nothing is added any more; apart, so that lists can be sorted at once.
-  void sort() { sort_and_combine(); }
-
-  // What is in memory as a cursor.
-  void finish(std::vector<std::unique_ptr<RecordCursor<CellFace>>>& sources);
-
- private:
-  [[nodiscard]] std::span<CellFace> faces() const {
-    return {reinterpret_cast<CellFace*>(pages_.data()), count_};
-  }
-  void sort_and_combine();
-  void make_room();
-
-  Job& job_;
-  Budget budget_;
-  GrowingPages pages_;
-  SortedRuns<CellFace>& runs_;
-  std::size_t count_ = 0;
-};
+// Of three different cells, in the order of the face's corners.
+inline CellFace cell_face(CellKey a, CellKey b, CellKey c) {
+  // Each exchange mirrors the face.
+  bool along = true;
+  const auto order = [&along](CellKey& low, CellKey& high) {
+    if (high < low) {
+      std::swap(low, high);
+      along = !along;
+    }
+  };
+  order(a, b);
+  order(b, c);
+  order(a, b);
+  return {{a, b, c}, along ? 1U : 0U, along ? 0U : 1U};
+}
 
 }  // namespace winnow

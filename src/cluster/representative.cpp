@@ -103,6 +103,29 @@ std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean
   return place;
 }
 
+Quadric WholeCell::quadric(const Grid& grid, const Point& position) const {
+  const double scale = static_cast<double>(weight_) * normal_scale;
+  const double area = static_cast<double>(weight_) / (1 << area_bits) * grid.cell * grid.cell;
+  const std::array<std::uint32_t, 3> cell = morton_cell(key_);
+  std::array<double, 5> a{};
+  for (std::size_t i = 0; i < 5; ++i) a[i] = area * (static_cast<double>(squares_[i]) / scale);
+  Quadric sum;
+  sum.xx = a[0];
+  sum.xy = a[1];
+  sum.xz = a[2];
+  sum.yy = a[3];
+  sum.yz = a[4];
+  sum.zz = std::max(0.0, area - sum.xx - sum.yy);
+  Point middle{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    middle[axis] = grid.origin[axis] + (cell[axis] + 0.5) * grid.cell;
+    sum.b[axis] = area * grid.cell * (static_cast<double>(moment_[axis]) / scale);
+  }
+  sum.b = sum.b - sum.times(position - middle);
+  if (area > 0) sum.c = std::max(0.0, -sum.at(lowest_point(sum, pull * area, {})));
+  return sum;
+}
+
 IndexedVertex WholeCell::vertex(const ClusterSettings& settings) const {
   IndexedVertex vertex;
   vertex.key = key_;

@@ -1,6 +1,7 @@
 // Where in its cell the vertex of a cell goes.
 #pragma once
 
+#include "base/quadric.hpp"
 #include "base/wide.hpp"
 #include "cluster/cell_sum.hpp"
 #include "cluster/clusterer.hpp"
@@ -24,6 +25,10 @@ class WholeCell {
   // The mean of the corners, or, with quadrics, the point nearest to the planes; in its cell in any case, and
   // rounded to what will be written, so that two cells never share a position.
   [[nodiscard]] IndexedVertex vertex(const ClusterSettings& settings) const;
+
+  // The planes of the cell's faces as a quadric in model units, seen from `position`. Cells do not sum up the
+  // squares of the planes' distances; so the least value is taken to be 0, and costs count from there.
+  [[nodiscard]] Quadric quadric(const Grid& grid, const Point& position) const;
 
  private:
   [[nodiscard]] std::array<double, 3> mean_place() const;

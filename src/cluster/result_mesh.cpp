@@ -95,12 +95,15 @@ bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
 template <typename Sum>
 void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings& settings,
                       std::uint64_t memory, ClusteredMesh& mesh) {
-  mesh.vertices = std::make_unique<VertexIndex>(job, memory);
+  const bool quadrics = settings.keep_quadrics && settings.placement == Placement::quadric;
+  mesh.vertices = std::make_unique<VertexIndex>(job, quadrics ? memory / 2 : memory);
+  if (quadrics) mesh.quadrics = std::make_unique<Spool>(job, memory / 2);
   Sum next{};
   bool more = cells.next(next);
   struct Chunk {
     std::vector<WholeCell> cells;
     std::vector<IndexedVertex> vertices;
+    std::vector<Quadric> quadrics;
   };
   pipeline<Chunk>(
       2 * std::size_t{job.threads},
@@ -117,10 +120,18 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings&
       },
       [&](Chunk& chunk) {
         chunk.vertices.clear();
-        for (const WholeCell& cell : chunk.cells) chunk.vertices.push_back(cell.vertex(settings));
+        chunk.quadrics.clear();
+        for (const WholeCell& cell : chunk.cells) {
+          chunk.vertices.push_back(cell.vertex(settings));
+          if (quadrics) chunk.quadrics.push_back(cell.quadric(settings.grid, chunk.vertices.back().position));
+        }
       },
-      [&](const Chunk& chunk) { mesh.vertices->append(chunk.vertices); });
+      [&](const Chunk& chunk) {
+        mesh.vertices->append(chunk.vertices);
+        if (quadrics) mesh.quadrics->append(std::as_bytes(std::span(chunk.quadrics)));
+      });
   mesh.vertices->finish();
+  if (quadrics) mesh.quadrics->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(ErrorKind::failed,
                 "the result has " + grouped(mesh.vertices->size()) +
@@ -133,7 +144,8 @@ template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, const Clus
 template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&, const ClusterSettings&,
                                                std::uint64_t, ClusteredMesh&);
 
-void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, ClusteredMesh& mesh) {
+void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
+                   ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
   FaceFuser fuser(faces);
   PerSlot<VertexIndex::Reader> readers(job.threads,
@@ -164,7 +176,7 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
             corner[i] = found.vertex;
             number[i] = static_cast<std::uint32_t>(found.number);
           }
-          if (shows_its_back(corner)) {
+          if (turn && shows_its_back(corner)) {
             std::swap(number[1], number[2]);
             ++turned_here;
           }
@@ -178,6 +190,24 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
       });
   mesh.faces->finish();
   mesh.turned = turned;
+}
+
+void collect_numbered_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory,
+                            ClusteredMesh& mesh) {
+  mesh.faces = std::make_unique<Spool>(job, memory);
+  FaceFuser fuser(faces);
+  std::vector<std::uint32_t> numbers;
+  for (FusedFaces chunk = fuser.chunk(); !chunk.faces.empty(); chunk = fuser.chunk()) {
+    job.progress.check_cancelled();
+    numbers.clear();
+    for (const Triple& triple : chunk.faces) {
+      for (const CellKey number : triple.cell) numbers.push_back(static_cast<std::uint32_t>(number));
+    }
+    mesh.faces->append(std::as_bytes(std::span(numbers)));
+    mesh.face_count += chunk.faces.size();
+    mesh.fused += chunk.fused;
+  }
+  mesh.faces->finish();
 }
 
 }  // namespace winnow

@@ -7,14 +7,20 @@
 
 namespace winnow {
 
-// Cells come in key order; those that no output face uses leave no vertex. Fills mesh.vertices and cells.
+// Cells come in key order; those that no output face uses leave no vertex. Fills mesh.vertices, quadrics and
+// cells.
 // Throws Error(failed) beyond 2^32 - 1 vertices.
 template <typename Sum>
 void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings& settings,
                       std::uint64_t memory, ClusteredMesh& mesh);
 
 // Faces come in key order; the same three cells give one face. Each is turned to agree with the normals of
-// its cells. Fills the rest of `mesh`.
-void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, ClusteredMesh& mesh);
+// its cells, if `turn`. Fills the rest of `mesh`.
+void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
+                   ClusteredMesh& mesh);
+
+// The same for faces that have their vertices' numbers instead of cells; none is turned.
+void collect_numbered_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory,
+                            ClusteredMesh& mesh);
 
 }  // namespace winnow

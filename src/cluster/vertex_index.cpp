@@ -61,6 +61,31 @@ const VertexIndex::Reader::Found& VertexIndex::Reader::find(CellKey key) {
   return recent;
 }
 
+std::uint64_t VertexIndex::Reader::lower_bound(CellKey key) {
+  if (index_.first_keys_.empty()) return 0;
+  // Keys behind the last block's first are above every range.
+  const std::size_t range = std::min<std::size_t>(key >> index_.range_shift_, index_.range_start_.size() - 2);
+  const auto begin = index_.first_keys_.begin();
+  // The first block whose first key is not below `key`: the one before may hold keys as high.
+  const auto block_after =
+      std::lower_bound(begin + index_.range_start_[range], begin + index_.range_start_[range + 1], key);
+  if (block_after == begin) return 0;
+  const auto number = static_cast<std::uint64_t>(block_after - begin) - 1;
+  const std::span<const IndexedVertex> vertices = block(number);
+  const auto found = std::lower_bound(vertices.begin(), vertices.end(), key,
+                                      [](const IndexedVertex& vertex, CellKey k) { return vertex.key < k; });
+  return number * block_vertices + static_cast<std::uint64_t>(found - vertices.begin());
+}
+
+std::uint64_t VertexIndex::Reader::find(CellKey key, const Point& position) {
+  Found& recent = recent_[quick_hash(key) >> (64 - recent_bits)];
+  if (recent.vertex.key != key || recent.vertex.position != position) {
+    recent.number = lower_bound(key);
+    while ((recent.vertex = at(recent.number)).position != position) ++recent.number;
+  }
+  return recent.number;
+}
+
 VertexIndex::Reader::Found VertexIndex::Reader::search(CellKey key) {
   // The block is the last whose first key is not above `key`. Keys behind the last block's first are above
   // every range.

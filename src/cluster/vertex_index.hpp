@@ -3,6 +3,7 @@
 
 #include "base/morton.hpp"
 #include "base/pages.hpp"
+#include "base/vector.hpp"
 #include "io/spool.hpp"
 
 #include <array>
@@ -15,7 +16,7 @@ namespace winnow {
 
 struct IndexedVertex {
   CellKey key = 0;
-  std::array<double, 3> position{};
+  Point position{};
   std::array<float, 3> normal{};  // mean of unit normals: shorter than 1 where they disagree
   std::uint32_t unused = 0;
 };
@@ -47,7 +48,11 @@ class VertexIndex {
     };
     // `key` must be in the index.
     const Found& find(CellKey key);
+    // Of several vertices with one key that at this position, which must be there.
+    std::uint64_t find(CellKey key, const Point& position);
     IndexedVertex at(std::uint64_t number);
+    // The number of the first vertex whose key is not below `key`; size() where there is none.
+    std::uint64_t lower_bound(CellKey key);
 
    private:
     static constexpr unsigned recent_bits = 9;

@@ -1,6 +1,6 @@
 #include "measure/face_census.hpp"
 
-#include "measure/good_faces.hpp"
+#include "read/good_faces.hpp"
 
 #include <cmath>
 

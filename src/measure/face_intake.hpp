@@ -5,8 +5,8 @@
 
 #include "base/per_slot.hpp"
 #include "io/job.hpp"
-#include "measure/good_faces.hpp"
 #include "measure/surface_totals.hpp"
+#include "read/good_faces.hpp"
 
 namespace winnow {
 

@@ -3,7 +3,7 @@
 
 #include "base/growing_pages.hpp"
 #include "io/job.hpp"
-#include "measure/good_faces.hpp"
+#include "read/good_faces.hpp"
 
 #include <atomic>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "base/vector.hpp"
 #include "io/job.hpp"
-#include "measure/good_faces.hpp"
+#include "read/good_faces.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -10,7 +10,6 @@
 #include "measure/face_intake.hpp"
 #include "measure/face_store.hpp"
 #include "measure/forward_distances.hpp"
-#include "measure/good_faces.hpp"
 #include "measure/nearest_points.hpp"
 #include "measure/surface_sampler.hpp"
 #include "measure/surface_totals.hpp"
@@ -18,6 +17,7 @@
 #include "measure/welded_mesh.hpp"
 #include "picture/side_by_side.hpp"
 #include "read/for_each_batch.hpp"
+#include "read/good_faces.hpp"
 #include "read/mesh_reader.hpp"
 #include "write/colored_ply.hpp"
 

@@ -29,7 +29,7 @@ std::vector<CellFace> cell_faces(const std::vector<Triangle>& faces, const Grid&
     const CellKey a = key_of(grid, face[0]);
     const CellKey b = key_of(grid, face[1]);
     const CellKey c = key_of(grid, face[2]);
-    if (a != b && b != c && a != c) list.add(a, b, c);
+    if (a != b && b != c && a != c) list.add(cell_face(a, b, c));
   }
   list.sort();
   std::vector<std::unique_ptr<RecordCursor<CellFace>>> sources;
@@ -103,7 +103,7 @@ TEST_CASE("faces are counted by their cells, whichever corner comes first, howev
         std::array<CellKey, 3> cell{};
         for (CellKey& key : cell) key = random.below(keys);
         if (cell[0] == cell[1] || cell[1] == cell[2] || cell[0] == cell[2]) continue;
-        list.add(cell[0], cell[1], cell[2]);
+        list.add(cell_face(cell[0], cell[1], cell[2]));
         // Turned until the lowest comes first; then the others are either up or down.
         while (cell[0] > cell[1] || cell[0] > cell[2])
           std::rotate(cell.begin(), cell.begin() + 1, cell.end());

@@ -17,6 +17,12 @@ struct NumberedFace {
   std::uint64_t number;
 };
 
+// The first face that cannot take part, for messages.
+struct FirstBad {
+  std::uint64_t face = UINT64_MAX;
+  const char* what = "";
+};
+
 // Those whose corners exist, are finite and stand in three places; the others are counted by kind.
 class GoodFaces {
  public:
@@ -24,11 +30,13 @@ class GoodFaces {
 
   [[nodiscard]] std::span<const NumberedFace> faces() const { return {good_.data(), count_}; }
   [[nodiscard]] const BadFaces& bad() const { return bad_; }
+  [[nodiscard]] const FirstBad& first_bad() const { return first_bad_; }
 
  private:
   std::array<NumberedFace, FaceBatch::capacity> good_;
   std::size_t count_ = 0;
   BadFaces bad_;
+  FirstBad first_bad_;
 };
 
 }  // namespace winnow

@@ -1,0 +1,143 @@
+#include "cluster/welder.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/parallel.hpp"
+#include "base/per_slot.hpp"
+#include "base/text.hpp"
+#include "cluster/face_list.hpp"
+#include "cluster/resolution.hpp"
+#include "cluster/result_mesh.hpp"
+#include "read/for_each_batch.hpp"
+
+namespace winnow {
+
+namespace {
+
+constexpr std::size_t chunk_vertices = 2048;
+
+struct WeldedPoint {
+  CellKey key;
+  Point position;
+
+  static bool before(const WeldedPoint& a, const WeldedPoint& b) {
+    return a.key != b.key ? a.key < b.key : a.position < b.position;
+  }
+  static bool combine(WeldedPoint& into, const WeldedPoint& from) { return into.position == from.position; }
+};
+
+// Turns -0 into 0, which is the same place.
+Point plain(const Point& p) {
+  return {p[0] + 0.0, p[1] + 0.0, p[2] + 0.0};
+}
+
+CellKey key_of(const Grid& grid, const Point& p) {
+  return morton_key(static_cast<std::uint32_t>(grid.cell_of(p[0], 0)),
+                    static_cast<std::uint32_t>(grid.cell_of(p[1], 1)),
+                    static_cast<std::uint32_t>(grid.cell_of(p[2], 2)));
+}
+
+// Fine enough that few positions share a key, and coarse enough that the lattice has room for a shifted copy.
+Grid lattice_over(const Box& box) {
+  const double side = box.longest_side();
+  return Grid::over(box, side > 0 ? Grid::edge_for(box, axis_cells / 2) : 1);
+}
+
+template <typename Record>
+struct Lists {
+  Lists(Job& job, std::uint64_t memory)
+      : reserved(job.budget.reserve(memory, "sorting")), runs(job), lists(job.threads, [this, &job, memory] {
+          return std::make_unique<SortedList<Record>>(job, memory / job.threads, runs);
+        }) {}
+
+  MergedCursor<Record> merged() {
+    const std::vector<SortedList<Record>*> all = lists.all();
+    parallel_for(all.size(), [&all](std::size_t i) { all[i]->sort(); });
+    return merge(all, runs);
+  }
+
+  Reservation reserved;
+  SortedRuns<Record> runs;
+  PerSlot<SortedList<Record>> lists;
+};
+
+void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMemory& memory,
+                   ClusteredMesh& mesh) {
+  job.progress.begin("weld", reader.facts().vertices.value_or(0), "positions");
+  Lists<WeldedPoint> points(job, memory.lists);
+  for_each_position_batch(job, reader, [&](const PositionView& view) {
+    SortedList<WeldedPoint>& list = points.lists.local();
+    for (std::size_t i = 0; i < view.count; ++i) {
+      const Point p = plain({view.axis[0][i], view.axis[1][i], view.axis[2][i]});
+      if (finite(p)) list.add({key_of(grid, p), p});
+    }
+  });
+  MergedCursor<WeldedPoint> merged = points.merged();
+  mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
+  std::vector<IndexedVertex> chunk;
+  for (WeldedPoint point; merged.next(point);) {
+    IndexedVertex vertex;
+    vertex.key = point.key;
+    vertex.position = point.position;
+    chunk.push_back(vertex);
+    if (chunk.size() < chunk_vertices) continue;
+    mesh.vertices->append(chunk);
+    chunk.clear();
+    job.progress.check_cancelled();
+  }
+  mesh.vertices->append(chunk);
+  mesh.vertices->finish();
+  if (mesh.vertices->size() > UINT32_MAX) {
+    throw Error(ErrorKind::failed,
+                "the input has " + grouped(mesh.vertices->size()) +
+                    " different positions, more than can be refined without clustering; choose --detail 6");
+  }
+  mesh.cells = mesh.vertices->size();
+}
+
+}  // namespace
+
+ClusteredMesh weld(Job& job, MeshReader& reader, const WeldMemory& memory, ClusterCounts& counts) {
+  ClusteredMesh mesh;
+  const Box box = measure_box(job, reader);
+  if (box.empty) return mesh;
+  const Grid grid = lattice_over(box);
+  weld_vertices(job, reader, grid, memory, mesh);
+
+  job.progress.begin("join faces", reader.facts().faces.value_or(0), "faces");
+  Lists<CellFace> faces(job, memory.lists);
+  struct Worker {
+    explicit Worker(const VertexIndex& index) : vertices(index) {}
+    VertexIndex::Reader vertices;
+    ClusterCounts counts;
+  };
+  PerSlot<Worker> workers(job.threads, [&] { return std::make_unique<Worker>(*mesh.vertices); });
+  reader.begin_faces();
+  for_each_face_batch(
+      job, reader,
+      [&](const FaceBatch& batch) {
+        Worker& worker = workers.local();
+        FaceList& list = faces.lists.local();
+        const GoodFaces good(batch);
+        ClusterCounts here;
+        here.faces = batch.count;
+        here.bad = good.bad();
+        here.first_bad = good.first_bad();
+        worker.counts.add(here);
+        for (const NumberedFace& face : good.faces()) {
+          std::array<std::uint64_t, 3> number{};
+          for (std::size_t i = 0; i < 3; ++i) {
+            const Point p = plain(face.corner[i]);
+            number[i] = worker.vertices.find(key_of(grid, p), p);
+          }
+          list.add(cell_face(number[0], number[1], number[2]));
+        }
+      },
+      [] { return false; });
+  for (const Worker* worker : workers.all()) counts.add(worker->counts);
+  MergedCursor<CellFace> merged = faces.merged();
+  collect_numbered_faces(job, merged, memory.faces, mesh);
+  return mesh;
+}
+
+}  // namespace winnow
