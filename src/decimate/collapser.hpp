@@ -1,0 +1,158 @@
+// Collapses edges, the cheapest first. What an edge costs is the business of a Cost.
+//
+// A Cost has
+//   Candidate best(v, after)     the cheapest edge that `v` proposes and that comes after `after`
+//   PricedCollapse place(v, partner)   which end of that edge is kept, where it goes, and what that costs now
+//   void collapsing(edge)              told before the collapse
+//   void collapsed(edge, offers)       told after it: offers anew for the vertices whose edges now cost
+//   otherwise, or
+//                                      makes their offers stale
+// and may have
+//   void gave_up(v, offers)            told when everything that `v` proposes was refused
+#pragma once
+
+#include "decimate/legality.hpp"
+#include "decimate/price_queue.hpp"
+#include "decimate/tile_mesh.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace winnow {
+
+// Edges of one vertex are in the order of their prices, and of equal ones in that of the other end.
+struct Candidate {
+  double price = std::numeric_limits<double>::infinity();
+  VertexNumber partner = no_number;
+
+  [[nodiscard]] bool exists() const { return partner != no_number; }
+  [[nodiscard]] bool before(const Candidate& other) const {
+    return price < other.price || (price == other.price && partner < other.partner);
+  }
+  // Before every other.
+  static Candidate none_yet() { return {-std::numeric_limits<double>::infinity(), 0}; }
+};
+
+struct PricedCollapse {
+  Collapse edge;
+  double price = 0;
+};
+
+// The candidate that every vertex offers.
+class Offers {
+ public:
+  explicit Offers(VertexNumber vertices)
+      : queue_(vertices), partner_(vertices, no_number), stale_(vertices, 0) {}
+
+  static constexpr std::uint64_t memory(std::uint64_t vertices) {
+    return PriceQueue::memory(vertices) + vertices * (sizeof(VertexNumber) + 1);
+  }
+
+  void append(VertexNumber v, const Candidate& candidate) {
+    if (!candidate.exists()) return;
+    partner_[v] = candidate.partner;
+    queue_.append(v, candidate.price);
+  }
+  void order() { queue_.order(); }
+
+  void set(VertexNumber v, const Candidate& candidate) {
+    stale_[v] = 0;
+    partner_[v] = candidate.partner;
+    if (candidate.exists()) {
+      queue_.set(v, candidate.price);
+    } else {
+      queue_.remove(v);
+    }
+  }
+
+  // The offer is made anew when its turn comes: prices mostly rise, so that it keeps its turn until then. A
+  // vertex without an offer gets its turn at once.
+  void make_stale(VertexNumber v) {
+    stale_[v] = 1;
+    if (!queue_.holds(v)) queue_.set(v, 0);
+  }
+  [[nodiscard]] bool stale(VertexNumber v) const { return stale_[v] != 0; }
+
+  [[nodiscard]] Candidate of(VertexNumber v) const {
+    return queue_.holds(v) ? Candidate{queue_.price(v), partner_[v]} : Candidate{};
+  }
+
+  [[nodiscard]] bool empty() const { return queue_.empty(); }
+  [[nodiscard]] VertexNumber cheapest() const { return queue_.top().vertex; }
+
+ private:
+  PriceQueue queue_;
+  std::vector<VertexNumber> partner_;
+  std::vector<std::uint8_t> stale_;
+};
+
+// How far to go: down to so many faces, or up to this price, whichever comes first.
+struct CollapseLimits {
+  std::uint64_t faces = 0;
+  double price = std::numeric_limits<double>::infinity();
+};
+
+// One collapse that was done. `price` is the highest so far: it never falls.
+struct DoneCollapse {
+  Collapse edge;
+  double price = 0;
+  unsigned faces = 0;  // that it removed
+  double error = 0;    // the largest so far that the cost knows of: Decimation::largest_error()
+};
+
+template <typename Cost>
+class Collapser {
+ public:
+  Collapser(TileMesh& mesh, Cost& cost, double least_cosine)
+      : mesh_(mesh), cost_(cost), legality_(mesh, least_cosine), offers_(mesh.vertex_count()) {
+    for (VertexNumber v = 0; v < mesh.vertex_count(); ++v)
+      offers_.append(v, cost.best(v, Candidate::none_yet()));
+    offers_.order();
+  }
+
+  // Tells `done` of every collapse.
+  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) {
+    while (mesh_.live_faces() > limits.faces && !offers_.empty()) {
+      const VertexNumber v = offers_.cheapest();
+      if (offers_.stale(v)) {
+        offers_.set(v, cost_.best(v, Candidate::none_yet()));
+        continue;
+      }
+      const Candidate candidate = offers_.of(v);
+      if (candidate.price > limits.price) return;
+      const auto [edge, price] = cost_.place(v, candidate.partner);
+      if (price > candidate.price) {
+        // The other end has become dearer since.
+        offers_.set(v, cost_.best(v, Candidate::none_yet()));
+        continue;
+      }
+      if (!legality_.keeps_surface(edge.kept, edge.removed) || !legality_.keeps_faces(edge)) {
+        // It waits until a collapse beside it makes the vertex offer anew.
+        const Candidate next = cost_.best(v, candidate);
+        offers_.set(v, next);
+        if constexpr (requires { cost_.gave_up(v, offers_); }) {
+          if (!next.exists()) cost_.gave_up(v, offers_);
+        }
+        continue;
+      }
+      highest_ = std::max(highest_, candidate.price);
+      cost_.collapsing(edge);
+      const unsigned gone = mesh_.collapse(edge);
+      offers_.set(edge.removed, {});
+      cost_.collapsed(edge, offers_);
+      done({edge, highest_, gone, cost_.largest_error()});
+    }
+  }
+
+ private:
+  TileMesh& mesh_;
+  Cost& cost_;
+  Legality legality_;
+  Offers offers_;
+  double highest_ = 0;
+};
+
+}  // namespace winnow

@@ -1,0 +1,135 @@
+#include "decimate/decimation.hpp"
+
+#include "decimate/importance_cost.hpp"
+#include "decimate/initial_quadrics.hpp"
+#include "decimate/quadric_cost.hpp"
+#include "decimate/remembered_quadric_cost.hpp"
+#include "decimate/volume_cost.hpp"
+
+#include <cstring>
+#include <vector>
+
+namespace winnow {
+
+namespace {
+
+// Of a plane upright at a border, with the square of the edge's length, beside the areas of faces.
+constexpr double border_weight = 1;
+
+// By a cost that knows the mesh alone: made when it is needed, by make(mesh).
+template <typename MakeCost>
+class ForgetfulDecimation final : public Decimation {
+ public:
+  ForgetfulDecimation(TileMesh& mesh, const DecimationSettings& settings, MakeCost make)
+      : mesh_(mesh), settings_(settings), make_(std::move(make)) {}
+
+  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) override {
+    auto cost = make_(mesh_);
+    Collapser collapser(mesh_, cost, settings_.least_cosine);
+    collapser.run(limits, done);
+    largest_error_ = cost.largest_error();
+  }
+  void repeat(const Collapse& edge) override { mesh_.collapse(edge); }
+  void save(VertexNumber /*v*/, std::byte* /*into*/) const override {}
+  [[nodiscard]] double largest_error() const override { return largest_error_; }
+
+ private:
+  TileMesh& mesh_;
+  DecimationSettings settings_;
+  MakeCost make_;
+  double largest_error_ = 0;
+};
+
+template <typename MakeCost>
+std::unique_ptr<Decimation> forgetful(TileMesh& mesh, const DecimationSettings& settings, MakeCost make) {
+  return std::make_unique<ForgetfulDecimation<MakeCost>>(mesh, settings, std::move(make));
+}
+
+// By a cost that remembers.
+template <typename Cost>
+class RememberingDecimation final : public Decimation {
+ public:
+  template <typename... Arguments>
+  RememberingDecimation(TileMesh& mesh, const DecimationSettings& settings, Arguments&&... arguments)
+      : mesh_(mesh), settings_(settings), cost_(mesh, std::forward<Arguments>(arguments)...) {}
+
+  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) override {
+    Collapser<Cost> collapser(mesh_, cost_, settings_.least_cosine);
+    collapser.run(limits, done);
+  }
+  void repeat(const Collapse& edge) override {
+    cost_.collapsing(edge);
+    mesh_.collapse(edge);
+  }
+  void save(VertexNumber v, std::byte* into) const override {
+    const typename Cost::State state = cost_.state(v);
+    std::memcpy(into, &state, sizeof state);
+  }
+  [[nodiscard]] double largest_error() const override { return cost_.largest_error(); }
+
+ private:
+  TileMesh& mesh_;
+  DecimationSettings settings_;
+  Cost cost_;
+};
+
+template <typename State>
+std::vector<State> states_of(const TileMesh& mesh, std::span<const std::byte> bytes) {
+  std::vector<State> states(mesh.vertex_count());
+  if (!bytes.empty()) std::memcpy(states.data(), bytes.data(), bytes.size());
+  return states;
+}
+
+void lock_borders(TileMesh& mesh) {
+  Legality legality(mesh, 0);
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
+    if (legality.at_border(v)) mesh.lock(v);
+  }
+}
+
+bool remembers_quadrics(const DecimationSettings& settings) {
+  return settings.cost == CollapseCost::quadric && settings.error.has_value();
+}
+
+}  // namespace
+
+std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std::byte> state,
+                                             const DecimationSettings& settings) {
+  if (settings.keep_borders) lock_borders(mesh);
+  if (settings.cost == CollapseCost::volume)
+    return forgetful(mesh, settings, [](TileMesh& of) { return VolumeCost(of); });
+  if (settings.cost == CollapseCost::importance)
+    return std::make_unique<RememberingDecimation<ImportanceCost>>(mesh, settings,
+                                                                   states_of<double>(mesh, state));
+  if (!remembers_quadrics(settings)) {
+    const bool single = settings.single;
+    return forgetful(mesh, settings, [single](TileMesh& of) { return QuadricCost(of, single); });
+  }
+  std::vector<Quadric> quadrics = states_of<Quadric>(mesh, state);
+  if (state.empty()) add_faces(mesh, quadrics);
+  if (!settings.borders_known) add_borders(mesh, border_weight, quadrics);
+  return std::make_unique<RememberingDecimation<RememberedQuadricCost>>(mesh, settings, std::move(quadrics),
+                                                                        settings.single, settings.error);
+}
+
+std::size_t Decimation::state_size(const DecimationSettings& settings) {
+  switch (settings.cost) {
+    case CollapseCost::quadric:
+      return remembers_quadrics(settings) ? sizeof(Quadric) : 0;
+    case CollapseCost::importance:
+      return sizeof(ImportanceCost::State);
+    case CollapseCost::volume:
+      break;
+  }
+  return 0;
+}
+
+std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64_t vertices) {
+  std::uint64_t forgetful = 0;
+  if (settings.cost == CollapseCost::volume) forgetful = VolumeCost::memory(vertices);
+  if (settings.cost == CollapseCost::quadric && !remembers_quadrics(settings))
+    forgetful = QuadricCost::memory(vertices);
+  return forgetful + vertices * state_size(settings) + Offers::memory(vertices) + Legality::memory(vertices);
+}
+
+}  // namespace winnow

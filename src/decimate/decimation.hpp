@@ -1,0 +1,53 @@
+// One tile made smaller, at one of the costs: knows no files, no threads and no other tile.
+#pragma once
+
+#include "decimate/collapser.hpp"
+#include "decimate/tile_mesh.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace winnow {
+
+enum class CollapseCost { quadric, volume, importance };
+
+struct DecimationSettings {
+  CollapseCost cost = CollapseCost::quadric;
+  bool single = true;         // vertices go to numbers that floats have
+  double least_cosine = 0.2;  // of the angle by which one collapse may turn a face
+  bool keep_borders = false;  // vertices at borders stay
+  bool borders_known =
+      false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone
+  std::optional<double> error;  // no collapse may put a vertex farther than this from its planes, in the mean
+};
+
+class Decimation {
+ public:
+  // `state`: what save() gave for each vertex, or nothing for a mesh in which nothing has been collapsed.
+  static std::unique_ptr<Decimation> make(TileMesh& mesh, std::span<const std::byte> state,
+                                          const DecimationSettings& settings);
+  virtual ~Decimation() = default;
+
+  // Bytes that a vertex takes to remember what was collapsed into it; 0 where nothing is remembered.
+  static std::size_t state_size(const DecimationSettings& settings);
+  // Bytes in use at the most, besides the mesh.
+  static std::uint64_t memory(const DecimationSettings& settings, std::uint64_t vertices);
+
+  // Collapses edges, the cheapest first; `done` is told of each.
+  virtual void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) = 0;
+
+  // Repeats a collapse of an earlier run.
+  virtual void repeat(const Collapse& edge) = 0;
+
+  // Writes state_size() bytes.
+  virtual void save(VertexNumber v, std::byte* into) const = 0;
+
+  // The largest distance of a vertex from its planes so far, in the mean; 0 where the cost knows none.
+  [[nodiscard]] virtual double largest_error() const = 0;
+};
+
+}  // namespace winnow

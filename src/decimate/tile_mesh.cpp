@@ -1,0 +1,78 @@
+#include "decimate/tile_mesh.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace winnow {
+
+TileMesh::TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces,
+                   std::vector<std::uint8_t> locked)
+    : position_(std::move(positions)),
+      face_(std::move(faces)),
+      locked_(std::move(locked)),
+      first_(position_.size(), no_number),
+      next_(3 * face_.size()),
+      mark_(position_.size(), 0),
+      live_faces_(face_.size()) {
+  // From the back, so that every chain begins with the vertex's lowest face.
+  for (std::uint32_t corner = static_cast<std::uint32_t>(next_.size()); corner-- > 0;) {
+    std::uint32_t& first = first_[face_[corner / 3][corner % 3]];
+    next_[corner] = std::exchange(first, corner);
+  }
+}
+
+std::uint64_t TileMesh::memory(std::uint64_t vertices, std::uint64_t faces) {
+  return vertices * (sizeof(Point) + 1 + 2 * sizeof(std::uint32_t)) +
+         faces * (sizeof(FaceVertices) + 3 * sizeof(std::uint32_t));
+}
+
+std::uint32_t TileMesh::new_mark() {
+  if (++last_mark_ == 0) {
+    std::fill(mark_.begin(), mark_.end(), 0);
+    last_mark_ = 1;
+  }
+  return last_mark_;
+}
+
+void TileMesh::unlink(VertexNumber v, FaceNumber f) {
+  std::uint32_t* link = &first_[v];
+  while (*link / 3 != f) link = &next_[*link];
+  *link = next_[*link];
+}
+
+unsigned TileMesh::collapse(const Collapse& edge) {
+  position_[edge.kept] = edge.position;
+  unsigned gone = 0;
+  for (std::uint32_t corner = first_[edge.removed]; corner != no_number;) {
+    const FaceNumber f = corner / 3;
+    const std::uint32_t following = next_[corner];
+    FaceVertices& face = face_[f];
+    if (std::find(face.begin(), face.end(), edge.kept) != face.end()) {
+      for (const VertexNumber v : face) {
+        if (v != edge.removed) unlink(v, f);
+      }
+      face[0] = no_number;
+      ++gone;
+    } else {
+      face[corner % 3] = edge.kept;
+    }
+    corner = following;
+  }
+  // What is left of the chain of `removed`, behind that of `kept`.
+  std::uint32_t* end = &first_[edge.kept];
+  while (*end != no_number) end = &next_[*end];
+  for (std::uint32_t corner = first_[edge.removed]; corner != no_number;) {
+    const std::uint32_t following = next_[corner];
+    if (!removed(corner / 3)) {
+      *end = corner;
+      end = &next_[corner];
+    }
+    corner = following;
+  }
+  *end = no_number;
+  first_[edge.removed] = no_number;
+  live_faces_ -= gone;
+  return gone;
+}
+
+}  // namespace winnow

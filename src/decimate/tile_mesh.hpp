@@ -1,0 +1,90 @@
+// The mesh that edges are collapsed in: faces by their vertices' numbers, and for every vertex a chain of its
+// corners. No face needs neighbours, so that any faces at all make such a mesh, also ones that no surface
+// has.
+#pragma once
+
+#include "base/vector.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace winnow {
+
+using VertexNumber = std::uint32_t;  // in a tile, from 0
+using FaceNumber = std::uint32_t;
+using FaceVertices = std::array<VertexNumber, 3>;
+
+inline constexpr std::uint32_t no_number = UINT32_MAX;
+
+// One edge collapsed into one of its ends, which moves.
+struct Collapse {
+  VertexNumber kept = no_number, removed = no_number;
+  Point position{};  // where `kept` goes
+};
+
+class TileMesh {
+ public:
+  // `locked` vertices, one byte each, belong to faces outside of the tile: they neither move nor go, and no
+  // neighbour is collapsed into them.
+  TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces, std::vector<std::uint8_t> locked);
+
+  // Bytes in use at the most while collapsing, for the plan.
+  static std::uint64_t memory(std::uint64_t vertices, std::uint64_t faces);
+
+  [[nodiscard]] VertexNumber vertex_count() const { return static_cast<VertexNumber>(position_.size()); }
+  [[nodiscard]] FaceNumber face_count() const {
+    return static_cast<FaceNumber>(face_.size());
+  }  // removed too
+  [[nodiscard]] std::uint64_t live_faces() const { return live_faces_; }
+
+  [[nodiscard]] const Point& position(VertexNumber v) const { return position_[v]; }
+  [[nodiscard]] bool locked(VertexNumber v) const { return locked_[v] != 0; }
+  void lock(VertexNumber v) { locked_[v] = 1; }
+  [[nodiscard]] bool has_faces(VertexNumber v) const { return first_[v] != no_number; }
+  [[nodiscard]] const FaceVertices& face(FaceNumber f) const { return face_[f]; }
+  [[nodiscard]] bool removed(FaceNumber f) const { return face_[f][0] == no_number; }
+  [[nodiscard]] Triangle triangle(FaceNumber f) const {
+    return {position_[face_[f][0]], position_[face_[f][1]], position_[face_[f][2]]};
+  }
+
+  // each(face) for the faces of `v`.
+  template <typename Each>
+  void for_each_face(VertexNumber v, const Each& each) const {
+    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next_[corner]) each(corner / 3);
+  }
+
+  // each(vertex) once for every vertex that shares a face with `v`.
+  template <typename Each>
+  void for_each_neighbour(VertexNumber v, const Each& each) {
+    const std::uint32_t mark = new_mark();
+    mark_[v] = mark;
+    for_each_face(v, [&](FaceNumber f) {
+      for (const VertexNumber w : face_[f]) {
+        if (mark_[w] == mark) continue;
+        mark_[w] = mark;
+        each(w);
+      }
+    });
+  }
+
+  // Removes the faces at the edge, hands the others of `removed` to `kept`, and moves that. Returns how many
+  // faces went.
+  unsigned collapse(const Collapse& edge);
+
+ private:
+  std::uint32_t new_mark();
+  void unlink(VertexNumber v, FaceNumber f);
+
+  std::vector<Point> position_;
+  std::vector<FaceVertices> face_;
+  std::vector<std::uint8_t> locked_;
+  std::vector<std::uint32_t>
+      first_;                        // of each vertex the first of its corners; corner i of face f is 3 f + i
+  std::vector<std::uint32_t> next_;  // of each corner the next of the same vertex
+  std::vector<std::uint32_t> mark_;  // which question a vertex was last met by
+  std::uint32_t last_mark_ = 0;
+  std::uint64_t live_faces_ = 0;
+};
+
+}  // namespace winnow
