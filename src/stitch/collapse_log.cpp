@@ -1,0 +1,101 @@
+#include "stitch/collapse_log.hpp"
+
+#include <bit>
+#include <limits>
+#include <span>
+
+namespace winnow {
+
+CollapseLog::CollapseLog(Job& job, std::uint64_t memory)
+    : edges_(job, memory / 2), prices_(job, memory / 2) {}
+
+void CollapseLog::append(const std::vector<Collapse>& edges, const std::vector<Price>& prices) {
+  edges_.append(std::as_bytes(std::span(edges)));
+  prices_.append(std::as_bytes(std::span(prices)));
+  first_.push_back(first_.back() + prices.size());
+}
+
+void CollapseLog::finish() {
+  edges_.finish();
+  prices_.finish();
+}
+
+CollapseLog::Price CollapseLog::at(std::uint64_t entry) const {
+  Price price;
+  prices_.read(entry * sizeof price, std::as_writable_bytes(std::span(&price, 1)));
+  return price;
+}
+
+std::uint64_t CollapseLog::count(std::size_t tile, double price, bool with_equal) const {
+  std::uint64_t low = first_[tile];
+  std::uint64_t high = first_[tile + 1];
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    const double found = at(middle).price;
+    if (found < price || (with_equal && found == price)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low - first_[tile];
+}
+
+std::uint64_t CollapseLog::removed_by(std::size_t tile, std::uint64_t count) const {
+  return count == 0 ? 0 : at(first_[tile] + count - 1).removed;
+}
+
+std::uint64_t CollapseLog::removed_up_to(double price) const {
+  std::uint64_t sum = 0;
+  for (std::size_t tile = 0; tile < tiles(); ++tile) sum += removed_by(tile, count(tile, price, true));
+  return sum;
+}
+
+std::uint64_t CollapseLog::removed() const {
+  return removed_up_to(std::numeric_limits<double>::infinity());
+}
+
+double CollapseLog::price_of(std::uint64_t faces) const {
+  // Numbers not below 0 are in the order of their bits.
+  std::uint64_t low = 0;
+  std::uint64_t high = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    if (removed_up_to(std::bit_cast<double>(middle)) < faces) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return std::bit_cast<double>(low);
+}
+
+std::vector<std::uint64_t> CollapseLog::cut(std::uint64_t faces) const {
+  const double price = price_of(faces);
+  std::vector<std::uint64_t> counts(tiles());
+  std::uint64_t sum = 0;
+  for (std::size_t tile = 0; tile < tiles(); ++tile) {
+    counts[tile] = count(tile, price, false);
+    sum += removed_by(tile, counts[tile]);
+  }
+  for (std::size_t tile = 0; tile < tiles(); ++tile) {
+    const std::uint64_t end = count(tile, price, true);
+    while (sum < faces && counts[tile] < end) {
+      const std::uint64_t before = removed_by(tile, counts[tile]);
+      sum += removed_by(tile, ++counts[tile]) - before;
+    }
+  }
+  return counts;
+}
+
+double CollapseLog::error(std::size_t tile, std::uint64_t count) const {
+  return count == 0 ? 0 : at(first_[tile] + count - 1).error;
+}
+
+std::vector<Collapse> CollapseLog::edges(std::size_t tile, std::uint64_t count) const {
+  std::vector<Collapse> edges(count);
+  edges_.read(first_[tile] * sizeof(Collapse), std::as_writable_bytes(std::span(edges)));
+  return edges;
+}
+
+}  // namespace winnow

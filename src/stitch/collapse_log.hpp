@@ -1,0 +1,59 @@
+// What every tile has collapsed, and how dear: one price for all tiles is found from it.
+#pragma once
+
+#include "decimate/collapser.hpp"
+#include "io/job.hpp"
+#include "io/spool.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace winnow {
+
+// Filled tile by tile, by one thread; after finish() read by any number.
+class CollapseLog {
+ public:
+  struct Price {
+    double price = 0;           // never falls within a tile
+    std::uint64_t removed = 0;  // faces, by this collapse and all before it
+    double error = 0;           // the largest of this collapse and all before it
+  };
+
+  // Bytes a collapse.
+  static constexpr std::uint64_t entry_size = sizeof(Collapse) + sizeof(Price);
+
+  CollapseLog(Job& job, std::uint64_t memory);
+
+  // Of the next tile.
+  void append(const std::vector<Collapse>& edges, const std::vector<Price>& prices);
+  void finish();
+
+  // The fewest collapses, the cheapest of all tiles, that remove so many faces: how many of each tile; all
+  // where all are not enough. Of equally cheap ones those of lower tiles come first.
+  [[nodiscard]] std::vector<std::uint64_t> cut(std::uint64_t faces) const;
+
+  // The price that such a cut reaches.
+  [[nodiscard]] double price_of(std::uint64_t faces) const;
+
+  // Faces that all collapses remove.
+  [[nodiscard]] std::uint64_t removed() const;
+
+  // The largest error of the first `count` collapses of a tile.
+  [[nodiscard]] double error(std::size_t tile, std::uint64_t count) const;
+
+  [[nodiscard]] std::vector<Collapse> edges(std::size_t tile, std::uint64_t count) const;
+
+ private:
+  [[nodiscard]] std::size_t tiles() const { return first_.size() - 1; }
+  [[nodiscard]] Price at(std::uint64_t entry) const;
+  // How many collapses of a tile are below the price, or not above it.
+  [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal) const;
+  [[nodiscard]] std::uint64_t removed_by(std::size_t tile, std::uint64_t count) const;
+  [[nodiscard]] std::uint64_t removed_up_to(double price) const;
+
+  Spool edges_, prices_;
+  std::vector<std::uint64_t> first_{0};  // entry of each tile; behind the last how many there are
+};
+
+}  // namespace winnow

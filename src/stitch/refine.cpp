@@ -1,0 +1,249 @@
+#include "stitch/refine.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/parallel.hpp"
+#include "stitch/collapse_log.hpp"
+#include "stitch/reorder.hpp"
+#include "stitch/smaller_mesh.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+// The first round leaves so many times the faces that are wanted, the later rounds the rest: their borders
+// keep faces that are denser than others by no more than this.
+constexpr double spare = 1.03;
+// No tile goes below this part of its share of the wanted faces in the first round: what flat tiles can give
+// beyond is left to the later rounds.
+constexpr double deepest = 1.0 / 3;
+// How much dearer than the dearest collapse of the last round those of the next may be, before it is tried
+// again: with more, and then without a limit.
+constexpr double first_headroom = 2;
+constexpr double more_headroom = 64;
+
+// Counts of one tile, told to all in steps: threads would get into each other's way at every collapse.
+class Steps {
+ public:
+  explicit Steps(ProgressMeter& progress) : progress_(progress) {}
+  void add(std::uint64_t faces) {
+    pending_ += faces;
+    if (pending_ >= 2048) progress_.advance(std::exchange(pending_, 0));
+  }
+
+ private:
+  ProgressMeter& progress_;
+  std::uint64_t pending_ = 0;
+};
+
+class Refiner {
+ public:
+  Refiner(Job& job, const RefineSettings& settings, const RefineMemory& memory, RefineReport& report)
+      : job_(job), settings_(settings), memory_(memory), report_(report) {}
+
+  ClusteredMesh run(RefinedMesh whole) {
+    unsigned idle = 0;
+    for (report_.rounds = 1;; ++report_.rounds) {
+      const std::uint64_t before = whole.mesh.face_count;
+      const Tiling tiling(whole.mesh, settings_.tile_faces);
+      if (report_.rounds == 1) report_.tiles = tiling.tiles();
+      job_.progress.begin("refine", before - std::min(before, settings_.faces), "faces");
+      whole = round(std::move(whole), tiling);
+      settings_.decimation.borders_known = true;
+      if (whole.mesh.face_count <= settings_.faces) break;
+      // One tile has no borders that kept anything. Of several, two rounds that hardly helped say that no
+      // other will: one for each way in which the tiles lie.
+      if (before - whole.mesh.face_count <= before / 1000) ++idle;
+      if (tiling.tiles() == 1 || idle > 1) {
+        report_.stopped_by = settings_.decimation.error ? StoppedBy::error : StoppedBy::topology;
+        break;
+      }
+      const bool back = report_.rounds % 2 == 0;
+      whole = reorder(job_, std::move(whole), back, state_size(), memory_.lists, memory_.mesh);
+    }
+    return std::move(whole.mesh);
+  }
+
+ private:
+  [[nodiscard]] std::size_t state_size() const { return Decimation::state_size(settings_.decimation); }
+
+  RefinedMesh round(RefinedMesh whole, const Tiling& tiling) {
+    const IncomingFaces incoming(job_, whole.mesh, tiling, memory_.lists);
+    if (whole.mesh.face_count <= settings_.faces) {
+      // Nothing goes but vertices without a face; the others get their normals.
+      return make_smaller(whole, tiling, incoming, [](std::size_t, Decimation&) {});
+    }
+    if (tiling.tiles() == 1 || settings_.faces == 0) {
+      return make_smaller(whole, tiling, incoming, [&](std::size_t, Decimation& decimation) {
+        Steps steps(job_.progress);
+        std::uint64_t collapses = 0;
+        decimation.run({settings_.faces, no_limit}, [&](const DoneCollapse& done) {
+          ++collapses;
+          steps.add(done.faces);
+        });
+        tell(collapses, decimation.largest_error());
+      });
+    }
+    const bool first = report_.rounds == 1;
+    double more = more_headroom;
+    for (double highest = first ? no_limit : first_headroom * dearest_;;
+         highest *= std::exchange(more, no_limit)) {
+      if (highest == 0) highest = no_limit;
+      CollapseLog log(job_, memory_.logs);
+      const std::uint64_t frozen = try_all(whole, tiling, incoming, highest, log);
+      const std::uint64_t wanted =
+          first ? wanted_first(whole.mesh.face_count, frozen) : whole.mesh.face_count - settings_.faces;
+      if (log.removed() < wanted && highest < no_limit) continue;
+      dearest_ = log.price_of(std::min(wanted, log.removed()));
+      const std::vector<std::uint64_t> counts = log.cut(wanted);
+      return make_smaller(whole, tiling, incoming, [&](std::size_t tile, Decimation& decimation) {
+        for (const Collapse& edge : log.edges(tile, counts[tile])) decimation.repeat(edge);
+        job_.progress.check_cancelled();
+        tell(counts[tile], log.error(tile, counts[tile]));
+      });
+    }
+  }
+
+  // How many faces the first round removes. The faces that the borders freeze will become fewer in
+  // proportion.
+  [[nodiscard]] std::uint64_t wanted_first(std::uint64_t faces, std::uint64_t frozen) const {
+    const auto free = static_cast<double>(faces - frozen);
+    const double left = spare * static_cast<double>(settings_.faces) * free / static_cast<double>(faces);
+    return left < free ? static_cast<std::uint64_t>(free - left) : 0;
+  }
+
+  void tell(std::uint64_t collapses, double largest_error) {
+    const std::scoped_lock lock(reporting_);
+    report_.collapses += collapses;
+    report_.largest_error = std::max(report_.largest_error, largest_error);
+  }
+
+  // Tiles in order, several at once while their memory lasts: work(tile number) on any thread, finish in
+  // order.
+  template <typename Item, typename Work, typename Finish>
+  void for_each_tile(const Tiling& tiling, const IncomingFaces& incoming, const Work& work,
+                     const Finish& finish) {
+    std::uint64_t largest = 0;
+    for (std::size_t t = 0; t < tiling.tiles(); ++t) {
+      const std::uint64_t faces = tiling.first_face(t + 1) - tiling.first_face(t) + incoming.count(t);
+      // An incoming face brings at most two vertices along, an own one too few to count.
+      const std::uint64_t vertices =
+          tiling.first_vertex(t + 1) - tiling.first_vertex(t) + 2 * incoming.count(t);
+      largest = std::max(largest, tile_memory(settings_, vertices, faces));
+    }
+    const std::uint64_t at_once = std::clamp<std::uint64_t>(memory_.tiles / largest, 1, job_.threads);
+    const Reservation reserved = job_.budget.reserve(at_once * largest, "tiles");
+    std::size_t next = 0;
+    pipeline<std::pair<std::size_t, Item>>(
+        at_once,
+        [&](auto& item) {
+          item.first = next++;
+          return item.first < tiling.tiles();
+        },
+        [&](auto& item) { work(item.first, item.second); },
+        [&](auto& item) { finish(item.first, item.second); });
+  }
+
+  // Collapses what can be collapsed and writes it down; nothing is changed. Returns how many faces cannot
+  // change because of the borders between tiles.
+  std::uint64_t try_all(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
+                        double highest, CollapseLog& log) {
+    struct Tried {
+      std::vector<Collapse> edges;
+      std::vector<CollapseLog::Price> prices;
+    };
+    std::atomic<std::uint64_t> frozen{0};
+    const bool first = report_.rounds == 1;
+    for_each_tile<Tried>(
+        tiling, incoming,
+        [&](std::size_t number, Tried& tried) {
+          tried.edges.clear();
+          tried.prices.clear();
+          Tile tile = load_tile(whole, tiling, incoming, number, state_size());
+          TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
+          std::uint64_t still = 0;
+          for (FaceNumber f = 0; f < tile.own_faces; ++f) {
+            const FaceVertices& face = mesh.face(f);
+            still += mesh.locked(face[0]) || mesh.locked(face[1]) || mesh.locked(face[2]);
+          }
+          frozen += still;
+          const std::unique_ptr<Decimation> decimation =
+              Decimation::make(mesh, tile.state, settings_.decimation);
+          CollapseLimits limits{0, highest};
+          if (first) {
+            const double share =
+                static_cast<double>(settings_.faces) / static_cast<double>(whole.mesh.face_count);
+            const auto others = static_cast<double>(mesh.face_count() - tile.own_faces + still);
+            limits.faces =
+                static_cast<std::uint64_t>(deepest * share * static_cast<double>(tile.own_faces) + others);
+          }
+          std::uint64_t removed = 0;
+          Steps steps(job_.progress);
+          decimation->run(limits, [&](const DoneCollapse& done) {
+            removed += done.faces;
+            tried.edges.push_back(done.edge);
+            tried.prices.push_back({done.price, removed, done.error});
+            steps.add(done.faces);
+          });
+        },
+        [&](std::size_t, const Tried& tried) { log.append(tried.edges, tried.prices); });
+    log.finish();
+    return frozen;
+  }
+
+  // What is left when `shrink` has been at every tile.
+  template <typename Shrink>
+  RefinedMesh make_smaller(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
+                           const Shrink& shrink) {
+    SmallerMesh smaller(job_, state_size(), memory_.mesh);
+    for_each_tile<TileRest>(
+        tiling, incoming,
+        [&](std::size_t number, TileRest& rest) {
+          Tile tile = load_tile(whole, tiling, incoming, number, state_size());
+          TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
+          const std::unique_ptr<Decimation> decimation =
+              Decimation::make(mesh, tile.state, settings_.decimation);
+          shrink(number, *decimation);
+          rest = rest_of(tile, mesh, *decimation, state_size());
+        },
+        [&](std::size_t, TileRest& rest) { smaller.append(std::move(rest)); });
+    RefinedMesh out = smaller.finish(tiling);
+    out.mesh.cells = whole.mesh.cells;
+    out.mesh.fused = whole.mesh.fused;
+    return out;
+  }
+
+  Job& job_;
+  RefineSettings settings_;
+  RefineMemory memory_;
+  RefineReport& report_;
+  std::mutex reporting_;
+  double dearest_ = 0;  // collapse of the last round
+
+  static std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices,
+                                   std::uint64_t faces) {
+    const std::size_t state_size = Decimation::state_size(settings.decimation);
+    const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
+    const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size);
+    return Tile::memory(vertices, faces, state_size) + Decimation::memory(settings.decimation, vertices) +
+           std::max(log, rest);
+  }
+};
+
+}  // namespace
+
+ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings, const RefineMemory& memory,
+                     RefineReport& report) {
+  return Refiner(job, settings, memory, report).run(std::move(whole));
+}
+
+}  // namespace winnow

@@ -1,0 +1,40 @@
+// The second half of the road: a clustered or welded mesh is made smaller by collapsing edges, tile by tile.
+#pragma once
+
+#include "decimate/decimation.hpp"
+#include "stitch/tile.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace winnow {
+
+struct RefineSettings {
+  DecimationSettings decimation;
+  std::uint64_t faces = 0;  // wanted; 0: as few as there can be
+  std::uint64_t tile_faces = std::uint64_t{1}
+                             << 16;  // changes the result a little: never derived from memory
+};
+
+struct RefineMemory {
+  std::uint64_t tiles = 0;  // being worked on, all threads together
+  std::uint64_t logs = 0;
+  std::uint64_t mesh = 0;   // what comes out of a round
+  std::uint64_t lists = 0;  // sorting
+};
+
+enum class StoppedBy { count, error, topology };
+
+struct RefineReport {
+  std::uint64_t tiles = 0;  // of the first round
+  std::uint64_t rounds = 0;
+  std::uint64_t collapses = 0;
+  double largest_error = 0;  // of a vertex from its planes, in the mean; model units
+  StoppedBy stopped_by = StoppedBy::count;
+};
+
+// Never more faces than wanted, unless topology allows no fewer; at most one collapse less.
+ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings, const RefineMemory& memory,
+                     RefineReport& report);
+
+}  // namespace winnow

@@ -1,0 +1,149 @@
+#include "stitch/reorder.hpp"
+
+#include "io/sorted_list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::uint32_t third = axis_cells / 3;
+constexpr std::size_t chunk_records = 4096;
+
+CellKey shifted(CellKey key, bool back) {
+  std::array<std::uint32_t, 3> cell = morton_cell(key);
+  for (std::uint32_t& x : cell) x = (x + (back ? axis_cells - third : third)) % axis_cells;
+  return morton_key(cell[0], cell[1], cell[2]);
+}
+
+struct Moved {
+  CellKey key;  // the new one
+  std::uint32_t old_number;
+  std::uint32_t unused;
+
+  static bool before(const Moved& a, const Moved& b) {
+    return a.key != b.key ? a.key < b.key : a.old_number < b.old_number;
+  }
+  static bool combine(Moved&, const Moved&) { return false; }
+};
+
+struct Renumbered {
+  std::uint32_t old_number, new_number;
+
+  static bool before(const Renumbered& a, const Renumbered& b) { return a.old_number < b.old_number; }
+  static bool combine(Renumbered&, const Renumbered&) { return false; }
+};
+
+struct OrderedFace {
+  FaceVertices vertices;  // the lowest first
+
+  static bool before(const OrderedFace& a, const OrderedFace& b) { return a.vertices < b.vertices; }
+  static bool combine(OrderedFace&, const OrderedFace&) { return false; }
+};
+
+// Records through a spool's append() in chunks.
+template <typename Record>
+class Appender {
+ public:
+  explicit Appender(Spool& spool) : spool_(spool) {}
+  void add(const Record& record) {
+    chunk_.push_back(record);
+    if (chunk_.size() == chunk_records) flush();
+  }
+  void flush() {
+    spool_.append(std::as_bytes(std::span(chunk_)));
+    chunk_.clear();
+  }
+
+ private:
+  Spool& spool_;
+  std::vector<Record> chunk_;
+};
+
+}  // namespace
+
+RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size, std::uint64_t list_memory,
+                    std::uint64_t mesh_memory) {
+  const Reservation reserved = job.budget.reserve(list_memory, "sorting");
+  const std::uint64_t vertices = whole.mesh.vertices->size();
+  RefinedMesh out;
+  out.mesh.cells = whole.mesh.cells;
+  out.mesh.fused = whole.mesh.fused;
+  out.mesh.turned = whole.mesh.turned;
+  out.mesh.face_count = whole.mesh.face_count;
+  out.mesh.vertices = std::make_unique<VertexIndex>(job, mesh_memory / 3);
+  if (whole.state != nullptr) out.state = std::make_unique<Spool>(job, mesh_memory / 3);
+  out.mesh.faces = std::make_unique<Spool>(job, mesh_memory / 3);
+  Spool numbers(job, list_memory / 2);  // the new number of each vertex
+  {
+    SortedRuns<Renumbered> renumbered_runs(job);
+    SortedList<Renumbered> renumbered(job, list_memory / 2, renumbered_runs);
+    {
+      SortedRuns<Moved> runs(job);
+      SortedList<Moved> list(job, list_memory / 2, runs);
+      VertexIndex::Reader reader(*whole.mesh.vertices);
+      for (std::uint32_t v = 0; v < vertices; ++v) list.add({shifted(reader.at(v).key, back), v, 0});
+      list.sort();
+      MergedCursor<Moved> merged = merge<Moved>({&list}, runs);
+      std::vector<IndexedVertex> chunk;
+      std::vector<std::byte> states;
+      std::uint32_t number = 0;
+      const auto flush = [&] {
+        job.progress.check_cancelled();
+        out.mesh.vertices->append(chunk);
+        if (out.state != nullptr) out.state->append(states);
+        chunk.clear();
+        states.clear();
+      };
+      for (Moved moved{}; merged.next(moved); ++number) {
+        renumbered.add({moved.old_number, number});
+        chunk.push_back(reader.at(moved.old_number));
+        chunk.back().key = moved.key;
+        if (out.state != nullptr) {
+          states.resize(states.size() + state_size);
+          whole.state->read(moved.old_number * std::uint64_t{state_size}, std::span(states).last(state_size));
+        }
+        if (chunk.size() == chunk_records) flush();
+      }
+      flush();
+    }
+    renumbered.sort();
+    MergedCursor<Renumbered> merged = merge<Renumbered>({&renumbered}, renumbered_runs);
+    Appender<std::uint32_t> append(numbers);
+    for (Renumbered pair{}; merged.next(pair);) append.add(pair.new_number);
+    append.flush();
+    numbers.finish();
+  }
+  out.mesh.vertices->finish();
+  if (out.state != nullptr) out.state->finish();
+  whole.mesh.vertices.reset();
+  whole.state.reset();
+
+  SortedRuns<OrderedFace> runs(job);
+  SortedList<OrderedFace> list(job, list_memory / 2, runs);
+  whole.mesh.faces->for_each_part(sizeof(FaceVertices), [&](std::span<const std::byte> part) {
+    job.progress.check_cancelled();
+    for (FaceVertices face :
+         std::span(reinterpret_cast<const FaceVertices*>(part.data()), part.size() / sizeof(FaceVertices))) {
+      for (std::uint32_t& v : face) {
+        numbers.read(v * std::uint64_t{sizeof v}, std::as_writable_bytes(std::span(&v, 1)));
+      }
+      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+      list.add({face});
+    }
+  });
+  whole.mesh.faces.reset();
+  list.sort();
+  MergedCursor<OrderedFace> merged = merge<OrderedFace>({&list}, runs);
+  Appender<OrderedFace> append(*out.mesh.faces);
+  for (OrderedFace face{}; merged.next(face);) append.add(face);
+  append.flush();
+  out.mesh.faces->finish();
+  return out;
+}
+
+}  // namespace winnow

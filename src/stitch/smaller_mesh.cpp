@@ -1,0 +1,176 @@
+#include "stitch/smaller_mesh.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+void turn_lowest_first(FaceVertices& face) {
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+}
+
+std::array<float, 3> normal_of(const TileMesh& mesh, VertexNumber v) {
+  Point sum{};
+  mesh.for_each_face(v, [&](FaceNumber f) { sum = sum + doubled_area(mesh.triangle(f)); });
+  const double size = length(sum);
+  if (!(size > 0)) return {};
+  return {static_cast<float>(sum[0] / size), static_cast<float>(sum[1] / size),
+          static_cast<float>(sum[2] / size)};
+}
+
+// The records of a spool, one after the other.
+template <typename Record>
+class SpoolCursor {
+ public:
+  explicit SpoolCursor(const Spool& spool) : spool_(spool) {}
+
+  bool next(Record& record) {
+    if (at_ == records_.size()) {
+      const std::uint64_t left = spool_.size() / sizeof(Record) - read_;
+      if (left == 0) return false;
+      records_.resize(std::min<std::uint64_t>(left, chunk));
+      spool_.read(read_ * sizeof(Record), std::as_writable_bytes(std::span(records_)));
+      read_ += records_.size();
+      at_ = 0;
+    }
+    record = records_[at_++];
+    return true;
+  }
+
+ private:
+  static constexpr std::uint64_t chunk = 8192;
+
+  const Spool& spool_;
+  std::vector<Record> records_;
+  std::size_t at_ = 0;
+  std::uint64_t read_ = 0;
+};
+
+}  // namespace
+
+TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
+                 std::size_t state_size) {
+  TileRest rest;
+  std::vector<std::uint32_t> place(tile.own_vertices, no_number);
+  for (VertexNumber v = 0; v < tile.own_vertices; ++v) {
+    if (!mesh.has_faces(v)) continue;
+    place[v] = static_cast<std::uint32_t>(rest.vertices.size());
+    IndexedVertex vertex = tile.vertices[v];
+    vertex.position = mesh.position(v);
+    vertex.normal = normal_of(mesh, v);
+    rest.vertices.push_back(vertex);
+    rest.state.resize(rest.state.size() + state_size);
+    decimation.save(v, rest.state.data() + rest.state.size() - state_size);
+    if (mesh.locked(v)) rest.named.push_back({static_cast<std::uint32_t>(tile.first_vertex + v), place[v]});
+  }
+  for (FaceNumber f = 0; f < tile.own_faces; ++f) {
+    if (mesh.removed(f)) continue;
+    const FaceVertices& face = mesh.face(f);
+    SeamFace seam{{}, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (face[i] < tile.own_vertices) {
+        seam.vertices[i] = place[face[i]];
+      } else {
+        seam.vertices[i] = tile.others[face[i] - tile.own_vertices];
+        seam.old_mask |= 1U << i;
+      }
+    }
+    if (seam.old_mask != 0) {
+      rest.seam_faces.push_back(seam);
+    } else {
+      turn_lowest_first(seam.vertices);
+      rest.faces.push_back(seam.vertices);
+    }
+  }
+  std::sort(rest.faces.begin(), rest.faces.end());
+  return rest;
+}
+
+SmallerMesh::SmallerMesh(Job& job, std::size_t state_size, std::uint64_t memory)
+    : job_(job),
+      memory_(memory),
+      faces_(job, memory / 8),
+      seam_faces_(job, memory / 16),
+      named_(job, memory / 16) {
+  out_.mesh.vertices = std::make_unique<VertexIndex>(job, memory / 4);
+  if (state_size > 0) out_.state = std::make_unique<Spool>(job, memory / 4);
+}
+
+void SmallerMesh::append(TileRest rest) {
+  const auto base = static_cast<std::uint32_t>(first_vertex_.back());
+  for (FaceVertices& face : rest.faces) {
+    for (std::uint32_t& v : face) v += base;
+  }
+  for (SeamFace& face : rest.seam_faces) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((face.old_mask >> i & 1) == 0) face.vertices[i] += base;
+    }
+  }
+  out_.mesh.vertices->append(rest.vertices);
+  if (out_.state != nullptr) out_.state->append(rest.state);
+  out_.mesh.face_count += rest.faces.size() + rest.seam_faces.size();
+  faces_.append(std::as_bytes(std::span(rest.faces)));
+  seam_faces_.append(std::as_bytes(std::span(rest.seam_faces)));
+  named_.append(std::as_bytes(std::span(rest.named)));
+  first_vertex_.push_back(first_vertex_.back() + rest.vertices.size());
+  first_named_.push_back(first_named_.back() + rest.named.size());
+}
+
+std::uint32_t SmallerMesh::new_number(const Tiling& tiling, std::uint32_t old_number) const {
+  const std::size_t tile = tiling.tile_of(old_number);
+  std::uint64_t low = first_named_[tile];
+  std::uint64_t high = first_named_[tile + 1];
+  NamedVertex found{};
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    named_.read(middle * sizeof found, std::as_writable_bytes(std::span(&found, 1)));
+    if (found.old_number == old_number) break;
+    if (found.old_number < old_number) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return static_cast<std::uint32_t>(first_vertex_[tile] + found.place);
+}
+
+RefinedMesh SmallerMesh::finish(const Tiling& tiling) {
+  out_.mesh.vertices->finish();
+  if (out_.state != nullptr) out_.state->finish();
+  faces_.finish();
+  seam_faces_.finish();
+  named_.finish();
+  // Both kinds of faces are in the order of their lowest vertices.
+  out_.mesh.faces = std::make_unique<Spool>(job_, memory_ / 4);
+  SpoolCursor<FaceVertices> inner(faces_);
+  SpoolCursor<SeamFace> seams(seam_faces_);
+  FaceVertices face{};
+  SeamFace seam{};
+  bool more_inner = inner.next(face);
+  bool more_seams = seams.next(seam);
+  std::vector<FaceVertices> chunk;
+  while (more_inner || more_seams) {
+    if (more_inner && (!more_seams || face[0] <= seam.vertices[0])) {
+      chunk.push_back(face);
+      more_inner = inner.next(face);
+    } else {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if ((seam.old_mask >> i & 1) != 0) seam.vertices[i] = new_number(tiling, seam.vertices[i]);
+      }
+      chunk.push_back(seam.vertices);
+      more_seams = seams.next(seam);
+    }
+    if (chunk.size() < 8192) continue;
+    job_.progress.check_cancelled();
+    out_.mesh.faces->append(std::as_bytes(std::span(chunk)));
+    chunk.clear();
+  }
+  out_.mesh.faces->append(std::as_bytes(std::span(chunk)));
+  out_.mesh.faces->finish();
+  return std::move(out_);
+}
+
+}  // namespace winnow

@@ -1,0 +1,58 @@
+// What is left of the tiles, joined to one mesh again.
+#pragma once
+
+#include "decimate/decimation.hpp"
+#include "stitch/tile.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace winnow {
+
+// A face with corners in several tiles, on its way to its new numbers.
+struct SeamFace {
+  FaceVertices vertices;   // the lowest, which is the tile's own, first
+  std::uint32_t old_mask;  // bit i: corner i is another tile's and still has its old number
+};
+
+// A vertex that other tiles' faces name.
+struct NamedVertex {
+  std::uint32_t old_number;
+  std::uint32_t place;  // among what is left of its tile
+};
+
+// What is left of one tile.
+struct TileRest {
+  std::vector<IndexedVertex> vertices;
+  std::vector<std::byte> state;
+  std::vector<FaceVertices> faces;  // by places in `vertices`, the lowest first; in ascending order
+  std::vector<SeamFace> seam_faces;
+  std::vector<NamedVertex> named;  // in ascending order
+};
+
+// Vertices without faces go; the others get the normals of their faces.
+TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
+                 std::size_t state_size);
+
+// Takes the tiles in order, on one thread.
+class SmallerMesh {
+ public:
+  SmallerMesh(Job& job, std::size_t state_size, std::uint64_t memory);
+
+  void append(TileRest rest);
+
+  // `tiling`: that of the tiles.
+  RefinedMesh finish(const Tiling& tiling);
+
+ private:
+  [[nodiscard]] std::uint32_t new_number(const Tiling& tiling, std::uint32_t old_number) const;
+
+  Job& job_;
+  std::uint64_t memory_;
+  RefinedMesh out_;
+  Spool faces_, seam_faces_, named_;
+  std::vector<std::uint64_t> first_vertex_{0}, first_named_{0};
+};
+
+}  // namespace winnow
