@@ -16,15 +16,43 @@ enum class Placement {
   quadric  // the point nearest to the planes of the cell's faces: keeps edges and ridges sharp
 };
 
+// What is made of the clustered mesh.
+enum class Refine {
+  none,       // nothing: pure clustering
+  quadric,    // collapse edges at the least distance from the planes of the faces they stand for
+  volume,     // collapse vertices that cover the least volume
+  importance  // collapse what is seen least
+};
+
+// Where open borders of the surface go when edges are collapsed.
+enum class Borders {
+  weigh,  // they resist being moved sideways
+  keep    // their vertices stay, all of them
+};
+
 // File formats by name; `automatic` goes by content for an input, by the name's ending for an output.
 enum class Format { automatic, ply, stl };
 
-// Options that change the result. Exactly one of cell, grid, faces and ratio must be set.
+// Options that change the result. Exactly one of cell, grid, faces, ratio, error and
+// relative_error must be set.
 struct SimplifyOptions {
   std::optional<double> cell;          // edge of a cubic grid cell, in the units of the model; > 0
   std::optional<std::uint64_t> grid;   // cells along the longest side of the bounding box; 1 to 2^21
-  std::optional<std::uint64_t> faces;  // about this many faces: the program finds the cell; >= 4
+  std::optional<std::uint64_t> faces;  // so many faces; >= 4. Exact if refined, else about
   std::optional<double> ratio;         // the same as a part of the input's faces; in (0, 1]
+  // As few faces as there can be with this error, in model units; > 0: the root of the mean squared distance
+  // of a vertex from the planes of all faces that it stands for. Only with Refine::quadric.
+  std::optional<double> error;
+  std::optional<double> relative_error;  // the same as a part of the diagonal of the input's box; in (0, 1)
+
+  // Default: quadric with faces, ratio and error, none with cell and grid (which allow nothing else).
+  std::optional<Refine> refine;
+  // Faces that clustering leaves for each that is wanted; > 1. Infinite: none are clustered, equal positions
+  // are welded and all faces refined. Default: 6, and infinite where that would not spare the better half of
+  // the faces, or where the input has no more than 2^20.
+  std::optional<double> detail;
+  Borders borders = Borders::weigh;
+  double max_normal_deviation = 45;  // by which one collapse may turn a face, in degrees; in (0, 90]
 
   Placement placement = Placement::quadric;  // where in its cell the vertex goes
   bool normals = false;                      // write vertex normals (also done when the input has them)
@@ -61,14 +89,25 @@ struct SimplifyReport {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;
   } output;
 
-  double cell_size = 0;             // edge of a cell, in the units of the model
+  std::optional<std::uint64_t> target_faces;  // with faces and ratio
+  struct {
+    Refine cost = Refine::none;
+    std::uint64_t tiles = 0;      // that the mesh was cut into at first
+    std::uint64_t collapses = 0;  // edges collapsed
+    // The root of the mean squared distance of a vertex from the planes of its faces: the largest of all
+    // vertices that were moved, in model units. 0 without Refine::quadric.
+    double max_error = 0;
+    std::string stopped_by;  // "count", "error" or "topology"; empty without refinement
+  } refine;
+
+  double cell_size = 0;             // edge of a cell, in the units of the model; 0 where none was clustered
   std::uint64_t cells = 0;          // cells that any corner fell into
   std::uint64_t turned_faces = 0;   // output faces turned to agree with the surface's normals
   std::uint64_t fused_faces = 0;    // pairs of opposite faces that fell onto each other and became one
   std::uint64_t clamped_faces = 0;  // input faces so much larger than a cell that their weight was limited
 
   // No point of an output vertex's cluster is farther than this from it: the diagonal of a cell. One-sided:
-  // output to original. In the units of the model.
+  // output to original. In the units of the model. Refinement goes on from there, with refine.max_error.
   double error_bound = 0;
 
   std::uint64_t runs = 1;                // times the faces were clustered; 2 where the sample misled
@@ -76,7 +115,8 @@ struct SimplifyReport {
   std::uint64_t peak_scratch_bytes = 0;  // most scratch in use at one time
   std::uint64_t peak_memory_bytes = 0;   // the process's largest resident set so far
   struct {
-    double total = 0, read = 0, cluster = 0, write = 0;  // read: before the first face is clustered
+    double total = 0, read = 0, cluster = 0, refine = 0,
+           write = 0;  // read: before the first face is clustered
   } seconds;
   std::vector<std::string> notes;  // what was unusual about the input, a line each
 };
@@ -97,7 +137,8 @@ struct SimplifyPlan {
   std::optional<double> seconds_expected;         // a rough guess from a rate measured once
 };
 
-// Reads `input`, clusters its vertices on a grid, writes one mesh to `output`.
+// Reads `input`, clusters its vertices on a grid, collapses edges of what comes out until it has the faces
+// asked for, writes one mesh to `output`.
 //
 // input: a file's name, or "-" for standard input. PLY or STL, plain or in gzip or zstd. output: a file's
 // name, or "-" for standard output. A regular file appears under its name only when it is whole; anything

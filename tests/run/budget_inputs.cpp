@@ -31,8 +31,8 @@ TEST_CASE("a PLY file stays within the budget", "[budget]") {
   const std::string input = directory.file("scan.ply");
   generate("scan", faces, input);
   for (const char* memory : {"smallest", "64M", "128M"}) check_budget(directory, input, coarse, memory);
-  for (const Words& options : {Words{"--grid", "300"}, Words{"--faces", "300k"},
-                               Words{"--ratio", "50%", "--placement", "quadric"}}) {
+  for (const Words& options : {Words{"--grid", "300"}, Words{"--faces", "300k", "--refine", "none"},
+                               Words{"--ratio", "50%", "--refine", "none", "--placement", "quadric"}}) {
     check_budget(directory, input, options, "smallest");
   }
 }
@@ -42,7 +42,7 @@ TEST_CASE("an STL file stays within the budget", "[budget]") {
   const std::string input = directory.file("scan.stl");
   generate("scan", faces, input);
   for (const char* memory : {"smallest", "64M", "128M"}) check_budget(directory, input, coarse, memory);
-  for (const Words& options : {Words{"--grid", "300"}, Words{"--faces", "300k"}}) {
+  for (const Words& options : {Words{"--grid", "300"}, Words{"--faces", "300k", "--refine", "none"}}) {
     check_budget(directory, input, options, "smallest");
   }
 }
@@ -53,7 +53,7 @@ TEST_CASE("a pipe stays within the budget", "[budget]") {
     const std::string input = directory.file(name);
     generate("scan", faces, input);
     check_pipe(directory, input, coarse);
-    check_pipe(directory, input, {"--faces", "300k"});
+    check_pipe(directory, input, {"--faces", "300k", "--refine", "none"});
   }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("many threads stay within the budget", "[budget]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   generate("scan", faces, input);
-  check_budget(directory, input, {"--faces", "300k", "--threads", "16"}, "smallest");
+  check_budget(directory, input, {"--faces", "300k", "--refine", "none", "--threads", "16"}, "smallest");
   check_budget(directory, input, {"--cell", "0.003", "--threads", "64", "--placement", "quadric"},
                "smallest");
 }

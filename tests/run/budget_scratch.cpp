@@ -37,7 +37,8 @@ TEST_CASE("a copied or kept input is within the prediction", "[budget]") {
   generate("scan", 2'000'000, input);
   const std::string packed = zstd_file(input);
   check_scratch(directory, packed, {"--cell", "0.02", "--threads", "2", "--memory", "40M"});
-  check_scratch(directory, packed, {"--faces", "20k", "--threads", "2", "--memory", "40M"});
+  check_scratch(directory, packed,
+                {"--faces", "20k", "--refine", "none", "--threads", "2", "--memory", "40M"});
 }
 
 TEST_CASE("a coherent scan at a tenth stays far below 40 bytes of scratch a face", "[budget]") {
@@ -45,7 +46,7 @@ TEST_CASE("a coherent scan at a tenth stays far below 40 bytes of scratch a face
   const std::string input = directory.file("scan.ply");
   constexpr std::uint64_t faces = 2'000'000;
   generate("scan", faces, input);
-  const Words options{"--ratio", "10%", "--threads", "2"};
+  const Words options{"--ratio", "10%", "--refine", "none", "--threads", "2"};
   const nlohmann::json report =
       check_scratch(directory, input, options + Words{"--memory", smallest_memory(input, options)});
   CHECK(report["peak_scratch_bytes"] <= 40 * faces);

@@ -2,6 +2,7 @@
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
+#include "support/job.hpp"
 #include "support/simplified.hpp"
 
 #include <set>
@@ -62,12 +63,33 @@ SimplifyOptions with_grid() {
 SimplifyOptions with_ratio() {
   SimplifyOptions options;
   options.ratio = 0.5;
+  options.refine = Refine::none;
+  return options;
+}
+
+SimplifyOptions refined() {
+  SimplifyOptions options;
+  options.faces = 20'000;
+  return options;
+}
+
+SimplifyOptions refined_after_clustering() {
+  SimplifyOptions options;
+  options.ratio = 0.1;
+  options.detail = 3;
+  return options;
+}
+
+SimplifyOptions refined_to_error() {
+  SimplifyOptions options;
+  options.error = 0.003;
   return options;
 }
 
 SimplifyOptions with_faces() {
   SimplifyOptions options;
   options.faces = 20'000;
+  options.refine = Refine::none;
   return options;
 }
 
@@ -91,6 +113,36 @@ TEST_CASE("a run is cancelled in every stage", "[faults][threads]") {
                     {"count faces", "sample", "cluster", "write"});
   check_every_stage(directory, faces_first_file(ply, directory.file("faces-first.ply")), with_cell(),
                     {"keep faces", "cluster", "write"});
+}
+
+TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]") {
+  const Directory directory;
+  // Several tiles, so that there is a log to be cut, and a second round.
+  const std::string ply = directory.file("scan.ply");
+  generate("scan", 200'000, ply);
+  check_every_stage(directory, ply, refined(), {"measure", "weld", "join faces", "refine", "write"});
+  check_every_stage(directory, ply, refined_after_clustering(), {"sample", "cluster", "refine", "write"});
+  check_every_stage(directory, ply, refined_to_error(), {"measure", "weld", "join faces", "refine", "write"});
+}
+
+TEST_CASE("a run that refines is cancelled in its second round", "[faults][threads]") {
+  const Directory directory;
+  const std::string ply = directory.file("scan.ply");
+  generate("scan", 200'000, ply);
+  Context context;
+  context.threads = 2;
+  context.memory = std::uint64_t{40} << 20;
+  context.scratch = directory.path();
+  // Each round begins at none done.
+  int rounds = 0;
+  context.progress = [&](const Progress& progress) {
+    if (std::string_view(progress.stage) != "refine" || progress.done != 0) return;
+    if (++rounds == 2) context.cancel();
+  };
+  const Error error = error_of([&] { simplify(context, ply, directory.file("out.ply"), refined()); });
+  CHECK(error.exit_code() == 130);
+  CHECK(rounds == 2);
+  CHECK(directory.names() == Words{"scan.ply"});
 }
 
 TEST_CASE("a context that was cancelled before does nothing", "[faults]") {

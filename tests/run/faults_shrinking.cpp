@@ -83,6 +83,13 @@ SimplifyOptions with_cell(double cell) {
 SimplifyOptions with_faces(std::uint64_t faces) {
   SimplifyOptions options;
   options.faces = faces;
+  options.refine = Refine::none;
+  return options;
+}
+
+SimplifyOptions refined(std::uint64_t faces) {
+  SimplifyOptions options;
+  options.faces = faces;
   return options;
 }
 
@@ -111,6 +118,8 @@ TEST_CASE("a file that shrinks while it is mapped is an error", "[faults]") {
   for (const std::string& input : {ply, stl}) {
     check_shrinking(directory, input, with_faces(5000), "sample", size_of_file(input) / 5, Access::mapped);
     check_shrinking(directory, input, with_faces(5000), "cluster", size_of_file(input) / 2, Access::mapped);
+    check_shrinking(directory, input, refined(5000), "weld", size_of_file(input) / 5, Access::mapped);
+    check_shrinking(directory, input, refined(5000), "join faces", size_of_file(input) / 2, Access::mapped);
   }
 }
 

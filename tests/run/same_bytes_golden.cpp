@@ -34,7 +34,7 @@ std::map<std::string, std::string> current() {
   for (const auto& [name, path] : inputs) {
     for (const Words& options :
          {Words{"--grid", "60"}, Words{"--grid", "60", "--placement", "quadric", "--normals"},
-          Words{"--faces", "3000"}, Words{"--ratio", "0.5"}}) {
+          Words{"--faces", "3000", "--refine", "none"}, Words{"--ratio", "0.5", "--refine", "none"}}) {
       const Words placed = joined(options).find("--placement") == std::string::npos
                                ? options + Words{"--placement", "mean"}
                                : options;

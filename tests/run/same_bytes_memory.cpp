@@ -12,8 +12,9 @@ void compare_budgets(const std::string& surface, const std::string& format, cons
   // Fine enough that the smallest budget holds neither all cells nor all faces.
   for (const Words& how :
        {Words{"--cell", "0.003", "--placement", "mean"}, Words{"--cell", "0.003", "--placement", "quadric"},
-        Words{"--grid", "600", "--placement", "quadric"}, Words{"--faces", "250k", "--placement", "quadric"},
-        Words{"--ratio", "80%", "--placement", "mean"}}) {
+        Words{"--grid", "600", "--placement", "quadric"},
+        Words{"--faces", "250k", "--refine", "none", "--placement", "quadric"},
+        Words{"--ratio", "80%", "--refine", "none", "--placement", "mean"}}) {
     const Words options = how + Words{"--threads", "2"};
     INFO(surface << "." << format << " " << joined(options));
     const Simplified large = simplified(directory, input, options + Words{"--memory", "8G"}, {}, output);

@@ -5,8 +5,10 @@ namespace winnow::test {
 
 namespace {
 
-const std::vector<Words> all_resolutions{
-    {"--cell", "0.02"}, {"--grid", "70"}, {"--faces", "5000"}, {"--ratio", "20%"}};
+const std::vector<Words> all_resolutions{{"--cell", "0.02"},
+                                         {"--grid", "70"},
+                                         {"--faces", "5000", "--refine", "none"},
+                                         {"--ratio", "20%", "--refine", "none"}};
 
 Simplified through_pipe(const Directory& directory, const std::string& bytes, const Words& options) {
   const std::string output = directory.file("piped.ply");

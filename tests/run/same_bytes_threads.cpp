@@ -10,8 +10,9 @@ void compare_threads(const std::string& format) {
   for (const char* surface : {"scan", "terrain", "part"}) {
     const std::string input = directory.file(surface + ("." + format));
     generate(surface, 40'000, input);
-    for (const Words& how : {Words{"--cell", "0.02"}, Words{"--grid", "70"}, Words{"--faces", "5000"},
-                             Words{"--ratio", "20%"}}) {
+    for (const Words& how :
+         {Words{"--cell", "0.02"}, Words{"--grid", "70"}, Words{"--faces", "5000", "--refine", "none"},
+          Words{"--ratio", "20%", "--refine", "none"}}) {
       for (const char* placement : {"mean", "quadric"}) {
         const Words options = how + Words{"--placement", placement};
         INFO(surface << "." << format << " " << joined(options));

@@ -38,18 +38,6 @@ std::vector<Batch> batches_of(const std::vector<Triangle>& faces, const ClusterS
   return batches;
 }
 
-PlainMesh plain(const ClusteredMesh& mesh) {
-  PlainMesh out;
-  out.vertices.resize(mesh.vertices->size());
-  mesh.vertices->records().read(0, std::as_writable_bytes(std::span(out.vertices)));
-  out.faces.resize(mesh.face_count);
-  mesh.faces->read(0, std::as_writable_bytes(std::span(out.faces)));
-  out.cells = mesh.cells;
-  out.turned = mesh.turned;
-  out.fused = mesh.fused;
-  return out;
-}
-
 bool same(const IndexedVertex& a, const IndexedVertex& b) {
   bool same = a.key == b.key;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -62,6 +50,18 @@ bool same(const IndexedVertex& a, const IndexedVertex& b) {
 }
 
 }  // namespace
+
+PlainMesh plain(const ClusteredMesh& mesh) {
+  PlainMesh out;
+  out.vertices.resize(mesh.vertices->size());
+  mesh.vertices->records().read(0, std::as_writable_bytes(std::span(out.vertices)));
+  out.faces.resize(mesh.face_count);
+  mesh.faces->read(0, std::as_writable_bytes(std::span(out.faces)));
+  out.cells = mesh.cells;
+  out.turned = mesh.turned;
+  out.fused = mesh.fused;
+  return out;
+}
 
 Triangle PlainMesh::triangle(std::size_t face) const {
   const auto& [a, b, c] = faces[face];

@@ -32,6 +32,9 @@ struct ClusterStyle {
   bool ask_to_spill = true;   // as the road does; else the table has to see to it
 };
 
+// Vertices and faces of a result; the counts are the caller's.
+PlainMesh plain(const ClusteredMesh& mesh);
+
 PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& settings,
                   const ClusterStyle& style = {});
 

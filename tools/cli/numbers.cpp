@@ -74,7 +74,10 @@ double parse_ratio(const std::string& option, const std::string& text) {
 }
 
 double parse_length(const std::string& option, const std::string& text) {
-  constexpr const char* examples = "a length like 2.5, in the units of the model";
+  return parse_number(option, text, "a length like 2.5, in the units of the model");
+}
+
+double parse_number(const std::string& option, const std::string& text, const char* examples) {
   std::string_view rest;
   const double value = parse_front(option, text, examples, rest);
   if (!rest.empty()) refuse(option, text, examples);

@@ -12,6 +12,8 @@ std::uint64_t parse_count(const std::string& option,
 std::uint64_t parse_size(const std::string& option, const std::string& text);  // 64M, 1.5G: powers of 1024
 double parse_ratio(const std::string& option, const std::string& text);        // 0.01 or 1%
 double parse_length(const std::string& option, const std::string& text);       // 2.5
+double parse_number(const std::string& option, const std::string& text,
+                    const char* examples);  // the message says that it takes `examples`
 
 std::string show_count(std::uint64_t count);  // 1,234,567
 std::string show_bytes(std::uint64_t bytes);  // 1.5 GiB

@@ -4,8 +4,11 @@
 #include "numbers.hpp"
 #include "program.hpp"
 
+#include <array>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -17,12 +20,31 @@ using Json = nlohmann::ordered_json;
 
 struct Arguments {
   std::string input, output;
-  std::string cell, grid, faces, ratio;
-  std::string placement = "quadric";
+  std::string cell, grid, faces, ratio, error;
+  std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
   std::string from, to;
   bool normals = false, strict = false, force = false, dry_run = false;
   CommonOptions common;
 };
+
+constexpr std::array<std::pair<const char*, Refine>, 4> refine_names{{{"none", Refine::none},
+                                                                      {"quadric", Refine::quadric},
+                                                                      {"volume", Refine::volume},
+                                                                      {"importance", Refine::importance}}};
+
+Refine refine_called(const std::string& name) {
+  for (const auto& [word, refine] : refine_names) {
+    if (name == word) return refine;
+  }
+  return Refine::none;
+}
+
+const char* name_of(Refine refine) {
+  for (const auto& [word, value] : refine_names) {
+    if (refine == value) return word;
+  }
+  return "";
+}
 
 SimplifyOptions options_of(const Arguments& arguments) {
   SimplifyOptions options;
@@ -30,6 +52,21 @@ SimplifyOptions options_of(const Arguments& arguments) {
   if (!arguments.grid.empty()) options.grid = parse_count("--grid", arguments.grid);
   if (!arguments.faces.empty()) options.faces = parse_count("--faces", arguments.faces);
   if (!arguments.ratio.empty()) options.ratio = parse_ratio("--ratio", arguments.ratio);
+  if (arguments.error.ends_with('%')) {
+    options.relative_error = parse_ratio("--error", arguments.error);
+  } else if (!arguments.error.empty()) {
+    options.error = parse_length("--error", arguments.error);
+  }
+  if (!arguments.refine.empty()) options.refine = refine_called(arguments.refine);
+  if (arguments.detail == "full") {
+    options.detail = std::numeric_limits<double>::infinity();
+  } else if (!arguments.detail.empty()) {
+    options.detail = parse_number("--detail", arguments.detail, "a number like 6, or full");
+  }
+  if (arguments.boundary == "keep") options.borders = Borders::keep;
+  if (!arguments.max_normal_deviation.empty())
+    options.max_normal_deviation = parse_number("--max-normal-deviation", arguments.max_normal_deviation,
+                                                "an angle like 60, in degrees");
   options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
   options.normals = arguments.normals;
   options.strict = arguments.strict;
@@ -41,34 +78,43 @@ SimplifyOptions options_of(const Arguments& arguments) {
 
 Json json_of(const SimplifyReport& report) {
   const BadFaces& bad = report.input.bad_faces;
-  return {{"input",
-           {{"faces", report.input.faces},
-            {"vertices", report.input.vertices},
-            {"bytes", report.input.bytes},
-            {"bad_faces",
-             {{"degenerate", bad.degenerate},
-              {"non_finite", bad.non_finite},
-              {"out_of_range", bad.out_of_range}}}}},
-          {"output",
-           {{"faces", report.output.faces},
-            {"vertices", report.output.vertices},
-            {"bytes", report.output.bytes}}},
-          {"cell_size", report.cell_size},
-          {"cells", report.cells},
-          {"turned_faces", report.turned_faces},
-          {"fused_faces", report.fused_faces},
-          {"clamped_faces", report.clamped_faces},
-          {"error_bound", report.error_bound},
-          {"runs", report.runs},
-          {"spilled_bytes", report.spilled_bytes},
-          {"peak_scratch_bytes", report.peak_scratch_bytes},
-          {"peak_memory_bytes", report.peak_memory_bytes},
-          {"seconds",
-           {{"total", report.seconds.total},
-            {"read", report.seconds.read},
-            {"cluster", report.seconds.cluster},
-            {"write", report.seconds.write}}},
-          {"notes", report.notes}};
+  return {
+      {"input",
+       {{"faces", report.input.faces},
+        {"vertices", report.input.vertices},
+        {"bytes", report.input.bytes},
+        {"bad_faces",
+         {{"degenerate", bad.degenerate},
+          {"non_finite", bad.non_finite},
+          {"out_of_range", bad.out_of_range}}}}},
+      {"output",
+       {{"faces", report.output.faces},
+        {"vertices", report.output.vertices},
+        {"bytes", report.output.bytes}}},
+      {"target", {{"faces", report.target_faces ? Json(*report.target_faces) : Json(nullptr)}}},
+      {"refine",
+       {{"cost", name_of(report.refine.cost)},
+        {"tiles", report.refine.tiles},
+        {"collapses", report.refine.collapses},
+        {"max_error", report.refine.max_error},
+        {"stopped_by", report.refine.stopped_by.empty() ? Json(nullptr) : Json(report.refine.stopped_by)}}},
+      {"cell_size", report.cell_size},
+      {"cells", report.cells},
+      {"turned_faces", report.turned_faces},
+      {"fused_faces", report.fused_faces},
+      {"clamped_faces", report.clamped_faces},
+      {"error_bound", report.error_bound},
+      {"runs", report.runs},
+      {"spilled_bytes", report.spilled_bytes},
+      {"peak_scratch_bytes", report.peak_scratch_bytes},
+      {"peak_memory_bytes", report.peak_memory_bytes},
+      {"seconds",
+       {{"total", report.seconds.total},
+        {"read", report.seconds.read},
+        {"cluster", report.seconds.cluster},
+        {"refine", report.seconds.refine},
+        {"write", report.seconds.write}}},
+      {"notes", report.notes}};
 }
 
 std::string percent(double part) {
@@ -95,8 +141,18 @@ void show(const SimplifyReport& report, std::ostream& out) {
   if (report.input.vertices > 0) vertices = show_count(report.input.vertices) + " -> " + vertices;
   line("vertices", vertices);
   line("file", show_bytes(report.input.bytes) + " -> " + show_bytes(report.output.bytes));
-  line("cell", show_length(report.cell_size) + "  (no vertex is farther than " +
-                   show_length(report.error_bound) + " from the surface)");
+  const bool refined = report.refine.cost != Refine::none;
+  if (report.cell_size > 0) {
+    line("cell", show_length(report.cell_size) +
+                     (refined ? "  (clustered first)"
+                              : "  (no vertex is farther than " + show_length(report.error_bound) +
+                                    " from the surface)"));
+  }
+  if (refined) {
+    line("refined", show_count(report.refine.collapses) + " edges collapsed by " +
+                        name_of(report.refine.cost) + ", " + show_count(report.refine.tiles) +
+                        (report.refine.tiles == 1 ? " tile" : " tiles"));
+  }
   line("time", show_seconds(report.seconds.total) + "  (" +
                    show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
   std::string memory = show_bytes(report.peak_memory_bytes) + " at its peak";
@@ -199,10 +255,12 @@ void add_simplify(CLI::App& app) {
       ->type_name("OUT");
 
   const std::string fineness = "How fine (exactly one)";
-  command->add_option("--faces", arguments->faces, "About this many faces: 500k, 1.5M")
+  command
+      ->add_option("--faces", arguments->faces,
+                   "So many faces: 500k, 1.5M (about so many without refinement)")
       ->type_name("N")
       ->group(fineness);
-  command->add_option("--ratio", arguments->ratio, "About this part of the faces: 0.01 or 1%")
+  command->add_option("--ratio", arguments->ratio, "This part of the faces: 0.01 or 1%")
       ->type_name("R")
       ->group(fineness);
   command
@@ -213,6 +271,39 @@ void add_simplify(CLI::App& app) {
   command->add_option("--grid", arguments->grid, "Grid cells along the longest side")
       ->type_name("N")
       ->group(fineness);
+
+  command
+      ->add_option(
+          "--error", arguments->error,
+          "As few faces as keep vertices so near to what they stand for: 0.5 (model units) or 0.1% of the "
+          "diagonal")
+      ->type_name("E")
+      ->group(fineness);
+
+  const std::string refinement = "Refinement: edges collapsed after clustering";
+  command
+      ->add_option(
+          "--refine", arguments->refine,
+          "By the cost quadric (default with --faces, --ratio, --error), volume, importance, or none")
+      ->check(CLI::IsMember({"none", "quadric", "volume", "importance"}))
+      ->type_name("COST")
+      ->group(refinement);
+  command
+      ->add_option("--detail", arguments->detail,
+                   "Faces that clustering leaves for each that is wanted (default 6), or full: no clustering")
+      ->type_name("D")
+      ->group(refinement);
+  command
+      ->add_option("--boundary", arguments->boundary,
+                   "Open borders: weigh (default: they resist being moved) or keep (their vertices stay)")
+      ->check(CLI::IsMember({"weigh", "keep"}))
+      ->type_name("HOW")
+      ->group(refinement);
+  command
+      ->add_option("--max-normal-deviation", arguments->max_normal_deviation,
+                   "By how many degrees one collapse may turn a face (default 45)")
+      ->type_name("ANGLE")
+      ->group(refinement);
 
   const std::string result = "What the result is";
   command
@@ -242,8 +333,10 @@ void add_simplify(CLI::App& app) {
   command->footer(
       "Examples:\n"
       "  winnow simplify scan.ply -o small.ply --faces 500k\n"
-      "  winnow simplify scan.stl -o small.ply --cell 2.5\n"
       "  winnow simplify scan.ply -o small.ply --ratio 1% --memory 256M\n"
+      "  winnow simplify scan.ply -o small.ply --error 0.1%\n"
+      "  winnow simplify scan.ply -o small.ply --faces 1M --detail full\n"
+      "  winnow simplify scan.stl -o small.ply --faces 1M --refine none\n"
       "  zstdcat scan.ply.zst | winnow simplify - -o - --cell 2.5 | next-stage\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");
   command->callback([arguments] { run(*arguments); });

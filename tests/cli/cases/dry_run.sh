@@ -5,5 +5,5 @@
 plan() { echo "# $*"; "$WINNOW" simplify "$@" -o small.ply --threads 2 --dry-run; }
 plan scan.ply --cell 0.1
 plan scan.stl --grid 100
-plan - --faces 5000 < <(cat scan.stl)
+plan - --faces 5000 --refine none < <(cat scan.stl)
 ls

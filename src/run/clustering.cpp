@@ -1,0 +1,181 @@
+#include "run/clustering.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/text.hpp"
+#include "cluster/resolution.hpp"
+#include "cluster/welder.hpp"
+#include "read/for_each_batch.hpp"
+#include "run/simplify_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace winnow {
+
+namespace {
+
+// By how much the count may miss before the faces are clustered again with a better cell, and how often. What
+// is refined afterwards may miss by more.
+constexpr double tolerance = 0.10;
+constexpr double detail_tolerance = 0.4;
+constexpr std::uint64_t most_runs = 3;
+
+// Faces that clustering leaves for each that is wanted, if the caller does not say (bench/RESULTS.md).
+constexpr double usual_detail = 6;
+// Inputs of no more faces are refined from all of them.
+constexpr std::uint64_t always_full = std::uint64_t{1} << 20;
+// An edge of a cell, beside the error that refinement may make.
+constexpr double cell_for_error = 1.5;
+
+std::uint64_t count_faces(Job& job, MeshReader& reader) {
+  if (reader.facts().faces) return *reader.facts().faces;
+  std::uint64_t count = 0;
+  job.progress.begin("count faces", 0, "faces");
+  reader.begin_faces();
+  for (RawBatch batch; reader.next_faces(batch);) {
+    count += batch.count;
+    job.progress.advance(batch.count);
+  }
+  return count;
+}
+
+}  // namespace
+
+Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options, const MemoryPlan& plan,
+                       SimplifyReport& report)
+    : job_(job), reader_(reader), options_(options), plan_(plan), report_(report) {
+  settings_.placement = options.placement;
+  settings_.double_positions = reader.facts().double_positions;
+  settings_.for_refinement = cost_of(options) != Refine::none;
+  settings_.keep_quadrics = options.error || options.relative_error;
+}
+
+ClusteredMesh Clustering::run() {
+  if (options_.cell || options_.grid) {
+    settings_.grid = options_.cell ? grid_of_cell() : grid_of_box();
+    return once();
+  }
+  available_ = count_faces(job_, reader_);
+  if (available_ == 0) refuse_empty();
+  if (options_.error || options_.relative_error) return to_error();
+  const double part = options_.ratio.value_or(0) * static_cast<double>(available_);
+  target_ =
+      options_.faces ? *options_.faces : std::max<std::uint64_t>(4, static_cast<std::uint64_t>(part + 0.5));
+  report_.target_faces = target_;
+  return cost_of(options_) == Refine::none ? to_count(target_, tolerance) : to_detail();
+}
+
+Grid Clustering::grid_of_cell() {
+  const auto first = reader_.first_finite_position();
+  if (!first) refuse_empty();
+  return Grid::around(*first, *options_.cell);
+}
+
+Grid Clustering::grid_of_box() {
+  const Box box = measure_box(job_, reader_);
+  if (box.empty) refuse_empty();
+  return Grid::over(box, Grid::edge_for(box, *options_.grid));
+}
+
+ClusteredMesh Clustering::to_error() {
+  const Box box = measure_box(job_, reader_);
+  if (box.empty) refuse_empty();
+  error_ = options_.error ? *options_.error : *options_.relative_error * box.diagonal();
+  if (available_ > always_full) {
+    settings_.grid = Grid::over(box, std::max(cell_for_error * error_, Grid::edge_for(box, axis_cells / 2)));
+    ClusteredMesh mesh = once();
+    if (mesh.face_count < available_ / 2) return mesh;
+  }
+  return welded();
+}
+
+ClusteredMesh Clustering::to_detail() {
+  const double wanted = options_.detail.value_or(usual_detail) * static_cast<double>(target_);
+  const auto available = static_cast<double>(available_);
+  const bool full =
+      options_.detail ? wanted >= available : available_ <= always_full || wanted > available / 2;
+  return full ? welded() : to_count(static_cast<std::uint64_t>(wanted), detail_tolerance);
+}
+
+ClusteredMesh Clustering::welded() {
+  settings_.grid = {};
+  const WeldMemory memory{plan_.cluster.table, plan_.cluster.vertices, plan_.cluster.result};
+  if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
+  ClusterCounts counts;
+  ClusteredMesh mesh = weld(job_, reader_, memory, counts);
+  take_counts(counts);
+  reader_.rest();
+  if (mesh.face_count == 0) refuse_empty();
+  return mesh;
+}
+
+ClusteredMesh Clustering::to_count(std::uint64_t target, double tolerated) {
+  const CellCounts sample(job_, reader_, reader_.facts().vertices.value_or(available_), target);
+  if (sample.box().empty) refuse_empty();
+
+  // What the sample foretells is corrected by what came of it.
+  double wanted = static_cast<double>(target);
+  for (report_.runs = 1;; ++report_.runs) {
+    const double cell = sample.cell_for(wanted);
+    settings_.grid = Grid::over(sample.box(), cell);
+    ClusteredMesh mesh = once();
+    const double miss = static_cast<double>(mesh.face_count) / static_cast<double>(target);
+    if (std::abs(miss - 1) <= tolerated || report_.runs == most_runs || mesh.face_count == 0) {
+      if (mesh.face_count != 0 && miss < 1 - tolerated && target >= available_) {
+        job_.note("the input has no more detail than these " + grouped(mesh.face_count) +
+                  " faces at its own resolution");
+      }
+      return mesh;
+    }
+    const double better = sample.expected_faces(cell) / miss;
+    const double next = sample.cell_for(better);
+    if (std::abs(next / cell - 1) < 1e-3) return mesh;  // as fine as the input is
+    job_.note("the sample misled: " + grouped(mesh.face_count) + " faces instead of " + grouped(target) +
+              "; the faces were clustered again");
+    wanted = better;
+  }
+}
+
+ClusteredMesh Clustering::once() {
+  const std::unique_ptr<Clusterer> clusterer = Clusterer::make(job_, settings_, plan_.cluster);
+  reader_.begin_faces();
+  if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
+  job_.progress.begin("cluster", reader_.facts().faces.value_or(0), "faces");
+  const FaceSink sink = [&](const FaceBatch& faces) { clusterer->add(faces); };
+  const auto stop = [&] { return clusterer->wants_to_spill(); };
+  while (for_each_face_batch(job_, reader_, sink, stop)) clusterer->spill();
+  take_counts(clusterer->counts());
+  reader_.rest();
+  ClusteredMesh mesh = clusterer->finish();
+  if (mesh.face_count == 0) refuse_result(mesh);
+  return mesh;
+}
+
+void Clustering::take_counts(const ClusterCounts& counts) {
+  if (counts.outside > 0) {
+    const double side = 2 * counts.outside * settings_.grid.cell;
+    refuse_cell(settings_.grid.cell, side);
+  }
+  if (options_.strict && counts.first_bad.face != UINT64_MAX) {
+    throw Error(ErrorKind::bad_input, "'" + reader_.name() + "': face " + grouped(counts.first_bad.face) +
+                                          " " + counts.first_bad.what +
+                                          "; without --strict such faces are counted and left out");
+  }
+  report_.input.faces = counts.faces;
+  report_.input.bad_faces = counts.bad;
+  report_.clamped_faces = counts.clamped;
+}
+
+void Clustering::refuse_empty() const {
+  throw Error(ErrorKind::bad_input, "'" + reader_.name() + "' has no face that could be simplified");
+}
+
+void Clustering::refuse_result(const ClusteredMesh& mesh) const {
+  if (mesh.cells == 0) refuse_empty();
+  throw Error(ErrorKind::failed, "no face is left: the whole model falls into " + grouped(mesh.cells) +
+                                     " cells of " + shortest(settings_.grid.cell) + "; choose smaller cells");
+}
+
+}  // namespace winnow

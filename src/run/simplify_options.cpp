@@ -1,0 +1,78 @@
+#include "run/simplify_options.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/morton.hpp"
+#include "base/text.hpp"
+
+#include <cmath>
+
+namespace winnow {
+
+Refine cost_of(const SimplifyOptions& options) {
+  return options.refine.value_or(options.cell || options.grid ? Refine::none : Refine::quadric);
+}
+
+void check(const SimplifyOptions& options) {
+  const int given = int{options.cell.has_value()} + int{options.grid.has_value()} +
+                    int{options.faces.has_value()} + int{options.ratio.has_value()} +
+                    int{options.error.has_value()} + int{options.relative_error.has_value()};
+  if (given != 1) {
+    throw Error(
+        ErrorKind::usage,
+        "say how fine the result shall be with exactly one of --faces, --ratio, --error, --cell and --grid");
+  }
+  if (options.cell && !(*options.cell > 0 && std::isfinite(*options.cell))) {
+    throw Error(ErrorKind::usage, "--cell takes a length above 0, not " + shortest(*options.cell));
+  }
+  if (options.grid && (*options.grid < 1 || *options.grid > axis_cells)) {
+    throw Error(ErrorKind::usage, "--grid takes 1 to 2,097,152 cells, not " + grouped(*options.grid));
+  }
+  if (options.faces && *options.faces < 4) throw Error(ErrorKind::usage, "--faces takes at least 4");
+  if (options.ratio && !(*options.ratio > 0 && *options.ratio <= 1)) {
+    throw Error(ErrorKind::usage,
+                "--ratio takes a part above 0 and at most 1 (or 100%), not " + shortest(*options.ratio));
+  }
+  if (options.error && !(*options.error > 0 && std::isfinite(*options.error))) {
+    throw Error(ErrorKind::usage, "--error takes a length above 0, not " + shortest(*options.error));
+  }
+  if (options.relative_error && !(*options.relative_error > 0 && *options.relative_error < 1)) {
+    throw Error(ErrorKind::usage, "--error takes a part of the diagonal above 0 and below 100%, not " +
+                                      shortest(100 * *options.relative_error) + "%");
+  }
+  const bool by_error = options.error || options.relative_error;
+  if (by_error && options.refine.value_or(Refine::quadric) != Refine::quadric) {
+    throw Error(ErrorKind::usage,
+                "--error goes with --refine quadric alone: the other costs are no distances");
+  }
+  if ((options.cell || options.grid) && options.refine.value_or(Refine::none) != Refine::none) {
+    throw Error(ErrorKind::usage,
+                "--cell and --grid only cluster; --refine goes with --faces, --ratio or --error");
+  }
+  if (options.detail && !(*options.detail > 1)) {
+    throw Error(ErrorKind::usage,
+                "--detail takes a number above 1, or full, not " + shortest(*options.detail));
+  }
+  if (options.detail && by_error) {
+    throw Error(ErrorKind::usage, "--detail goes with --faces and --ratio; with --error the error says it");
+  }
+  if (options.detail && cost_of(options) == Refine::none) {
+    throw Error(ErrorKind::usage, "--detail says what refinement starts from; it has no meaning without");
+  }
+  if (!(options.max_normal_deviation > 0 && options.max_normal_deviation <= 90)) {
+    throw Error(ErrorKind::usage,
+                "--max-normal-deviation takes an angle above 0 and at most 90 degrees, not " +
+                    shortest(options.max_normal_deviation));
+  }
+}
+
+Access access_for(const SimplifyOptions& options) {
+  if (options.cell) return Access::once;
+  return options.grid ? Access::positions_first : Access::repeatedly;
+}
+
+bool sums_quadrics(const SimplifyOptions& options) {
+  return options.placement == Placement::quadric;
+}
+
+}  // namespace winnow

@@ -1,0 +1,104 @@
+// The chains of a tile's mesh say at any time what a plain list of faces says, also where no surface is.
+#include "decimate/tile_mesh.hpp"
+
+#include "support/random.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+namespace winnow {
+
+namespace {
+
+// Faces anywhere between few vertices: fans that meet in points, edges with many faces, faces twice.
+std::vector<FaceVertices> random_faces(test::Random& random, VertexNumber vertices, std::size_t count) {
+  std::vector<FaceVertices> faces;
+  while (faces.size() < count) {
+    FaceVertices face{};
+    for (VertexNumber& v : face) v = static_cast<VertexNumber>(random.below(vertices));
+    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) continue;
+    faces.push_back(face);
+    if (random.chance(0.1) && faces.size() < count) faces.push_back({face[0], face[2], face[1]});
+  }
+  return faces;
+}
+
+struct NaiveMesh {
+  std::vector<FaceVertices> faces;  // as they were numbered
+  std::vector<bool> gone;
+  std::vector<Point> positions;
+
+  [[nodiscard]] bool has(std::size_t f, VertexNumber v) const {
+    return !gone[f] && std::count(faces[f].begin(), faces[f].end(), v) > 0;
+  }
+  unsigned collapse(const Collapse& edge) {
+    unsigned removed = 0;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (!has(f, edge.removed)) continue;
+      if (has(f, edge.kept)) {
+        gone[f] = true;
+        ++removed;
+      } else {
+        std::replace(faces[f].begin(), faces[f].end(), edge.removed, edge.kept);
+      }
+    }
+    positions[edge.kept] = edge.position;
+    return removed;
+  }
+};
+
+void check_same(TileMesh& mesh, const NaiveMesh& naive) {
+  REQUIRE(mesh.live_faces() ==
+          static_cast<std::uint64_t>(std::count(naive.gone.begin(), naive.gone.end(), false)));
+  for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
+    REQUIRE(mesh.removed(f) == naive.gone[f]);
+    if (!naive.gone[f]) REQUIRE(mesh.face(f) == naive.faces[f]);
+  }
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
+    std::multiset<FaceNumber> right;
+    std::multiset<VertexNumber> right_neighbours;
+    for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
+      if (!naive.has(f, v)) continue;
+      right.insert(f);
+      for (const VertexNumber w : naive.faces[f]) {
+        if (w != v && right_neighbours.count(w) == 0) right_neighbours.insert(w);
+      }
+    }
+    std::multiset<FaceNumber> found;
+    mesh.for_each_face(v, [&](FaceNumber f) { found.insert(f); });
+    REQUIRE(found == right);
+    std::multiset<VertexNumber> neighbours;
+    mesh.for_each_neighbour(v, [&](VertexNumber w) { neighbours.insert(w); });
+    REQUIRE(neighbours == right_neighbours);
+    REQUIRE(mesh.has_faces(v) == !right.empty());
+    REQUIRE(mesh.position(v) == naive.positions[v]);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("after any collapses every vertex knows its faces and neighbours") {
+  test::Random random(820);
+  for (int round = 0; round < 40; ++round) {
+    const auto vertices = static_cast<VertexNumber>(random.between(4, 30));
+    NaiveMesh naive{random_faces(random, vertices, random.between(1, 60)), {}, {}};
+    naive.gone.resize(naive.faces.size());
+    naive.positions.resize(vertices);
+    TileMesh mesh(naive.positions, naive.faces, std::vector<std::uint8_t>(vertices, 0));
+    check_same(mesh, naive);
+    while (mesh.live_faces() > 0) {
+      const auto f = static_cast<FaceNumber>(random.below(mesh.face_count()));
+      if (mesh.removed(f)) continue;
+      const std::size_t corner = random.below(3);
+      const std::size_t other = (corner + random.between(1, 2)) % 3;
+      const Collapse edge{
+          mesh.face(f)[corner], mesh.face(f)[other], {random.unit(), random.unit(), random.unit()}};
+      REQUIRE(mesh.collapse(edge) == naive.collapse(edge));
+      check_same(mesh, naive);
+    }
+  }
+}
+
+}  // namespace winnow

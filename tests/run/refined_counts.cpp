@@ -1,0 +1,173 @@
+// The count that was asked for: exactly, and where the surface does not allow it, that is said.
+#include <winnow/error.hpp>
+
+#include "support/program.hpp"
+#include "support/refined_file.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace winnow::test {
+
+namespace {
+
+// Four faces each, none of which can go.
+std::vector<Triangle> tetrahedra(std::size_t count) {
+  Random random(900);
+  std::vector<Triangle> faces;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point at{random.unit(), random.unit(), random.unit()};
+    const std::array<Point, 4> p{at, at + Point{0.02, 0, 0}, at + Point{0, 0.02, 0}, at + Point{0, 0, 0.02}};
+    for (const Triangle& face :
+         {Triangle{p[0], p[2], p[1]}, {p[0], p[1], p[3]}, {p[1], p[2], p[3]}, {p[2], p[0], p[3]}})
+      faces.push_back(face);
+  }
+  return faces;
+}
+
+}  // namespace
+
+TEST_CASE("a closed mesh gets the count or one less where that is odd") {
+  const Directory directory;
+  for (const std::uint64_t wanted : {50'000, 10'001, 999, 100}) {
+    const RefinedFile out = refine_file(directory, whale(), to_faces(wanted));
+    CAPTURE(wanted);
+    CHECK(out.report.target_faces == wanted);
+    CHECK(out.report.output.faces == wanted / 2 * 2);
+    CHECK(out.mesh.faces.size() == out.report.output.faces);
+    CHECK(out.mesh.vertices.size() == out.report.output.vertices);
+    CHECK(out.report.refine.stopped_by == "count");
+    CHECK(out.report.refine.cost == Refine::quadric);
+    CHECK(out.report.refine.collapses == (100'000 - wanted / 2 * 2) / 2);
+    CHECK(out.report.notes.empty());
+    const Defects defects = defects_of(out.mesh.faces);
+    CHECK(defects.borders + defects.crowded + defects.discords + defects.duplicates == 0);
+  }
+}
+
+TEST_CASE("a closed mesh without handles becomes a tetrahedron, one with handles keeps them") {
+  const Directory directory;
+  const std::string scan = directory.file("scan.ply");
+  generate("scan", 20'000, scan);
+  for (const std::uint64_t wanted : {5, 4}) {
+    const RefinedFile out = refine_file(directory, scan, to_faces(wanted));
+    CHECK(out.report.output.faces == 4);
+    CHECK(out.report.refine.stopped_by == "count");
+  }
+  const RefinedFile cranium = refine_file(directory, whale(), to_faces(4));
+  CHECK(cranium.report.output.faces > 4);
+  CHECK(cranium.report.refine.stopped_by == "topology");
+  CHECK(cranium.report.notes.size() == 1);
+  const auto characteristic = [](const PlainMesh& mesh) {
+    // Closed: three edges for every two faces.
+    return static_cast<std::int64_t>(mesh.vertices.size()) - static_cast<std::int64_t>(mesh.faces.size() / 2);
+  };
+  TestJob test;
+  CHECK(characteristic(cranium.mesh) == characteristic(plain(welded(test.job, whale()))));
+}
+
+TEST_CASE("a mesh with a border gets the count") {
+  const Directory directory;
+  for (const std::uint64_t wanted : {20'001, 20'000, 777}) {
+    const RefinedFile out = refine_file(directory, mountains(), to_faces(wanted));
+    CAPTURE(wanted);
+    CHECK(out.report.output.faces <= wanted);
+    CHECK(out.report.output.faces + 1 >= wanted);
+    CHECK(defects_of(out.mesh.faces).crowded == 0);
+  }
+}
+
+TEST_CASE("a ratio is a count") {
+  const Directory directory;
+  SimplifyOptions options;
+  options.ratio = 0.0321;
+  const RefinedFile out = refine_file(directory, whale(), options);
+  CHECK(out.report.target_faces == 3210);
+  CHECK(out.report.output.faces == 3210);
+}
+
+TEST_CASE("clustering first changes nothing about the count") {
+  const Directory directory;
+  for (const double detail : {1.5, 3.0, 10.0}) {
+    SimplifyOptions options = to_faces(3001);
+    options.detail = detail;
+    const RefinedFile out = refine_file(directory, whale(), options);
+    CAPTURE(detail);
+    CHECK(out.report.cell_size > 0);
+    CHECK(out.report.output.faces <= 3001);
+    // Clustering may leave an edge with four faces, which may go at once.
+    CHECK(out.report.output.faces >= 2998);
+    CHECK(defects_of(out.mesh.faces).duplicates == 0);
+  }
+}
+
+TEST_CASE("below what topology allows the fewest faces are left and it is said") {
+  const Directory directory;
+  const RefinedFile out = refine_faces(directory, tetrahedra(50), to_faces(10));
+  CHECK(out.report.output.faces == 200);
+  CHECK(out.report.refine.stopped_by == "topology");
+  REQUIRE(out.report.notes.size() == 1);
+  CHECK(out.report.notes[0].find("200 faces are left instead of 10") != std::string::npos);
+}
+
+TEST_CASE("more faces than there are leaves all of them, with normals and without lone vertices") {
+  const Directory directory;
+  SimplifyOptions options = to_faces(1'000'000);
+  options.normals = true;
+  const std::vector<Triangle> faces = as_floats(ball(20));
+  const RefinedFile out = refine_faces(directory, faces, options);
+  CHECK(out.report.output.faces == faces.size());
+  CHECK(out.report.refine.collapses == 0);
+  CHECK(out.report.refine.stopped_by == "count");
+  // As a PLY, with vertices that no face uses: those go.
+  const std::string ply = directory.file("lone.ply");
+  write_file(ply,
+             "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+             "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+             "9 9 9\n0 0 0\n1 0 0\n0 1 0\n7 7 7\n3 1 2 3\n");
+  const RefinedFile lone = refine_file(directory, ply, options);
+  CHECK(lone.report.output.faces == 1);
+  CHECK(lone.report.output.vertices == 3);
+  const std::string bytes = bytes_of_file(lone.path);
+  std::array<float, 6> vertex{};
+  std::memcpy(vertex.data(), bytes.data() + bytes.find("end_header\n") + 11, sizeof vertex);
+  CHECK(vertex[5] == 1);  // the normal of a face in the plane z = 0
+}
+
+TEST_CASE("a soup of any faces is refined without new faults") {
+  Random random(901);
+  const Directory directory;
+  // Corners on a coarse lattice: edges with many faces, fans that meet in a point, faces in one another.
+  std::vector<Triangle> faces = soup(random, 8000, 0.4);
+  for (Triangle& face : faces) {
+    for (Point& corner : face) {
+      for (double& x : corner) x = std::round(x * 7) / 7;
+    }
+  }
+  const RefinedFile all = refine_faces(directory, faces, to_faces(1'000'000));
+  const Defects before = defects_of(all.mesh.faces);
+  CHECK(before.crowded > 1000);
+  for (const std::uint64_t wanted : {all.report.output.faces - 100, all.report.output.faces / 2}) {
+    const RefinedFile out = refine_faces(directory, faces, to_faces(wanted));
+    CHECK((out.report.output.faces <= wanted || out.report.refine.stopped_by == "topology"));
+    const Defects after = defects_of(out.mesh.faces);
+    CHECK(after.crowded <= before.crowded);
+    CHECK(after.duplicates == 0);
+    CHECK(after.degenerate == 0);
+  }
+}
+
+TEST_CASE("a result without a face is refused") {
+  const Directory directory;
+  // Faces without neighbours, each smaller than the error.
+  Random random(902);
+  const std::string input = directory.file("in.stl");
+  write_file(input, binary_stl(soup(random, 100, 0.01)));
+  SimplifyOptions options;
+  options.error = 1000;
+  const Error error = error_of([&] { refine_file(directory, input, options); });
+  CHECK(error.kind() == ErrorKind::failed);
+  CHECK(std::string(error.what()).starts_with("no face is left"));
+  CHECK(directory.names() == std::vector<std::string>{"in.stl"});
+}
+
+}  // namespace winnow::test

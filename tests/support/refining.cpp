@@ -1,0 +1,121 @@
+#include "support/refining.hpp"
+
+#include "io/arena.hpp"
+#include "meshes.hpp"
+#include "support/sources.hpp"
+#include "support/stl_file.hpp"
+
+#include <algorithm>
+
+namespace winnow::test {
+
+namespace {
+
+ClusteredMesh weld_source(Job& job, std::unique_ptr<ByteSource> source, ClusterCounts& counts) {
+  const std::uint64_t part = job.budget.total() / 8;
+  const std::unique_ptr<MeshReader> reader =
+      open_reader(job, std::move(source), Format::automatic, Access::repeatedly, {part, 8192});
+  return in_arena(job, [&] { return weld(job, *reader, {part, part, part}, counts); });
+}
+
+}  // namespace
+
+ClusteredMesh welded(Job& job, const std::string& path, ClusterCounts& counts) {
+  return weld_source(job, open_source(job, path), counts);
+}
+
+ClusteredMesh welded(Job& job, const std::string& path) {
+  ClusterCounts counts;
+  return welded(job, path, counts);
+}
+
+ClusteredMesh welded(Job& job, const std::vector<Triangle>& faces) {
+  ClusterCounts counts;
+  return welded_content(job, binary_stl(faces), counts);
+}
+
+ClusteredMesh welded_content(Job& job, const std::string& content, ClusterCounts& counts) {
+  return weld_source(job, std::make_unique<MemorySource>(content), counts);
+}
+
+std::string whale() {
+  return test_data("whale_cranium.ply.zst");
+}
+
+std::string mountains() {
+  return test_data("white_mountains.ply.zst");
+}
+
+Defects defects_of(const std::vector<FaceVertices>& faces) {
+  struct Side {
+    std::uint32_t low, high;
+    bool along;
+    auto operator<=>(const Side&) const = default;
+  };
+  Defects defects;
+  std::vector<Side> sides;
+  std::vector<FaceVertices> sorted = faces;
+  for (FaceVertices& face : sorted) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = face[i];
+      const std::uint32_t b = face[(i + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), a < b});
+    }
+    std::sort(face.begin(), face.end());
+    defects.degenerate += face[0] == face[1] || face[1] == face[2];
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i) defects.duplicates += sorted[i] == sorted[i - 1];
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i;
+    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
+    defects.borders += end - i == 1;
+    defects.crowded += end - i > 2;
+    defects.discords += end - i == 2 && sides[i].along == sides[i + 1].along;
+    i = end;
+  }
+  return defects;
+}
+
+TileMesh whole_tile(const PlainMesh& mesh) {
+  std::vector<Point> positions;
+  for (const IndexedVertex& vertex : mesh.vertices) positions.push_back(vertex.position);
+  return {std::move(positions), mesh.faces, std::vector<std::uint8_t>(mesh.vertices.size(), 0)};
+}
+
+std::vector<FaceVertices> live_faces(const TileMesh& mesh) {
+  std::vector<FaceVertices> faces;
+  for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
+    if (!mesh.removed(f)) faces.push_back(mesh.face(f));
+  }
+  return faces;
+}
+
+RefineSettings down_to(std::uint64_t faces, std::uint64_t tile_faces) {
+  RefineSettings settings;
+  settings.faces = faces;
+  settings.tile_faces = tile_faces;
+  return settings;
+}
+
+RefineMemory divided(const Job& job) {
+  const std::uint64_t left = job.budget.left();
+  return {left / 2, left / 8, left / 4, left / 8};
+}
+
+Refined refined(const std::string& path, const RefineSettings& settings, const JobSettings& job,
+                const std::optional<RefineMemory>& memory) {
+  TestJob test(job);
+  return in_arena(test.job, [&] {
+    RefinedMesh whole{welded(test.job, path), nullptr};
+    Refined out;
+    const ClusteredMesh mesh =
+        refine(test.job, std::move(whole), settings, memory.value_or(divided(test.job)), out.report);
+    out.mesh = plain(mesh);
+    out.mesh.spilled = test.job.scratch.written();
+    return out;
+  });
+}
+
+}  // namespace winnow::test
