@@ -29,8 +29,12 @@ PEERS = {
 
 # What winnow is asked for where quality is judged; the first is the base that others are held against.
 VARIANTS = {
-    "winnow quadric": ["--placement", "quadric"],
-    "winnow mean": ["--placement", "mean"],
+    "winnow": [],
+    "winnow, full detail": ["--detail", "full"],
+    "winnow volume": ["--refine", "volume"],
+    "winnow importance": ["--refine", "importance"],
+    "winnow, clustering alone": ["--refine", "none"],
+    "winnow mean, clustering alone": ["--refine", "none", "--placement", "mean"],
 }
 
 
@@ -89,6 +93,9 @@ class Bench:
     def winnow(self, source, *more, threads=None, feed=None, **limits):
         return measure([self.options.winnow, "simplify", source, "-o", self.out, "--force", "--json",
                         "--threads", threads or self.options.threads, *more], feed=feed, **limits)
+
+    def cluster(self, source, *more, **limits):
+        return self.winnow(source, *more, "--refine", "none", **limits)
 
     def compare(self, source, simplified, *more):
         return measure([self.options.winnow, "compare", source, simplified, "--json",

@@ -37,7 +37,7 @@ def section_memory(bench):
 
 def commands_for_little(bench, source, memory):
     """Every program's command, none of which looks for its parameter: that would be more than the task."""
-    learned = bench.winnow(source, "--ratio", "1%")["report"]
+    learned = bench.cluster(source, "--ratio", "1%")["report"]
     commands = {"winnow": [bench.options.winnow, "simplify", source, "-o", bench.out, "--force", "--json", "--ratio",
                            "1%", "--memory", f"{mebibytes(memory) - 32}M"]}
     for peer in bench.options.peers:
@@ -95,7 +95,7 @@ def section_growth(bench):
     for faces in options.growth_faces:
         source = bench.generate(faces)
         warm(source)
-        runs = [bench.winnow(source, "--ratio", "1%", "--memory", options.large_memory)
+        runs = [bench.cluster(source, "--ratio", "1%", "--memory", options.large_memory)
                 for _ in range(options.rounds)]
         result[faces] = runs
         seconds, cpu = (median(runs, key) / faces_in(runs[0]) for key in ("seconds", "cpu_seconds"))
@@ -146,7 +146,7 @@ def section_spill(bench):
     options = bench.options
     source = bench.generate(options.faces)
     warm(source)
-    cell = repr(bench.winnow(source, "--ratio", "10%")["report"]["cell_size"])
+    cell = repr(bench.cluster(source, "--ratio", "10%")["report"]["cell_size"])
     runs = bench.in_turn({budget: lambda budget=budget: bench.winnow(source, "--cell", cell, "--memory", budget)
                           for budget in (options.large_memory, options.small_memory)})
     table = Table("--memory", "seconds", "times", "spilled MB", "scratch bytes an input face", "peak MiB")

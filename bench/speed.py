@@ -8,7 +8,7 @@ from harness import MIB, Failed, Table, drop_from_cache, measure, median, ratio,
 
 
 def cell_of(bench, source, share="1%"):
-    return repr(bench.winnow(source, "--ratio", share)["report"]["cell_size"])
+    return repr(bench.cluster(source, "--ratio", share)["report"]["cell_size"])
 
 
 def print_against(runs):
@@ -33,9 +33,10 @@ def against_peers(bench, share):
     for suffix in ("ply", "stl"):
         source = bench.generate(bench.options.faces, suffix)
         warm(source)
-        learned = bench.winnow(source, "--ratio", share)
+        learned = bench.cluster(source, "--ratio", share)
         cell = repr(learned["report"]["cell_size"])
         candidates = {f"winnow --ratio {share}": lambda: bench.winnow(source, "--ratio", share),
+                      f"winnow --ratio {share} --refine none": lambda: bench.cluster(source, "--ratio", share),
                       "winnow --cell": lambda: bench.winnow(source, "--cell", cell)}
         failures = {}
         for peer in bench.options.peers:
@@ -85,7 +86,7 @@ def section_limits(bench):
             memory = bench.limits(source, "memory")
             for threads in range(1, bench.options.threads + 1):
                 for name, value in (("--cell", cell), ("--ratio", "1%")):
-                    run = bench.winnow(source, name, value, threads=threads)
+                    run = bench.cluster(source, name, value, threads=threads)
                     mtri = faces_in(run) / 1e6 / run["seconds"]
                     gb = os.path.getsize(source) / 1e9 / run["seconds"]
                     allowed = (sums[str(threads)], reading, memory["memory_read_gb_s"][str(threads)],
