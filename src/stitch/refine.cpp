@@ -56,7 +56,7 @@ class Refiner {
       const std::uint64_t before = whole.mesh.face_count;
       const Tiling tiling(whole.mesh, settings_.tile_faces);
       if (report_.rounds == 1) report_.tiles = tiling.tiles();
-      job_.progress.begin("refine", before - std::min(before, settings_.faces), "faces");
+      job_.progress.begin("refine", faces_to_try(before, tiling), "faces");
       whole = round(std::move(whole), tiling);
       settings_.decimation.borders_known = true;
       if (whole.mesh.face_count <= settings_.faces) break;
@@ -75,6 +75,13 @@ class Refiner {
 
  private:
   [[nodiscard]] std::size_t state_size() const { return Decimation::state_size(settings_.decimation); }
+
+  // What a round is going to remove, for its progress: the first of many tiles tries more than it keeps.
+  [[nodiscard]] std::uint64_t faces_to_try(std::uint64_t faces, const Tiling& tiling) const {
+    const bool deep = report_.rounds == 1 && tiling.tiles() > 1;
+    const double left = (deep ? deepest : 1) * static_cast<double>(settings_.faces);
+    return faces - std::min(faces, static_cast<std::uint64_t>(left));
+  }
 
   RefinedMesh round(RefinedMesh whole, const Tiling& tiling) {
     const IncomingFaces incoming(job_, whole.mesh, tiling, memory_.lists);

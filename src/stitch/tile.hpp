@@ -51,6 +51,6 @@ struct Tile {
 };
 
 Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
-               std::size_t tile, std::size_t state_size);
+               std::size_t number, std::size_t state_size);
 
 }  // namespace winnow
