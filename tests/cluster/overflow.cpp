@@ -82,7 +82,7 @@ CellSum random_sum(Random& random, CellKey key) {
 
 }  // namespace
 
-TEST_CASE("one face of a million cells beside a million faces in one cell") {
+TEST_CASE("one face of a million cells beside a million faces in one cell", "[long]") {
   Random random(450);
   const Grid grid = unit_grid();
   // Half a cell area each: together far beyond what one entry holds.

@@ -55,7 +55,7 @@ double degrees_between(const Point& a, const Point& b) {
 
 }  // namespace
 
-TEST_CASE("prices never fall, faces add up, and no face turns beyond the bound") {
+TEST_CASE("prices never fall, faces add up, and no face turns beyond the bound", "[long]") {
   for (const std::string& path : {whale(), mountains()}) {
     const PlainMesh plain = plain_mesh(path);
     for (DecimationSettings settings : both_costs()) {

@@ -7,7 +7,7 @@
 
 namespace winnow {
 
-TEST_CASE("the same bytes with any number of threads and any budget") {
+TEST_CASE("the same bytes with any number of threads and any budget", "[same_bytes]") {
   for (const Surface surface : all_surfaces) {
     for (const bool shuffle : {false, true}) {
       for (const Format format : {Format::ply, Format::stl}) {

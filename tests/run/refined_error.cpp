@@ -51,14 +51,14 @@ TEST_CASE("a cranium stays within its error") {
 TEST_CASE("an elevation tile stays within its error") {
   check_errors(mountains());
 }
-TEST_CASE("a generated scan stays within its error") {
+TEST_CASE("a generated scan stays within its error", "[long]") {
   const Directory directory;
   const std::string scan = directory.file("scan.ply");
   generate("scan", 150'000, scan);
   check_errors(scan);
 }
 
-TEST_CASE("an input that is clustered first stays within its error") {
+TEST_CASE("an input that is clustered first stays within its error", "[long]") {
   // Beyond 2^20 faces.
   const Directory directory;
   const std::string scan = directory.file("scan.ply");

@@ -57,7 +57,7 @@ TEST_CASE("tiles meet the count and leave a closed surface closed") {
   }
 }
 
-TEST_CASE("neither threads nor memory change what tiles become") {
+TEST_CASE("neither threads nor memory change what tiles become", "[same_bytes]") {
   for (const std::string& path : {whale(), mountains()}) {
     for (const bool with_error : {false, true}) {
       RefineSettings settings = down_to(4001, 500);

@@ -82,7 +82,7 @@ Measured distances_by_place(const PlainMesh& original, const std::vector<bool>& 
 
 }  // namespace
 
-TEST_CASE("along the borders of tiles faces are as dense and as near as elsewhere") {
+TEST_CASE("along the borders of tiles faces are as dense and as near as elsewhere", "[long]") {
   // Large enough that each of both parts has thousands of faces, so that chance stays near one in a hundred.
   const Directory directory;
   const std::string path = directory.file("scan.ply");
