@@ -28,6 +28,11 @@ inline Point cross(const Point& a, const Point& b) {
 inline double length(const Point& p) {
   return std::sqrt(dot(p, p));
 }
+// As long as 1; zero stays zero.
+inline Point unit(const Point& p) {
+  const double size = length(p);
+  return size > 0 ? (1 / size) * p : p;
+}
 inline bool finite(const Point& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }

@@ -11,11 +11,6 @@ constexpr double border_weight = 10;
 // Where nothing turns, as on flat parts, short edges go first. Far less than any error that can be seen.
 constexpr double length_share = 1e-12;
 
-Point unit(const Point& p) {
-  const double size = length(p);
-  return size > 0 ? (1 / size) * p : Point{};
-}
-
 }  // namespace
 
 double visual_importance(std::span<const Point> seen, bool closed) {

@@ -2,15 +2,6 @@
 
 namespace winnow {
 
-namespace {
-
-Point unit(const Point& p) {
-  const double size = length(p);
-  return size > 0 ? (1 / size) * p : p;
-}
-
-}  // namespace
-
 void add_faces(const TileMesh& mesh, std::vector<Quadric>& quadrics) {
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
     const Triangle triangle = mesh.triangle(f);
@@ -23,18 +14,13 @@ void add_faces(const TileMesh& mesh, std::vector<Quadric>& quadrics) {
   }
 }
 
-void add_borders(TileMesh& mesh, double weight, std::vector<Quadric>& quadrics) {
+void add_borders(const TileMesh& mesh, double weight, std::vector<Quadric>& quadrics) {
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
     const FaceVertices& face = mesh.face(f);
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexNumber a = face[i];
       const VertexNumber b = face[(i + 1) % 3];
-      unsigned faces = 0;
-      mesh.for_each_face(a, [&](FaceNumber g) {
-        const FaceVertices& other = mesh.face(g);
-        faces += other[0] == b || other[1] == b || other[2] == b;
-      });
-      if (faces != 1) continue;
+      if (mesh.faces_at(a, b) != 1) continue;
       const Point edge = mesh.position(b) - mesh.position(a);
       const Point upright = unit(cross(edge, unit(doubled_area(mesh.triangle(f)))));
       quadrics[a].add_plane(upright, {}, weight * dot(edge, edge));

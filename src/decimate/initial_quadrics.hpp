@@ -13,6 +13,6 @@ void add_faces(const TileMesh& mesh, std::vector<Quadric>& quadrics);
 
 // To both ends of every edge with one face the plane through it, upright on the face, so that the border
 // keeps its line: with the square of the edge's length times `weight`.
-void add_borders(TileMesh& mesh, double weight, std::vector<Quadric>& quadrics);
+void add_borders(const TileMesh& mesh, double weight, std::vector<Quadric>& quadrics);
 
 }  // namespace winnow

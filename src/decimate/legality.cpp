@@ -10,10 +10,6 @@ namespace {
 // A face this thin, as the sine of an angle, is a line: its normal is made of rounding.
 constexpr double thinnest = 1e-6;
 
-bool has(const FaceVertices& face, VertexNumber v) {
-  return face[0] == v || face[1] == v || face[2] == v;
-}
-
 }  // namespace
 
 Legality::Legality(const TileMesh& mesh, double least_cosine)

@@ -27,15 +27,6 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single)
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) add_face(f, 1);
 }
 
-unsigned QuadricCost::faces_at(VertexNumber a, VertexNumber b) const {
-  unsigned faces = 0;
-  mesh_.for_each_face(a, [&](FaceNumber f) {
-    const FaceVertices& face = mesh_.face(f);
-    faces += face[0] == b || face[1] == b || face[2] == b;
-  });
-  return faces;
-}
-
 // Where every neighbour is met in an even number of faces there is no edge with one face: the numbers of a
 // vertex's neighbours, each as often as it is met, then cancel out.
 void QuadricCost::find_borders() {
@@ -74,7 +65,7 @@ void QuadricCost::add_border(FaceNumber f, const Point& doubled, double sign) {
   for (std::size_t i = 0; i < 3; ++i) {
     const VertexNumber a = face[i];
     const VertexNumber b = face[(i + 1) % 3];
-    if (!at_border_[a] || !at_border_[b] || faces_at(a, b) != 1) continue;
+    if (!at_border_[a] || !at_border_[b] || mesh_.faces_at(a, b) != 1) continue;
     const Point edge = mesh_.position(b) - mesh_.position(a);
     const Point upright = cross(edge, doubled);
     const double square = dot(upright, upright);
@@ -145,8 +136,7 @@ void QuadricCost::collapsing(const Collapse& edge) {
   if (weight > 0) largest_square_ = std::max(largest_square_, now.price / weight);
   mesh_.for_each_face(edge.kept, [&](FaceNumber f) { add_face(f, -1); });
   mesh_.for_each_face(edge.removed, [&](FaceNumber f) {
-    const FaceVertices& face = mesh_.face(f);
-    if (face[0] != edge.kept && face[1] != edge.kept && face[2] != edge.kept) add_face(f, -1);
+    if (!has(mesh_.face(f), edge.kept)) add_face(f, -1);
   });
 }
 

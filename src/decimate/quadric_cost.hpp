@@ -55,7 +55,6 @@ class QuadricCost {
   void find_borders();
   // What moving the vertex by a length costs besides, with the square of that.
   [[nodiscard]] double wear(VertexNumber v) const;
-  [[nodiscard]] unsigned faces_at(VertexNumber a, VertexNumber b) const;
   [[nodiscard]] PricedCollapse priced(VertexNumber low, VertexNumber high) const;
 
   TileMesh& mesh_;

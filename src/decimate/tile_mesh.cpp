@@ -47,7 +47,7 @@ unsigned TileMesh::collapse(const Collapse& edge) {
     const FaceNumber f = corner / 3;
     const std::uint32_t following = next_[corner];
     FaceVertices& face = face_[f];
-    if (std::find(face.begin(), face.end(), edge.kept) != face.end()) {
+    if (has(face, edge.kept)) {
       for (const VertexNumber v : face) {
         if (v != edge.removed) unlink(v, f);
       }

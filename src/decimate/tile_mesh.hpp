@@ -5,6 +5,7 @@
 
 #include "base/vector.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -16,6 +17,16 @@ using FaceNumber = std::uint32_t;
 using FaceVertices = std::array<VertexNumber, 3>;
 
 inline constexpr std::uint32_t no_number = UINT32_MAX;
+
+inline bool has(const FaceVertices& face, VertexNumber v) {
+  return face[0] == v || face[1] == v || face[2] == v;
+}
+
+// The same face with its lowest number first.
+inline FaceVertices lowest_first(FaceVertices face) {
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  return face;
+}
 
 // One edge collapsed into one of its ends, which moves.
 struct Collapse {
@@ -52,6 +63,13 @@ class TileMesh {
   template <typename Each>
   void for_each_face(VertexNumber v, const Each& each) const {
     for (std::uint32_t corner = first_[v]; corner != no_number; corner = next_[corner]) each(corner / 3);
+  }
+
+  // Faces at the edge between two vertices.
+  [[nodiscard]] unsigned faces_at(VertexNumber a, VertexNumber b) const {
+    unsigned faces = 0;
+    for_each_face(a, [&](FaceNumber f) { faces += has(face_[f], b); });
+    return faces;
   }
 
   // each(vertex) once for every vertex that shares a face with `v`.

@@ -7,15 +7,6 @@
 
 namespace winnow {
 
-namespace {
-
-Point normalized(const Point& p) {
-  const double size = length(p);
-  return size > 0 ? 1 / size * p : p;
-}
-
-}  // namespace
-
 SurfaceView::SurfaceView(const Point& low, const Point& high, std::size_t pixels)
     : centre_(0.5 * (low + high)),
       pixels_(pixels),
@@ -23,8 +14,8 @@ SurfaceView::SurfaceView(const Point& low, const Point& high, std::size_t pixels
       rows_(std::make_unique<std::mutex[]>(pixels)) {
   const Point size = high - low;
   const bool flat = size[2] < 0.5 * std::min(size[0], size[1]);
-  towards_ = normalized(flat ? Point{0.35, -0.8, 0.9} : Point{0.35, 0.35, 1});
-  right_ = normalized(cross(flat ? Point{0, 0, 1} : Point{0, 1, 0}, towards_));
+  towards_ = unit(flat ? Point{0.35, -0.8, 0.9} : Point{0.35, 0.35, 1});
+  right_ = unit(cross(flat ? Point{0, 0, 1} : Point{0, 1, 0}, towards_));
   up_ = cross(towards_, right_);
   // The corners of the box stay in the square.
   double reach = 0;
@@ -57,7 +48,7 @@ void SurfaceView::draw(const Triangle& face, std::uint64_t number, const std::ar
   const auto last = [&](const std::array<double, 3>& of) {
     return std::min(static_cast<double>(pixels_), std::floor(std::max({of[0], of[1], of[2]}) + 0.5));
   };
-  const auto light = static_cast<float>(std::abs(dot(normalized(doubled_area(face)), towards_)));
+  const auto light = static_cast<float>(std::abs(dot(unit(doubled_area(face)), towards_)));
   for (std::size_t row = first(y); static_cast<double>(row) < last(y); ++row) {
     const double py = static_cast<double>(row) + 0.5;
     std::unique_lock<std::mutex> lock(rows_[row], std::defer_lock);

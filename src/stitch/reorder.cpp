@@ -132,8 +132,7 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
       for (std::uint32_t& v : face) {
         numbers.read(v * std::uint64_t{sizeof v}, std::as_writable_bytes(std::span(&v, 1)));
       }
-      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-      list.add({face});
+      list.add({lowest_first(face)});
     }
   });
   whole.mesh.faces.reset();

@@ -8,10 +8,6 @@ namespace winnow {
 
 namespace {
 
-void turn_lowest_first(FaceVertices& face) {
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-}
-
 std::array<float, 3> normal_of(const TileMesh& mesh, VertexNumber v) {
   Point sum{};
   mesh.for_each_face(v, [&](FaceNumber f) { sum = sum + doubled_area(mesh.triangle(f)); });
@@ -81,8 +77,7 @@ TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decim
     if (seam.old_mask != 0) {
       rest.seam_faces.push_back(seam);
     } else {
-      turn_lowest_first(seam.vertices);
-      rest.faces.push_back(seam.vertices);
+      rest.faces.push_back(lowest_first(seam.vertices));
     }
   }
   std::sort(rest.faces.begin(), rest.faces.end());
