@@ -3,7 +3,7 @@
 // A Cost has
 //   Candidate best(v, after)     the cheapest edge that `v` proposes and that comes after `after`
 //   PricedCollapse place(v, partner)   which end of that edge is kept, where it goes, and what that costs now
-//   void collapsing(edge)              told before the collapse
+//   void collapsing(now)               told that before the collapse
 //   void collapsed(edge, offers)       told after it: offers anew for the vertices whose edges now cost
 //   otherwise, or
 //                                      makes their offers stale
@@ -123,12 +123,13 @@ class Collapser {
       }
       const Candidate candidate = offers_.of(v);
       if (candidate.price > limits.price) return;
-      const auto [edge, price] = cost_.place(v, candidate.partner);
-      if (price > candidate.price) {
+      const PricedCollapse now = cost_.place(v, candidate.partner);
+      if (now.price > candidate.price) {
         // The other end has become dearer since.
         offers_.set(v, cost_.best(v, Candidate::none_yet()));
         continue;
       }
+      const Collapse& edge = now.edge;
       if (!legality_.keeps_surface(edge.kept, edge.removed) || !legality_.keeps_faces(edge)) {
         // It waits until a collapse beside it makes the vertex offer anew.
         const Candidate next = cost_.best(v, candidate);
@@ -139,7 +140,7 @@ class Collapser {
         continue;
       }
       highest_ = std::max(highest_, candidate.price);
-      cost_.collapsing(edge);
+      cost_.collapsing(now);
       const unsigned gone = mesh_.collapse(edge);
       offers_.set(edge.removed, {});
       cost_.collapsed(edge, offers_);

@@ -3,6 +3,7 @@
 #include "decimate/importance_cost.hpp"
 #include "decimate/initial_quadrics.hpp"
 #include "decimate/quadric_cost.hpp"
+#include "decimate/quadric_placement.hpp"
 #include "decimate/remembered_quadric_cost.hpp"
 #include "decimate/volume_cost.hpp"
 
@@ -12,9 +13,6 @@
 namespace winnow {
 
 namespace {
-
-// Of a plane upright at a border, with the square of the edge's length, beside the areas of faces.
-constexpr double border_weight = 1;
 
 // By a cost that knows the mesh alone: made when it is needed, by make(mesh).
 template <typename MakeCost>
@@ -58,7 +56,7 @@ class RememberingDecimation final : public Decimation {
     collapser.run(limits, done);
   }
   void repeat(const Collapse& edge) override {
-    cost_.collapsing(edge);
+    cost_.collapsing({edge, 0});
     mesh_.collapse(edge);
   }
   void save(VertexNumber v, std::byte* into) const override {
@@ -107,7 +105,7 @@ std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std
   }
   std::vector<Quadric> quadrics = states_of<Quadric>(mesh, state);
   if (state.empty()) add_faces(mesh, quadrics);
-  if (!settings.borders_known) add_borders(mesh, border_weight, quadrics);
+  if (!settings.borders_known) add_borders(mesh, upright_plane_weight, quadrics);
   return std::make_unique<RememberingDecimation<RememberedQuadricCost>>(mesh, settings, std::move(quadrics),
                                                                         settings.single, settings.error);
 }
@@ -129,7 +127,7 @@ std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64
   if (settings.cost == CollapseCost::volume) forgetful = VolumeCost::memory(vertices);
   if (settings.cost == CollapseCost::quadric && !remembers_quadrics(settings))
     forgetful = QuadricCost::memory(vertices);
-  return forgetful + vertices * state_size(settings) + Offers::memory(vertices) + Legality::memory(vertices);
+  return forgetful + vertices * state_size(settings) + Offers::memory(vertices);
 }
 
 }  // namespace winnow

@@ -92,7 +92,8 @@ PricedCollapse ImportanceCost::place(VertexNumber v, VertexNumber partner) const
 
 // c_j = max(c_j, c_i) of the paper, for each neighbour j of the removed vertex i: c_j is what j costs now, so
 // that it comes in where j is priced. Costs accumulate as they are before importance scales them.
-void ImportanceCost::collapsing(const Collapse& edge) {
+void ImportanceCost::collapsing(const PricedCollapse& now) {
+  const Collapse& edge = now.edge;
   ring_.clear();
   if (!fan_.find(mesh_, edge.removed)) return;
   const auto ring = fan_.neighbours();

@@ -34,7 +34,7 @@ class ImportanceCost {
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
   [[nodiscard]] PricedCollapse place(VertexNumber v, VertexNumber partner) const;
-  void collapsing(const Collapse& edge);
+  void collapsing(const PricedCollapse& now);
   void collapsed(const Collapse& edge, Offers& offers);
 
   [[nodiscard]] double state(VertexNumber v) const { return error_[v]; }

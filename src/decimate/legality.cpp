@@ -12,66 +12,36 @@ constexpr double thinnest = 1e-6;
 
 }  // namespace
 
-Legality::Legality(const TileMesh& mesh, double least_cosine)
-    : mesh_(mesh), least_cosine_(least_cosine), place_(mesh.vertex_count(), no_number) {}
-
-void Legality::list_neighbours(VertexNumber v, std::vector<Neighbour>& list) {
-  list.clear();
-  mesh_.for_each_face(v, [&](FaceNumber f) {
-    for (const VertexNumber w : mesh_.face(f)) {
-      if (w == v) continue;
-      if (stands_in(w, list)) {
-        ++list[place_[w]].faces;
-      } else {
-        place_[w] = static_cast<std::uint32_t>(list.size());
-        list.push_back({w, 1});
-      }
-    }
+// Whether the number of faces of some edge at `v` is one that is asked for.
+template <typename Asked>
+bool Legality::some_edge_has(VertexNumber v, const Asked& asked) {
+  met_.clear();
+  mesh_.for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+    met_.insert(met_.end(), {w, x});
   });
+  std::sort(met_.begin(), met_.end());
+  for (auto first = met_.begin(); first != met_.end();) {
+    const auto end = std::find_if(first, met_.end(), [first](VertexNumber w) { return w != *first; });
+    if (asked(end - first)) return true;
+    first = end;
+  }
+  return false;
 }
 
 bool Legality::at_border(VertexNumber v) {
-  list_neighbours(v, of_a_);
-  return std::any_of(of_a_.begin(), of_a_.end(), [](const Neighbour& n) { return n.faces != 2; });
+  return some_edge_has(v, [](std::ptrdiff_t faces) { return faces != 2; });
 }
 
 bool Legality::keeps_surface(VertexNumber a, VertexNumber b) {
-  const auto irregular = [](const std::vector<Neighbour>& list) {
-    return std::any_of(list.begin(), list.end(), [](const Neighbour& n) { return n.faces == 1; });
-  };
-  list_neighbours(b, of_b_);
-  const bool border_b = irregular(of_b_);
-  list_neighbours(a, of_a_);  // the last, so that place_ answers for `a`
-  if (!stands_in(b, of_a_)) return false;
-  const unsigned faces = of_a_[place_[b]].faces;
-  if (border_b && faces == 2 && irregular(of_a_)) return false;
-  const auto common = std::count_if(of_b_.begin(), of_b_.end(),
-                                    [&](const Neighbour& n) { return stands_in(n.vertex, of_a_); });
-  if (common != static_cast<std::ptrdiff_t>(faces)) return false;
-  // Two faces that would fall onto each other, as the last two of a tetrahedron.
-  bool falls_together = false;
-  mesh_.for_each_face(b, [&](FaceNumber f) {
-    const FaceVertices& face = mesh_.face(f);
-    if (falls_together || has(face, a)) return;
-    for (const VertexNumber w : face) {
-      if (w != b && !stands_in(w, of_a_)) return;
-    }
-    mesh_.for_each_face(a, [&](FaceNumber g) {
-      const FaceVertices& other = mesh_.face(g);
-      bool same = true;
-      for (const VertexNumber w : face) same &= w == b || has(other, w);
-      falls_together |= same;
-    });
-  });
-  return !falls_together;
+  const TileMesh::Meeting meeting = mesh_.meeting(a, b);
+  if (meeting.faces == 0 || meeting.common != meeting.faces || meeting.falls_together) return false;
+  if (meeting.faces != 2 || mesh_.all_edges_even(b)) return true;
+  const auto open = [](std::ptrdiff_t faces) { return faces == 1; };
+  return !some_edge_has(b, open) || !some_edge_has(a, open);
 }
 
-bool Legality::turned_too_far(FaceNumber f, VertexNumber moving, const Point& to) const {
-  const Triangle before = mesh_.triangle(f);
-  Triangle after = before;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (mesh_.face(f)[i] == moving) after[i] = to;
-  }
+bool Legality::turned_too_far(const Triangle& before, const Point& to) const {
+  const Triangle after{to, before[1], before[2]};
   const Point old_normal = doubled_area(before);
   const Point new_normal = doubled_area(after);
   const double new_square = dot(new_normal, new_normal);
@@ -88,8 +58,10 @@ bool Legality::turned_too_far(FaceNumber f, VertexNumber moving, const Point& to
 bool Legality::keeps_faces(const Collapse& edge) const {
   bool good = true;
   const auto check = [&](VertexNumber moving, VertexNumber other) {
-    mesh_.for_each_face(moving, [&](FaceNumber f) {
-      if (good && !has(mesh_.face(f), other)) good = !turned_too_far(f, moving, edge.position);
+    const Point from = mesh_.position(moving);
+    mesh_.for_each_corner(moving, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+      if (!good || w == other || x == other) return;
+      good = !turned_too_far({from, mesh_.position(w), mesh_.position(x)}, edge.position);
     });
   };
   check(edge.removed, edge.kept);

@@ -10,9 +10,7 @@ namespace winnow {
 class Legality {
  public:
   // `least_cosine`: of the angle by which one collapse may turn a face.
-  Legality(const TileMesh& mesh, double least_cosine);
-
-  static constexpr std::uint64_t memory(std::uint64_t vertices) { return vertices * sizeof(std::uint32_t); }
+  Legality(TileMesh& mesh, double least_cosine) : mesh_(mesh), least_cosine_(least_cosine) {}
 
   // The link condition (Dey et al. 1999): ends that meet in more vertices than the edge's own faces have
   // would fold the surface onto itself. An edge between two vertices at borders collapses only if
@@ -27,21 +25,14 @@ class Legality {
   [[nodiscard]] bool at_border(VertexNumber v);
 
  private:
-  struct Neighbour {
-    VertexNumber vertex;
-    unsigned faces;
-  };
-  // The neighbours of `v` and the faces on each edge; place_ says where in the list a vertex stands.
-  void list_neighbours(VertexNumber v, std::vector<Neighbour>& list);
-  [[nodiscard]] bool stands_in(VertexNumber v, const std::vector<Neighbour>& list) const {
-    return place_[v] < list.size() && list[place_[v]].vertex == v;
-  }
-  [[nodiscard]] bool turned_too_far(FaceNumber f, VertexNumber moving, const Point& to) const;
+  template <typename Asked>
+  bool some_edge_has(VertexNumber v, const Asked& asked);
+  // The face whose first corner moves.
+  [[nodiscard]] bool turned_too_far(const Triangle& before, const Point& to) const;
 
-  const TileMesh& mesh_;
+  TileMesh& mesh_;
   double least_cosine_;
-  std::vector<std::uint32_t> place_;
-  std::vector<Neighbour> of_a_, of_b_;
+  std::vector<VertexNumber> met_;
 };
 
 }  // namespace winnow

@@ -15,8 +15,9 @@ class PriceQueue {
   struct Offer {
     double price = 0;
     VertexNumber vertex = no_number;
+    // Which is less is a coin toss: no branches.
     [[nodiscard]] bool before(const Offer& other) const {
-      return price < other.price || (price == other.price && vertex < other.vertex);
+      return (price < other.price) | ((price == other.price) & (vertex < other.vertex));
     }
   };
 
@@ -91,7 +92,7 @@ class PriceQueue {
       std::size_t least = first;
       const std::size_t end = first + children < heap_.size() ? first + children : heap_.size();
       for (std::size_t child = first + 1; child < end; ++child) {
-        if (heap_[child].before(heap_[least])) least = child;
+        least = heap_[child].before(heap_[least]) ? child : least;
       }
       if (!heap_[least].before(offer)) break;
       put(at, heap_[least]);

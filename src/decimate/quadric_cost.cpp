@@ -1,6 +1,7 @@
 #include "decimate/quadric_cost.hpp"
 
-#include "base/quadric.hpp"
+#include "base/instruction_set.hpp"
+#include "decimate/quadric_placement.hpp"
 
 #include <algorithm>
 
@@ -8,60 +9,60 @@ namespace winnow {
 
 namespace {
 
-// Pulls the lowest point towards the middle of the edge where the planes leave it free, as a part of their
-// weight: by measurement (bench/RESULTS.md).
-constexpr double pull = 1e-4;
-// Where planes cost nothing, as on flat parts, short edges go first.
-constexpr double length_share = 1e-6;
-// Of an upright plane at a border, with the square of the edge's length, beside the areas of faces.
-constexpr double border_weight = 1;
-// Normals cancel each other where their mean is shorter than 1 by more than this: at needles and fins, not
-// along edges and at corners of solids.
-constexpr double cancelling = 0.3;
+void add(VertexPlanes& planes, const Point& along, double weight) {
+  planes.xx += weight * along[0] * along[0];
+  planes.xy += weight * along[0] * along[1];
+  planes.xz += weight * along[0] * along[2];
+  planes.yy += weight * along[1] * along[1];
+  planes.yz += weight * along[1] * along[2];
+  planes.zz += weight * along[2] * along[2];
+}
+
+void add(VertexPlanes& planes, const VertexPlanes& more) {
+  planes.xx += more.xx;
+  planes.xy += more.xy;
+  planes.xz += more.xz;
+  planes.yy += more.yy;
+  planes.yz += more.yz;
+  planes.zz += more.zz;
+  for (std::size_t axis = 0; axis < 3; ++axis) planes.normal[axis] += more.normal[axis];
+}
+
+double weight_of(const VertexPlanes& planes) {
+  return planes.xx + planes.yy + planes.zz;
+}
 
 }  // namespace
 
 QuadricCost::QuadricCost(TileMesh& mesh, bool single)
-    : mesh_(mesh), planes_(mesh.vertex_count()), at_border_(mesh.vertex_count(), 0), single_(single) {
-  find_borders();
-  for (FaceNumber f = 0; f < mesh.face_count(); ++f) add_face(f, 1);
-}
-
-// Where every neighbour is met in an even number of faces there is no edge with one face: the numbers of a
-// vertex's neighbours, each as often as it is met, then cancel out.
-void QuadricCost::find_borders() {
-  for (VertexNumber v = 0; v < mesh_.vertex_count(); ++v) {
-    VertexNumber odd = 0;
-    std::uint64_t squares = 0;
-    mesh_.for_each_face(v, [&](FaceNumber f) {
-      for (const VertexNumber w : mesh_.face(f)) {
-        if (w == v) continue;
-        odd ^= w;
-        squares ^= (std::uint64_t{w} + 1) * (std::uint64_t{w} + 1);
-      }
-    });
-    at_border_[v] = odd != 0 || squares != 0;
+    : mesh_(mesh),
+      planes_(mesh.vertex_count()),
+      at_border_(mesh.vertex_count(), 0),
+      price_edges_(best_kernel(edge_kernel_baseline, edge_kernel_avx2, edge_kernel_avx512)),
+      single_(single) {
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_border_[v] = !mesh.all_edges_even(v);
+  for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
+    const VertexPlanes planes = planes_of(f, 1);
+    for (const VertexNumber v : mesh.face(f)) add(planes_[v], planes);
+    if (touches_border(f)) add_border(f, 1);
   }
 }
 
-void QuadricCost::add_face(FaceNumber f, double sign) {
+// Of one face, for each of its corners: a third of the area.
+VertexPlanes QuadricCost::planes_of(FaceNumber f, double sign) const {
   const Point doubled = doubled_area(mesh_.triangle(f));
   const double square = dot(doubled, doubled);
-  if (square > 0) {
-    // A third of the area for each corner.
-    const double weight = sign / (6 * std::sqrt(square));
-    for (const VertexNumber v : mesh_.face(f)) {
-      planes_[v].add(doubled, weight);
-      planes_[v].normal = planes_[v].normal + (sign / 6) * doubled;
-    }
-  }
-  const FaceVertices& face = mesh_.face(f);
-  if (at_border_[face[0]] + at_border_[face[1]] + at_border_[face[2]] >= 2) add_border(f, doubled, sign);
+  VertexPlanes planes;
+  if (!(square > 0)) return planes;
+  add(planes, doubled, sign / (6 * std::sqrt(square)));
+  for (std::size_t axis = 0; axis < 3; ++axis) planes.normal[axis] = sign / 6 * doubled[axis];
+  return planes;
 }
 
 // The planes through edges with one face, upright on that.
-void QuadricCost::add_border(FaceNumber f, const Point& doubled, double sign) {
+void QuadricCost::add_border(FaceNumber f, double sign) {
   const FaceVertices& face = mesh_.face(f);
+  const Point doubled = doubled_area(mesh_.triangle(f));
   for (std::size_t i = 0; i < 3; ++i) {
     const VertexNumber a = face[i];
     const VertexNumber b = face[(i + 1) % 3];
@@ -70,83 +71,89 @@ void QuadricCost::add_border(FaceNumber f, const Point& doubled, double sign) {
     const Point upright = cross(edge, doubled);
     const double square = dot(upright, upright);
     if (!(square > 0)) continue;
-    const double weight = sign * border_weight * dot(edge, edge) / square;
-    planes_[a].add(upright, weight);
-    planes_[b].add(upright, weight);
+    const double weight = sign * upright_plane_weight * dot(edge, edge) / square;
+    add(planes_[a], upright, weight);
+    add(planes_[b], upright, weight);
   }
 }
 
-double QuadricCost::wear(VertexNumber v) const {
-  const Planes& planes = planes_[v];
-  const double weight = planes.weight();
-  // At a border the weight is not that of faces alone, and the planes there do notice.
-  if (!(weight > 0) || at_border_[v]) return 0;
-  const double beyond = (1 - length(planes.normal) / weight - cancelling) / (1 - cancelling);
-  return beyond > 0 ? weight * beyond * beyond : 0;
+void QuadricCost::begin_edges(VertexNumber low) {
+  const Point& from = mesh_.position(low);
+  std::copy(from.begin(), from.end(), batch_.low);
+  batch_.low_planes = planes_[low];
+  batch_.low_wears = wears(low);
 }
 
-PricedCollapse QuadricCost::priced(VertexNumber low, VertexNumber high) const {
-  const Point edge = mesh_.position(high) - mesh_.position(low);
-  const Planes& p = planes_[low];
-  const Planes& q = planes_[high];
-  // Seen from `low`: its own planes go through there, those of `high` through the end of the edge.
-  Quadric sum{q.xx, q.xy, q.xz, q.yy, q.yz, q.zz, {}, 0};
-  sum.b = sum.times(edge);
-  sum.c = dot(edge, sum.b);
-  sum.xx += p.xx;
-  sum.xy += p.xy;
-  sum.xz += p.xz;
-  sum.yy += p.yy;
-  sum.yz += p.yz;
-  sum.zz += p.zz;
-  const double weight = sum.weight();
-  const Point middle = 0.5 * edge;
-  const Point t = weight > 0 ? lowest_point(sum, pull * weight, middle) : middle;
-  Point position = mesh_.position(low) + t;
-  if (single_) {
-    for (double& x : position) x = static_cast<double>(static_cast<float>(x));
+void QuadricCost::set_edge(std::size_t i, VertexNumber high) {
+  const Point& to = mesh_.position(high);
+  const VertexPlanes& planes = planes_[high];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    batch_.high[axis][i] = to[axis];
+    batch_.normal[axis][i] = planes.normal[axis];
   }
-  if (!finite(position)) position = mesh_.position(low);
-  const Point from_low = position - mesh_.position(low);
-  const Point from_high = from_low - edge;
-  const double error = std::max(0.0, sum.at(from_low));
-  const double worn = wear(low) * dot(from_low, from_low) + wear(high) * dot(from_high, from_high);
-  return {{low, high, position}, error + worn + length_share * weight * dot(edge, edge)};
+  batch_.xx[i] = planes.xx;
+  batch_.xy[i] = planes.xy;
+  batch_.xz[i] = planes.xz;
+  batch_.yy[i] = planes.yy;
+  batch_.yz[i] = planes.yz;
+  batch_.zz[i] = planes.zz;
+  batch_.wears[i] = wears(high);
+}
+
+PricedCollapse QuadricCost::place(VertexNumber low, VertexNumber high) {
+  begin_edges(low);
+  set_edge(0, high);
+  price_edges_(batch_, 1, single_);
+  const Point position{batch_.position[0][0], batch_.position[1][0], batch_.position[2][0]};
+  return {{low, high, position}, batch_.price[0]};
 }
 
 Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
   Candidate cheapest;
   if (mesh_.locked(v)) return cheapest;
-  // Every edge belongs to its lower end.
-  mesh_.for_each_neighbour(v, [&](VertexNumber w) {
-    if (w < v || mesh_.locked(w)) return;
-    const Candidate candidate{priced(v, w).price, w};
-    if (after.before(candidate) && candidate.before(cheapest)) cheapest = candidate;
-  });
+  begin_edges(v);
+  const std::span<const VertexNumber> ends = owned_edges(mesh_, v, ends_);
+  for (std::size_t first = 0; first < ends.size(); first += EdgeBatch::capacity) {
+    const std::size_t count = std::min(EdgeBatch::capacity, ends.size() - first);
+    for (std::size_t i = 0; i < count; ++i) set_edge(i, ends[first + i]);
+    price_edges_(batch_, count, single_);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Candidate candidate{batch_.price[i], ends[first + i]};
+      if (after.before(candidate) && candidate.before(cheapest)) cheapest = candidate;
+    }
+  }
   return cheapest;
 }
 
-PricedCollapse QuadricCost::place(VertexNumber v, VertexNumber partner) const {
-  return priced(v, partner);
-}
-
-void QuadricCost::collapsing(const Collapse& edge) {
-  const PricedCollapse now = priced(edge.kept, edge.removed);
-  const double weight = planes_[edge.kept].weight() + planes_[edge.removed].weight();
+void QuadricCost::collapsing(const PricedCollapse& now) {
+  const VertexNumber kept = now.edge.kept;
+  const VertexNumber removed = now.edge.removed;
+  const double weight = weight_of(planes_[kept]) + weight_of(planes_[removed]);
   if (weight > 0) largest_square_ = std::max(largest_square_, now.price / weight);
-  mesh_.for_each_face(edge.kept, [&](FaceNumber f) { add_face(f, -1); });
-  mesh_.for_each_face(edge.removed, [&](FaceNumber f) {
-    if (!has(mesh_.face(f), edge.kept)) add_face(f, -1);
+  // Of the faces that go or move, the planes at the vertices around.
+  const auto take_away = [&](FaceNumber f, VertexNumber w, VertexNumber x) {
+    const VertexPlanes planes = planes_of(f, -1);
+    add(planes_[w], planes);
+    add(planes_[x], planes);
+    if (touches_border(f)) add_border(f, -1);
+  };
+  mesh_.for_each_corner(kept, take_away);
+  mesh_.for_each_corner(removed, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
+    if (w != kept && x != kept) take_away(f, w, x);
   });
 }
 
 void QuadricCost::collapsed(const Collapse& edge, Offers& offers) {
   const VertexNumber kept = edge.kept;
   at_border_[kept] |= at_border_[edge.removed];
-  planes_[kept] = {};  // nothing but rounding was left
-  mesh_.for_each_face(kept, [&](FaceNumber f) { add_face(f, 1); });
+  planes_[kept] = {};
+  mesh_.for_each_corner(kept, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
+    const VertexPlanes planes = planes_of(f, 1);
+    for (const VertexNumber v : {kept, w, x}) add(planes_[v], planes);
+    if (touches_border(f)) add_border(f, 1);
+  });
   offers.set(kept, best(kept, Candidate::none_yet()));
-  mesh_.for_each_neighbour(kept, [&](VertexNumber w) { offers.make_stale(w); });
+  for (const VertexNumber w : mesh_.neighbours(kept)) offers.make_stale(w);
 }
 
 }  // namespace winnow

@@ -8,8 +8,10 @@
 #pragma once
 
 #include "decimate/collapser.hpp"
+#include "decimate/kernel/edge_kernel.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,11 +22,13 @@ class QuadricCost {
   // `single`: vertices go to numbers that floats have.
   QuadricCost(TileMesh& mesh, bool single);
 
-  static constexpr std::uint64_t memory(std::uint64_t vertices) { return vertices * (sizeof(Planes) + 1); }
+  static constexpr std::uint64_t memory(std::uint64_t vertices) {
+    return vertices * (sizeof(VertexPlanes) + 1);
+  }
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
-  [[nodiscard]] PricedCollapse place(VertexNumber v, VertexNumber partner) const;
-  void collapsing(const Collapse& edge);
+  [[nodiscard]] PricedCollapse place(VertexNumber low, VertexNumber high);
+  void collapsing(const PricedCollapse& now);
   void collapsed(const Collapse& edge, Offers& offers);
 
   // The root of the mean squared distance of a vertex from the planes it was collapsed at, the largest there
@@ -32,34 +36,23 @@ class QuadricCost {
   [[nodiscard]] double largest_error() const { return std::sqrt(largest_square_); }
 
  private:
-  // The sum of weight * n n' over planes through the vertex itself: the quadric has no other terms. And, of
-  // the faces, the sum of weight * n.
-  struct Planes {
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    Point normal{};
-
-    [[nodiscard]] double weight() const { return xx + yy + zz; }
-
-    void add(const Point& along, double weight) {
-      xx += weight * along[0] * along[0];
-      xy += weight * along[0] * along[1];
-      xz += weight * along[0] * along[2];
-      yy += weight * along[1] * along[1];
-      yz += weight * along[1] * along[2];
-      zz += weight * along[2] * along[2];
-    }
-  };
-
-  void add_face(FaceNumber f, double sign);
-  void add_border(FaceNumber f, const Point& doubled, double sign);
-  void find_borders();
-  // What moving the vertex by a length costs besides, with the square of that.
-  [[nodiscard]] double wear(VertexNumber v) const;
-  [[nodiscard]] PricedCollapse priced(VertexNumber low, VertexNumber high) const;
+  [[nodiscard]] VertexPlanes planes_of(FaceNumber f, double sign) const;
+  [[nodiscard]] bool touches_border(FaceNumber f) const {
+    const FaceVertices& face = mesh_.face(f);
+    return at_border_[face[0]] + at_border_[face[1]] + at_border_[face[2]] >= 2;
+  }
+  void add_border(FaceNumber f, double sign);
+  // At a border the weight is not that of faces alone, and the planes there notice what wears down.
+  [[nodiscard]] double wears(VertexNumber v) const { return at_border_[v] != 0 ? 0 : 1; }
+  void begin_edges(VertexNumber low);
+  void set_edge(std::size_t i, VertexNumber high);
 
   TileMesh& mesh_;
-  std::vector<Planes> planes_;
+  std::vector<VertexPlanes> planes_;
   std::vector<std::uint8_t> at_border_;  // may be; a vertex that is not is at none
+  EdgeKernel price_edges_;
+  EdgeBatch batch_{};
+  std::vector<VertexNumber> ends_;
   bool single_;
   double largest_square_ = 0;
 };

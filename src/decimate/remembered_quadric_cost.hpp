@@ -23,8 +23,8 @@ class RememberedQuadricCost {
       : mesh_(mesh), quadric_(std::move(quadrics)), single_(single), error_(error) {}
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
-  [[nodiscard]] PricedCollapse place(VertexNumber v, VertexNumber partner) const;
-  void collapsing(const Collapse& edge);
+  [[nodiscard]] PricedCollapse place(VertexNumber low, VertexNumber high) const;
+  void collapsing(const PricedCollapse& now);
   void collapsed(const Collapse& edge, Offers& offers);
 
   [[nodiscard]] const Quadric& state(VertexNumber v) const { return quadric_[v]; }
@@ -33,16 +33,9 @@ class RememberedQuadricCost {
   [[nodiscard]] double largest_error() const { return std::sqrt(largest_square_); }
 
  private:
-  struct Placed {
-    double price;
-    Point position;
-  };
-  // Where the vertex of the edge goes, and how dear that is.
-  [[nodiscard]] Placed price(VertexNumber low, VertexNumber high) const;
-
   TileMesh& mesh_;
   std::vector<Quadric> quadric_;
-  std::vector<VertexNumber> ring_;
+  std::vector<VertexNumber> ring_, ends_;
   bool single_;
   std::optional<double> error_;
   double largest_square_ = 0;

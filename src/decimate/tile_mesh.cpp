@@ -26,12 +26,36 @@ std::uint64_t TileMesh::memory(std::uint64_t vertices, std::uint64_t faces) {
          faces * (sizeof(FaceVertices) + 3 * sizeof(std::uint32_t));
 }
 
-std::uint32_t TileMesh::new_mark() {
-  if (++last_mark_ == 0) {
+std::uint32_t TileMesh::new_marks(std::uint32_t count) {
+  if (UINT32_MAX - last_mark_ < count) {
     std::fill(mark_.begin(), mark_.end(), 0);
-    last_mark_ = 1;
+    last_mark_ = 0;
   }
-  return last_mark_;
+  last_mark_ += count;
+  return last_mark_ - count + 1;
+}
+
+TileMesh::Meeting TileMesh::meeting(VertexNumber a, VertexNumber b) {
+  const std::uint32_t of_a = new_marks(3);
+  const std::uint32_t of_b = of_a + 1;
+  const std::uint32_t of_both = of_a + 2;
+  for_each_corner(a, [&](FaceNumber, VertexNumber w, VertexNumber x) { mark_[w] = mark_[x] = of_a; });
+  Meeting meeting;
+  for_each_corner(b, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+    meeting.faces += static_cast<unsigned>((w == a) | (x == a));
+    for (const VertexNumber neighbour : {w, x}) {
+      const std::uint32_t mark = mark_[neighbour];
+      meeting.common += mark == of_a;
+      mark_[neighbour] = (mark == of_a) | (mark == of_both) ? of_both : of_b;
+    }
+  });
+  for_each_corner(b, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+    if ((mark_[w] != of_both) | (mark_[x] != of_both)) return;
+    for_each_corner(a, [&](FaceNumber, VertexNumber y, VertexNumber z) {
+      meeting.falls_together |= (y == w && z == x) || (y == x && z == w);
+    });
+  });
+  return meeting;
 }
 
 void TileMesh::unlink(VertexNumber v, FaceNumber f) {

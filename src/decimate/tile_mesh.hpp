@@ -3,11 +3,14 @@
 // has.
 #pragma once
 
+#include "base/hash.hpp"
 #include "base/vector.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace winnow {
@@ -65,25 +68,56 @@ class TileMesh {
     for (std::uint32_t corner = first_[v]; corner != no_number; corner = next_[corner]) each(corner / 3);
   }
 
+  // each(face, w, x) for the faces v, w, x of `v`, in that winding.
+  template <typename Each>
+  void for_each_corner(VertexNumber v, const Each& each) const {
+    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next_[corner]) {
+      const FaceNumber f = corner / 3;
+      const std::uint32_t at = corner - 3 * f;
+      const std::uint32_t following = (1U << at) & 3U;  // no branch on what is a toss of three sides
+      each(f, face_[f][following], face_[f][3 - at - following]);
+    }
+  }
+
   // Faces at the edge between two vertices.
   [[nodiscard]] unsigned faces_at(VertexNumber a, VertexNumber b) const {
     unsigned faces = 0;
-    for_each_face(a, [&](FaceNumber f) { faces += has(face_[f], b); });
+    for_each_corner(a, [&](FaceNumber, VertexNumber w, VertexNumber x) { faces += w == b || x == b; });
     return faces;
   }
 
-  // each(vertex) once for every vertex that shares a face with `v`.
-  template <typename Each>
-  void for_each_neighbour(VertexNumber v, const Each& each) {
-    const std::uint32_t mark = new_mark();
-    mark_[v] = mark;
-    for_each_face(v, [&](FaceNumber f) {
-      for (const VertexNumber w : face_[f]) {
-        if (mark_[w] == mark) continue;
-        mark_[w] = mark;
-        each(w);
-      }
+  // The vertices that share a face with `v`, each once; good until the next question about neighbours.
+  // Whether one was met before is a coin toss, so there is no branch on it.
+  std::span<const VertexNumber> neighbours(VertexNumber v) {
+    const std::uint32_t mark = new_marks(1);
+    std::size_t count = 0;
+    for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+      if (neighbours_.size() < count + 2) neighbours_.resize(2 * count + 16);
+      neighbours_[count] = w;
+      count += mark_[w] != mark;
+      mark_[w] = mark;
+      neighbours_[count] = x;
+      count += mark_[x] != mark;
+      mark_[x] = mark;
     });
+    return {neighbours_.data(), count};
+  }
+
+  // How the faces of two vertices meet.
+  struct Meeting {
+    unsigned faces = 0;           // at the edge between the two
+    unsigned common = 0;          // vertices that share faces with both
+    bool falls_together = false;  // a face of one and a face of the other have both other corners in common
+  };
+  [[nodiscard]] Meeting meeting(VertexNumber a, VertexNumber b);
+
+  // Whether every neighbour of `v` is met in an even number of its faces, so that none of its edges has one
+  // face. (But for a chance of 2^-64.)
+  [[nodiscard]] bool all_edges_even(VertexNumber v) const {
+    std::uint64_t odd = 0;
+    for_each_corner(
+        v, [&](FaceNumber, VertexNumber w, VertexNumber x) { odd ^= mixed_hash(w) ^ mixed_hash(x); });
+    return odd == 0;
   }
 
   // Removes the faces at the edge, hands the others of `removed` to `kept`, and moves that. Returns how many
@@ -91,7 +125,8 @@ class TileMesh {
   unsigned collapse(const Collapse& edge);
 
  private:
-  std::uint32_t new_mark();
+  // The first of so many marks that no vertex has.
+  std::uint32_t new_marks(std::uint32_t count);
   void unlink(VertexNumber v, FaceNumber f);
 
   std::vector<Point> position_;
@@ -102,6 +137,7 @@ class TileMesh {
   std::vector<std::uint32_t> next_;  // of each corner the next of the same vertex
   std::vector<std::uint32_t> mark_;  // which question a vertex was last met by
   std::uint32_t last_mark_ = 0;
+  std::vector<VertexNumber> neighbours_;
   std::uint64_t live_faces_ = 0;
 };
 

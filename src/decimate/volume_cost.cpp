@@ -81,9 +81,9 @@ PricedCollapse VolumeCost::place(VertexNumber v, VertexNumber partner) const {
   return {{partner, v, mesh_.position(partner)}, volume_[v]};
 }
 
-void VolumeCost::collapsing(const Collapse& edge) {
-  ring_.clear();
-  mesh_.for_each_neighbour(edge.removed, [&](VertexNumber w) { ring_.push_back(w); });
+void VolumeCost::collapsing(const PricedCollapse& now) {
+  const auto ring = mesh_.neighbours(now.edge.removed);
+  ring_.assign(ring.begin(), ring.end());
 }
 
 void VolumeCost::collapsed(const Collapse& edge, Offers& offers) {

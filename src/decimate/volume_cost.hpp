@@ -33,7 +33,7 @@ class VolumeCost {
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
   [[nodiscard]] PricedCollapse place(VertexNumber v, VertexNumber partner) const;
-  void collapsing(const Collapse& edge);
+  void collapsing(const PricedCollapse& now);
   void collapsed(const Collapse& edge, Offers& offers);
   void gave_up(VertexNumber v, Offers& offers);
 

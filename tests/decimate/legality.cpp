@@ -29,7 +29,7 @@ TileMesh mesh_of(const std::vector<FaceVertices>& faces, std::vector<Point> posi
 
 // From either end it is the same question.
 bool may(const std::vector<FaceVertices>& faces, VertexNumber a, VertexNumber b) {
-  const TileMesh mesh = mesh_of(faces);
+  TileMesh mesh = mesh_of(faces);
   Legality legality(mesh, 0);
   const bool answer = legality.keeps_surface(a, b);
   CHECK(legality.keeps_surface(b, a) == answer);
@@ -121,7 +121,7 @@ TEST_CASE("an edge with three faces collapses only where its ends share no more"
 
 TEST_CASE("a border is where an edge has not two faces") {
   const std::vector<FaceVertices> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
-  const TileMesh mesh = mesh_of(fan);
+  TileMesh mesh = mesh_of(fan);
   Legality legality(mesh, 0);
   CHECK_FALSE(legality.at_border(0));
   for (VertexNumber v = 1; v < 5; ++v) CHECK(legality.at_border(v));
@@ -178,7 +178,7 @@ TEST_CASE("a face turns by no more than the bound") {
   // Faces 0 1 2 and 0 2 3 stand on the edge 0 2; 3 is pulled in by 4 and goes somewhere.
   const std::vector<FaceVertices> faces{{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 0}};
   const std::vector<Point> positions{{0, 0, 0}, {1, -1, 0}, {2, 0, 0}, {1, 1, 0}, {1, 2, 0}};
-  const TileMesh mesh = mesh_of(faces, positions);
+  TileMesh mesh = mesh_of(faces, positions);
   for (const double bound : {10.0, 45.0, 80.0}) {
     Legality legality(mesh, std::cos(bound / 180 * std::numbers::pi));
     for (double angle = 0; angle < 180; angle += 1.25) {

@@ -4,6 +4,7 @@
 #include "support/random.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -70,10 +71,50 @@ void check_same(TileMesh& mesh, const NaiveMesh& naive) {
     mesh.for_each_face(v, [&](FaceNumber f) { found.insert(f); });
     REQUIRE(found == right);
     std::multiset<VertexNumber> neighbours;
-    mesh.for_each_neighbour(v, [&](VertexNumber w) { neighbours.insert(w); });
+    for (const VertexNumber w : mesh.neighbours(v)) neighbours.insert(w);
     REQUIRE(neighbours == right_neighbours);
     REQUIRE(mesh.has_faces(v) == !right.empty());
     REQUIRE(mesh.position(v) == naive.positions[v]);
+  }
+}
+
+// What meeting() and all_edges_even() say, from the faces alone.
+void check_meetings(TileMesh& mesh, const NaiveMesh& naive) {
+  using Pair = std::set<VertexNumber>;
+  const auto others = [&](VertexNumber v) {
+    std::multiset<Pair> pairs;
+    for (FaceNumber f = 0; f < naive.faces.size(); ++f) {
+      if (!naive.has(f, v)) continue;
+      Pair pair(naive.faces[f].begin(), naive.faces[f].end());
+      pair.erase(v);
+      pairs.insert(pair);
+    }
+    return pairs;
+  };
+  for (VertexNumber a = 0; a < mesh.vertex_count(); ++a) {
+    const auto pairs_a = others(a);
+    std::map<VertexNumber, unsigned> met;
+    for (const Pair& pair : pairs_a) {
+      for (const VertexNumber w : pair) ++met[w];
+    }
+    CHECK(mesh.all_edges_even(a) ==
+          std::all_of(met.begin(), met.end(), [](const auto& of) { return of.second % 2 == 0; }));
+    for (VertexNumber b = 0; b < mesh.vertex_count(); ++b) {
+      if (a == b) continue;
+      TileMesh::Meeting right;
+      std::set<VertexNumber> common;
+      for (const Pair& pair : others(b)) {
+        right.faces += pair.count(a) != 0;
+        right.falls_together |= pairs_a.count(pair) != 0;
+        for (const VertexNumber w : pair) {
+          if (met.count(w) != 0) common.insert(w);
+        }
+      }
+      const TileMesh::Meeting found = mesh.meeting(a, b);
+      REQUIRE(found.faces == right.faces);
+      REQUIRE(found.common == common.size());
+      REQUIRE(found.falls_together == right.falls_together);
+    }
   }
 }
 
@@ -88,6 +129,7 @@ TEST_CASE("after any collapses every vertex knows its faces and neighbours") {
     naive.positions.resize(vertices);
     TileMesh mesh(naive.positions, naive.faces, std::vector<std::uint8_t>(vertices, 0));
     check_same(mesh, naive);
+    check_meetings(mesh, naive);
     while (mesh.live_faces() > 0) {
       const auto f = static_cast<FaceNumber>(random.below(mesh.face_count()));
       if (mesh.removed(f)) continue;

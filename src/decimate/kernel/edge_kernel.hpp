@@ -1,0 +1,43 @@
+// What the edges from one vertex cost by the planes of its faces and of the other ends' (quadric_cost.hpp),
+// and where each would be collapsed to. As cluster/kernel/corner_kernel.hpp: compiled once for each
+// instruction set, the same results from all, and no function may be defined here.
+#pragma once
+
+#include <cstddef>
+
+namespace winnow {
+
+// The sum of weight * n n' over planes through one vertex, and, of its faces, the sum of weight * n.
+struct VertexPlanes {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  double normal[3] = {0, 0, 0};
+};
+
+// Edges from `low`, one array for each number of their other ends.
+struct EdgeBatch {
+  static constexpr std::size_t capacity = 16;
+
+  double low[3];
+  VertexPlanes low_planes;
+  double low_wears;  // 1, or 0 at a border
+
+  double high[3][capacity];
+  double xx[capacity], xy[capacity], xz[capacity], yy[capacity], yz[capacity], zz[capacity];
+  double normal[3][capacity];
+  double wears[capacity];
+
+  // Results.
+  double price[capacity];
+  double position[3][capacity];
+};
+
+// Of the first `count` edges; results of those behind, up to the next multiple of `edge_kernel_lanes`, are
+// without meaning. `single`: positions are numbers that floats have.
+using EdgeKernel = void (*)(EdgeBatch& batch, std::size_t count, bool single);
+inline constexpr std::size_t edge_kernel_lanes = 4;
+
+void edge_kernel_baseline(EdgeBatch& batch, std::size_t count, bool single);
+void edge_kernel_avx2(EdgeBatch& batch, std::size_t count, bool single);
+void edge_kernel_avx512(EdgeBatch& batch, std::size_t count, bool single);
+
+}  // namespace winnow

@@ -1,0 +1,47 @@
+// What the costs by quadrics have in common.
+#pragma once
+
+#include "base/quadric.hpp"
+#include "decimate/collapser.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace winnow {
+
+// Where planes cost nothing, as on flat parts, short edges go first: the square of the length counts, by this
+// part of the planes' weight.
+inline constexpr double edge_length_share = 1e-6;
+
+// Of a plane upright at a border, with the square of the edge's length, beside the areas of faces.
+inline constexpr double upright_plane_weight = 1;
+
+// The lowest point of a quadric seen from `low`, an end of `edge`, as a position. `pull` draws it towards the
+// middle of the edge where the planes leave it free, as a part of their weight. `single`: in numbers that
+// floats have.
+inline Point lowest_position(const Quadric& quadric, double pull, const Point& low, const Point& edge,
+                             bool single) {
+  const double weight = quadric.weight();
+  const Point middle = 0.5 * edge;
+  Point position = low + (weight > 0 ? lowest_point(quadric, pull * weight, middle) : middle);
+  if (single) {
+    for (double& x : position) x = static_cast<double>(static_cast<float>(x));
+  }
+  return finite(position) ? position : low;
+}
+
+// The edges that belong to `v`, by their other ends, in `list`: every edge belongs to its lower end.
+inline std::span<const VertexNumber> owned_edges(TileMesh& mesh, VertexNumber v,
+                                                 std::vector<VertexNumber>& list) {
+  const std::span<const VertexNumber> neighbours = mesh.neighbours(v);
+  if (list.size() < neighbours.size()) list.resize(neighbours.size());
+  std::size_t count = 0;
+  for (const VertexNumber w : neighbours) {
+    list[count] = w;
+    count += (w > v) & !mesh.locked(w);
+  }
+  return {list.data(), count};
+}
+
+}  // namespace winnow
