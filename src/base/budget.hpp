@@ -7,6 +7,8 @@
 
 namespace winnow {
 
+inline constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
+
 class Budget;
 
 // A part of the budget; given back when it goes.

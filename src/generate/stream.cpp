@@ -48,7 +48,7 @@ class SharedCorners {
 };
 
 // Everything that one block needs on its way, kept for the next.
-struct Block {
+struct BlockWork {
   bool of_faces = false;
   std::uint64_t first = 0;
   std::size_t count = 0;
@@ -82,11 +82,11 @@ class Streaming {
   void run();
 
  private:
-  bool begin(Block& block);
-  void fill(Block& block) const;
-  void fill_vertices(Block& block) const;
-  void fill_faces(Block& block) const;
-  void finish(const Block& block);
+  bool begin(BlockWork& block);
+  void fill(BlockWork& block) const;
+  void fill_vertices(BlockWork& block) const;
+  void fill_faces(BlockWork& block) const;
+  void finish(const BlockWork& block);
   void evaluate(std::span<const std::uint64_t> ids, std::vector<Point>& points) const;
 
   Job& job_;
@@ -97,7 +97,7 @@ class Streaming {
   std::uint64_t next_vertex_ = 0, next_face_ = 0;
 };
 
-bool Streaming::begin(Block& block) {
+bool Streaming::begin(BlockWork& block) {
   block.of_faces = next_vertex_ == vertices_;
   std::uint64_t& next = block.of_faces ? next_face_ : next_vertex_;
   const std::uint64_t end = block.of_faces ? file_.shape.faces : vertices_;
@@ -116,7 +116,7 @@ void Streaming::evaluate(std::span<const std::uint64_t> ids, std::vector<Point>&
   }
 }
 
-void Streaming::fill(Block& block) const {
+void Streaming::fill(BlockWork& block) const {
   job_.progress.check_cancelled();
   block.ids.resize(block.count);
   std::iota(block.ids.begin(), block.ids.end(), block.first);
@@ -124,14 +124,14 @@ void Streaming::fill(Block& block) const {
   block.of_faces ? fill_faces(block) : fill_vertices(block);
 }
 
-void Streaming::fill_vertices(Block& block) const {
+void Streaming::fill_vertices(BlockWork& block) const {
   evaluate(block.ids, block.points);
   block.vertices.resize(block.count);
   for (std::size_t k = 0; k < block.count; ++k) block.vertices[k].position = block.points[k];
   file_.encoder.vertices(file_.shape, block.vertices, block.bytes);
 }
 
-void Streaming::fill_faces(Block& block) const {
+void Streaming::fill_faces(BlockWork& block) const {
   if (file_.options.shuffle) {
     for (std::uint64_t& id : block.ids) id = scatter_(id);
   }
@@ -152,7 +152,7 @@ void Streaming::fill_faces(Block& block) const {
   file_.encoder.faces(file_.shape, block.faces, block.corners, block.bytes);
 }
 
-void Streaming::finish(const Block& block) {
+void Streaming::finish(const BlockWork& block) {
   sink_.write(block.bytes);
   // Progress is told in faces; where there are vertices, they are the first half of the way.
   const auto faces = static_cast<double>(file_.shape.faces);
@@ -176,9 +176,9 @@ void Streaming::run() {
   }
   job_.progress.begin("generate", file_.shape.faces, "faces");
   in_arena(job_, [&] {
-    pipeline<Block>(
-        reservations.size(), [this](Block& block) { return begin(block); },
-        [this](Block& block) { fill(block); }, [this](const Block& block) { finish(block); });
+    pipeline<BlockWork>(
+        reservations.size(), [this](BlockWork& block) { return begin(block); },
+        [this](BlockWork& block) { fill(block); }, [this](const BlockWork& block) { finish(block); });
   });
 }
 

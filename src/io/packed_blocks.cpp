@@ -11,7 +11,6 @@ namespace winnow {
 
 namespace {
 
-constexpr std::size_t write_bytes = std::size_t{1} << 18;
 constexpr std::size_t most_plain = std::size_t{1} << 16;  // bytes a block
 
 [[noreturn]] void damaged() {
@@ -40,14 +39,14 @@ PackedFile::PackedFile(Job& job) : file_(job.scratch), encoder_(std::make_unique
   if (encoder_->context == nullptr) throw Error(ErrorKind::resources, "no memory for a zstd encoder");
   ZSTD_CCtx_setParameter(encoder_->context.get(), ZSTD_c_compressionLevel, 1);
   ZSTD_CCtx_setParameter(encoder_->context.get(), ZSTD_c_checksumFlag, 1);
-  pending_.reserve(write_bytes);
+  pending_.reserve(scratch_write_bytes);
 }
 
 PackedFile::~PackedFile() = default;
 
 void PackedFile::append(std::span<const std::byte> block) {
   const std::size_t bound = ZSTD_compressBound(block.size());
-  if (pending_.size() + sizeof(BlockHead) + bound > write_bytes) flush();
+  if (pending_.size() + sizeof(BlockHead) + bound > scratch_write_bytes) flush();
   const std::size_t at = pending_.size();
   pending_.resize(at + sizeof(BlockHead) + bound);
   const std::size_t packed = ZSTD_compress2(encoder_->context.get(), pending_.data() + at + sizeof(BlockHead),

@@ -36,6 +36,9 @@ unsigned remove_stale_files(const std::string& directory, const std::string& nam
 // How scratch files are called for the moment they have a name (on file systems without nameless files).
 inline constexpr const char* scratch_prefix = "winnow-scratch-";
 
+// What is written to one at a time.
+inline constexpr std::size_t scratch_write_bytes = std::size_t{1} << 18;
+
 // One such file: written by appending, read at any place. Appending is for one thread at a time.
 class ScratchFile {
  public:

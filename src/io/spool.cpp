@@ -5,10 +5,6 @@
 
 namespace winnow {
 
-namespace {
-constexpr std::size_t write_bytes = std::size_t{1} << 18;
-}
-
 Spool::Spool(Job& job, std::uint64_t memory_limit) : job_(job), pages_(job.budget, memory_limit) {}
 
 void Spool::append(std::span<const std::byte> bytes) {
@@ -21,8 +17,8 @@ void Spool::append(std::span<const std::byte> bytes) {
     }
     move_to_scratch();
   }
-  if (pending_.size() + bytes.size() > write_bytes) flush();
-  if (bytes.size() >= write_bytes) {
+  if (pending_.size() + bytes.size() > scratch_write_bytes) flush();
+  if (bytes.size() >= scratch_write_bytes) {
     file_->append(bytes);
   } else {
     pending_.insert(pending_.end(), bytes.begin(), bytes.end());
@@ -34,7 +30,7 @@ void Spool::move_to_scratch() {
   file_ = std::make_unique<ScratchFile>(job_.scratch);
   if (size_ > 0) file_->append({pages_.data(), size_});
   pages_.give_back();
-  pending_.reserve(write_bytes);
+  pending_.reserve(scratch_write_bytes);
 }
 
 void Spool::flush() {
@@ -59,7 +55,7 @@ void Spool::read(std::uint64_t offset, std::span<std::byte> into) const {
 
 void Spool::for_each_part(std::size_t unit,
                           const std::function<void(std::span<const std::byte>)>& each) const {
-  const std::size_t part = std::max<std::size_t>(1, write_bytes / unit) * unit;
+  const std::size_t part = std::max<std::size_t>(1, scratch_write_bytes / unit) * unit;
   std::vector<std::byte> buffer(in_memory() ? 0 : part);
   for (std::uint64_t at = 0; at < size_; at += part) {
     const std::size_t length = std::min<std::uint64_t>(part, size_ - at);

@@ -2,6 +2,7 @@
 #include <winnow/compare.hpp>
 #include <winnow/error.hpp>
 
+#include "base/budget.hpp"
 #include "base/hash.hpp"
 #include "base/text.hpp"
 #include "io/arena.hpp"
@@ -29,7 +30,6 @@ namespace winnow {
 
 namespace {
 
-constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 constexpr std::size_t batch_faces = 2048;
 
 // Blocks in flight, sums and recent vertices of each thread, Embree itself.

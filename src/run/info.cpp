@@ -1,6 +1,7 @@
 #include <winnow/error.hpp>
 #include <winnow/info.hpp>
 
+#include "base/budget.hpp"
 #include "base/exact_sum.hpp"
 #include "base/per_slot.hpp"
 #include "base/text.hpp"
@@ -15,8 +16,6 @@
 namespace winnow {
 
 namespace {
-
-constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 
 struct InfoMemory {
   ReaderMemory reader;

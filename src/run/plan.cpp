@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/budget.hpp"
 #include "base/text.hpp"
 #include "cluster/face_list.hpp"
 #include "cluster/resolution.hpp"
@@ -13,8 +14,6 @@
 namespace winnow {
 
 namespace {
-
-constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 
 // Mapped windows or blocks of a stream: 2 MiB each, a batch can hold two.
 std::uint64_t blocks_in_flight(unsigned threads, std::size_t batch_faces) {

@@ -10,7 +10,6 @@
 namespace winnow {
 
 namespace {
-constexpr std::size_t mebibyte = std::size_t{1} << 20;
 
 void fill(const GrowingPages& pages, std::size_t from, std::size_t to) {
   for (std::size_t i = from; i < to; ++i) pages.data()[i] = static_cast<std::byte>(i * 2654435761U >> 13);

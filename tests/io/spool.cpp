@@ -11,8 +11,6 @@ namespace winnow {
 
 namespace {
 
-constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
-
 void append_in_parts(Spool& spool, const std::string& content, test::Random& random, std::size_t most) {
   std::size_t at = 0;
   for (const std::size_t part : random.parts(content.size(), most)) {

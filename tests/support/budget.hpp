@@ -1,11 +1,10 @@
 // What a child may use.
 #pragma once
 
+#include "base/budget.hpp"
 #include "support/simplified.hpp"
 
 namespace winnow::test {
-
-inline constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 
 inline std::uint64_t bytes_of_size(const std::string& mebibytes) {
   return std::stoull(mebibytes) * mebibyte;
