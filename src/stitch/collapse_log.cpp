@@ -88,6 +88,12 @@ std::vector<std::uint64_t> CollapseLog::cut(std::uint64_t faces) const {
   return counts;
 }
 
+std::vector<std::uint64_t> CollapseLog::all() const {
+  std::vector<std::uint64_t> counts;
+  for (std::size_t tile = 0; tile < tiles(); ++tile) counts.push_back(first_[tile + 1] - first_[tile]);
+  return counts;
+}
+
 double CollapseLog::error(std::size_t tile, std::uint64_t count) const {
   return count == 0 ? 0 : at(first_[tile] + count - 1).error;
 }
