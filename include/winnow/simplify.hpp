@@ -78,6 +78,14 @@ struct BadFaces {
   }
 };
 
+// What had been done when a run went on from a checkpoint (checkpoint.hpp).
+struct Resumed {
+  bool clustered = false;    // the input was not read again
+  std::uint64_t rounds = 0;  // of refinement
+  std::uint64_t tiles = 0;   // of the round after those
+  bool written = false;      // all was done but to clear the checkpoint away
+};
+
 struct SimplifyReport {
   struct {
     std::uint64_t faces = 0;     // triangles read, bad ones included; polygons count as their triangles
@@ -121,14 +129,7 @@ struct SimplifyReport {
   } seconds;
   std::vector<std::string> notes;  // what was unusual about the input, a line each
 
-  // What had been done when a run went on from a checkpoint (checkpoint.hpp).
-  struct Resumed {
-    bool clustered = false;    // the input was not read again
-    std::uint64_t rounds = 0;  // of refinement
-    std::uint64_t tiles = 0;   // of the round after those
-    bool written = false;      // all was done but to clear the checkpoint away
-  };
-  std::optional<Resumed> resumed;
+  std::optional<Resumed> resumed;  // where the run went on from a checkpoint
 };
 
 // What a run would do, found from the input's header and size alone.

@@ -21,7 +21,6 @@ namespace winnow {
 namespace {
 
 constexpr const char* lock_name = "winnow-lock";
-constexpr const char* manifest_name = "manifest";
 constexpr const char* new_manifest_name = "manifest.new";
 constexpr const char* size_key = "file-size.";
 constexpr const char* sum_key = "file-checksum.";

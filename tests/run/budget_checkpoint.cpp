@@ -13,16 +13,16 @@ TEST_CASE("refining with a checkpoint stays within the smallest budget, resumed 
   for (const Words& options : {Words{"--faces", "100k", "--threads", "2"},
                                Words{"--error", "0.0003", "--detail", "full", "--threads", "1"}}) {
     const std::string memory = smallest_memory(input, options);
-    const Words speed{"--json", "--memory", memory, "--threads", options.back()};
+    const Words speed{"--json", "--memory", memory};
     INFO(joined(options) << " --memory " << memory);
     const std::string kept = directory.file("kept");
     const Words checkpoint{"--checkpoint", kept};
     check_budget(directory, input, options + checkpoint, memory);
     // Killed when the first round's mesh is brought to the disk.
     const Run killed = run_winnow(Words{"simplify", input, "-o", output} + options + speed + checkpoint,
-                                  {.fault = "sync 1 0 kept/stage-1"});
+                                  {.fault = "change 1 0 kept/stage-1"});
     REQUIRE(killed.signal == SIGKILL);
-    const Run resumed = run_winnow(Words{"resume", kept} + speed);
+    const Run resumed = run_winnow(Words{"resume", kept, "--threads", options.back()} + speed);
     check_peak(resumed, memory);
     CHECK(resumed.json()["resumed"]["tiles"] > 5);
     ::unlink(output.c_str());

@@ -79,7 +79,7 @@ SimplifyOptions options_of(const Arguments& arguments) {
   return options;
 }
 
-Json json_of(const std::optional<SimplifyReport::Resumed>& resumed) {
+Json json_of(const std::optional<Resumed>& resumed) {
   if (!resumed) return nullptr;
   return {{"clustered", resumed->clustered},
           {"rounds", resumed->rounds},
@@ -130,7 +130,7 @@ Json json_of(const SimplifyReport& report) {
 }
 
 // What had been done before.
-std::string describe(const SimplifyReport::Resumed& resumed) {
+std::string describe(const Resumed& resumed) {
   if (resumed.written) return "all was done";
   if (!resumed.clustered) return "nothing was done yet";
   std::string text = "the input was read";
