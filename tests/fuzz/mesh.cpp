@@ -72,7 +72,9 @@ void read_mesh(std::span<const std::byte> bytes) {
   const std::string content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const std::optional<Faces> file = read(content, Kind::file, Access::repeatedly, 8192);
   expect(read(content, Kind::file, Access::once, 5) == file, "small batches give the same");
-  expect(read(content, Kind::pipe, Access::positions_first, 8192) == file, "a pipe gives the same");
+  // Only a file tells beforehand that something is missing which nobody asks for.
+  const std::optional<Faces> pipe = read(content, Kind::pipe, Access::positions_first, 8192);
+  expect(pipe == file || !file, "a pipe gives the same");
 }
 
 }  // namespace winnow::fuzz
