@@ -78,6 +78,14 @@ struct BadFaces {
   }
 };
 
+// What had been done when a run went on from a checkpoint (checkpoint.hpp).
+struct Resumed {
+  bool clustered = false;    // the input was not read again
+  std::uint64_t rounds = 0;  // of refinement
+  std::uint64_t tiles = 0;   // of the round after those
+  bool written = false;      // all was done but to clear the checkpoint away
+};
+
 struct SimplifyReport {
   struct {
     std::uint64_t faces = 0;     // triangles read, bad ones included; polygons count as their triangles
@@ -87,6 +95,7 @@ struct SimplifyReport {
   } input;
   struct {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;
+    std::string name;  // as it was given
   } output;
 
   std::optional<std::uint64_t> target_faces;  // with faces and ratio
@@ -119,6 +128,8 @@ struct SimplifyReport {
            write = 0;  // read: before the first face is clustered
   } seconds;
   std::vector<std::string> notes;  // what was unusual about the input, a line each
+
+  std::optional<Resumed> resumed;  // where the run went on from a checkpoint
 };
 
 // What a run would do, found from the input's header and size alone.

@@ -6,6 +6,7 @@
 #include "base/per_slot.hpp"
 #include "base/text.hpp"
 #include "cluster/representative.hpp"
+#include "io/spool_records.hpp"
 
 #include <algorithm>
 #include <array>
@@ -196,17 +197,15 @@ void collect_numbered_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64
                             ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
   FaceFuser fuser(faces);
-  std::vector<std::uint32_t> numbers;
+  Appender<std::uint32_t> append(job, *mesh.faces);
   for (FusedFaces chunk = fuser.chunk(); !chunk.faces.empty(); chunk = fuser.chunk()) {
-    job.progress.check_cancelled();
-    numbers.clear();
     for (const Triple& triple : chunk.faces) {
-      for (const CellKey number : triple.cell) numbers.push_back(static_cast<std::uint32_t>(number));
+      for (const CellKey number : triple.cell) append.add(static_cast<std::uint32_t>(number));
     }
-    mesh.faces->append(std::as_bytes(std::span(numbers)));
     mesh.face_count += chunk.faces.size();
     mesh.fused += chunk.fused;
   }
+  append.flush();
   mesh.faces->finish();
 }
 

@@ -1,6 +1,7 @@
 #include "cluster/vertex_index.hpp"
 
 #include "base/hash.hpp"
+#include "io/spool_records.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -9,6 +10,13 @@
 namespace winnow {
 
 VertexIndex::VertexIndex(Job& job, std::uint64_t memory) : job_(job), records_(job, memory) {}
+
+VertexIndex::VertexIndex(Job& job, Spool records)
+    : job_(job), records_(std::move(records)), size_(record_count<IndexedVertex>(records_)) {
+  for (std::uint64_t v = 0; v < size_; v += block_vertices)
+    first_keys_.push_back(read_record<IndexedVertex>(records_, v).key);
+  finish();
+}
 
 void VertexIndex::append(std::span<const IndexedVertex> vertices) {
   for (const IndexedVertex& vertex : vertices) {

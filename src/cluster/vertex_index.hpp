@@ -27,6 +27,8 @@ static_assert(sizeof(IndexedVertex) == 48);
 class VertexIndex {
  public:
   VertexIndex(Job& job, std::uint64_t memory);
+  // Finished already: of the records() of another.
+  VertexIndex(Job& job, Spool records);
 
   void append(std::span<const IndexedVertex> vertices);
   void finish();

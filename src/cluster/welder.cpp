@@ -8,13 +8,12 @@
 #include "cluster/face_list.hpp"
 #include "cluster/resolution.hpp"
 #include "cluster/result_mesh.hpp"
+#include "io/spool_records.hpp"
 #include "read/for_each_batch.hpp"
 
 namespace winnow {
 
 namespace {
-
-constexpr std::size_t chunk_vertices = 2048;
 
 struct WeldedPoint {
   CellKey key;
@@ -74,18 +73,14 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMem
   });
   MergedCursor<WeldedPoint> merged = points.merged();
   mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
-  std::vector<IndexedVertex> chunk;
+  Appender<IndexedVertex, VertexIndex> append(job, *mesh.vertices);
   for (WeldedPoint point; merged.next(point);) {
     IndexedVertex vertex;
     vertex.key = point.key;
     vertex.position = point.position;
-    chunk.push_back(vertex);
-    if (chunk.size() < chunk_vertices) continue;
-    mesh.vertices->append(chunk);
-    chunk.clear();
-    job.progress.check_cancelled();
+    append.add(vertex);
   }
-  mesh.vertices->append(chunk);
+  append.flush();
   mesh.vertices->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(ErrorKind::failed,

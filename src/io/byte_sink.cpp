@@ -44,6 +44,27 @@ std::string behind_links(const std::string& path) {
 
 }  // namespace
 
+namespace {
+
+// No other file has the same number while this one is there, and hardly one later the same time besides.
+std::string identity_of(const struct stat& status) {
+  return std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino) + ":" +
+         std::to_string(status.st_size) + ":" + std::to_string(status.st_mtim.tv_sec) + "." +
+         std::to_string(status.st_mtim.tv_nsec);
+}
+
+}  // namespace
+
+std::string ByteSink::identity() const {
+  struct stat status {};
+  return aside_.empty() || ::fstat(fd_, &status) != 0 ? "" : identity_of(status);
+}
+
+bool ByteSink::is(const std::string& path, const std::string& identity) {
+  struct stat status {};
+  return !identity.empty() && ::stat(path.c_str(), &status) == 0 && identity_of(status) == identity;
+}
+
 ByteSink::ByteSink(Job& job, std::string path, bool force)
     : job_(job), path_(std::move(path)), force_(force) {
   buffer_.reserve(buffer_bytes);

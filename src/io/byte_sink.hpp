@@ -28,6 +28,13 @@ class ByteSink {
   // Everything that can fail for want of room; of several files, all are settled before any is finished.
   void settle();
   void finish();
+
+  // Names the file that settle() brought to the disk, also when it is under its own name; empty where it is
+  // written straight.
+  [[nodiscard]] std::string identity() const;
+  // Whether the file of this name is that one.
+  static bool is(const std::string& path, const std::string& identity);
+
   [[nodiscard]] std::uint64_t written() const { return written_; }
 
  private:

@@ -16,11 +16,12 @@
 namespace winnow {
 
 struct Job {
-  explicit Job(Context& c)
+  // `scratch_directory`: where the context names none.
+  explicit Job(Context& c, const std::string& scratch_directory = {})
       : context(c),
         threads(c.threads == 0 ? processors() : c.threads),
         budget(c.memory),
-        scratch(c.scratch),
+        scratch(c.scratch.empty() ? scratch_directory : c.scratch),
         progress(c) {}
 
   // Remembers one line about the run for its report, and tells it at once where somebody listens.

@@ -70,8 +70,17 @@ ScratchFile::ScratchFile(Scratch& scratch) : scratch_(scratch), fd_(open_nameles
   if (fd_ < 0) scratch_error(scratch.directory(), "create", errno);
 }
 
+ScratchFile::ScratchFile(Scratch& scratch, const std::string& path)
+    : scratch_(scratch), fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), named_(true) {
+  struct stat status {};
+  if (fd_ < 0 || ::fstat(fd_, &status) != 0) {
+    throw Error(ErrorKind::bad_input, "cannot open '" + path + "': " + std::strerror(errno));
+  }
+  size_ = static_cast<std::uint64_t>(status.st_size);
+}
+
 ScratchFile::~ScratchFile() {
-  scratch_.forget(size_);
+  if (!named_) scratch_.forget(size_);
   ::close(fd_);
 }
 
@@ -99,6 +108,12 @@ void ScratchFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
 
 std::string ScratchFile::path() const {
   return "/proc/self/fd/" + std::to_string(fd_);
+}
+
+bool ScratchFile::keep_as(const std::string& name) const {
+  if (::linkat(AT_FDCWD, path().c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) return false;
+  if (::fsync(fd_) != 0) scratch_error(scratch_.directory(), "write", errno);
+  return true;
 }
 
 }  // namespace winnow

@@ -43,6 +43,9 @@ inline constexpr std::size_t scratch_write_bytes = std::size_t{1} << 18;
 class ScratchFile {
  public:
   explicit ScratchFile(Scratch& scratch);
+  // One that has a name already, to be read alone: it keeps its name. Throws Error(bad_input) where it is not
+  // there.
+  ScratchFile(Scratch& scratch, const std::string& path);
   ~ScratchFile();
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
@@ -52,9 +55,14 @@ class ScratchFile {
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[nodiscard]] std::string path() const;  // a name by which this process can open it again
 
+  // Gives the file this name, by which it stays, and brings it to the disk. False where that is in another
+  // file system, or this one has no nameless files.
+  [[nodiscard]] bool keep_as(const std::string& name) const;
+
  private:
   Scratch& scratch_;
   int fd_ = -1;
+  bool named_ = false;
   std::uint64_t size_ = 0;
 };
 

@@ -7,6 +7,16 @@ namespace winnow {
 
 Spool::Spool(Job& job, std::uint64_t memory_limit) : job_(job), pages_(job.budget, memory_limit) {}
 
+Spool::Spool(Job& job, std::uint64_t memory_limit, std::unique_ptr<ScratchFile> file)
+    : Spool(job, memory_limit) {
+  size_ = file->size();
+  if (pages_.grow_to(size_)) {
+    file->read(0, {pages_.data(), size_});
+  } else {
+    file_ = std::move(file);
+  }
+}
+
 void Spool::append(std::span<const std::byte> bytes) {
   if (bytes.empty()) return;
   if (file_ == nullptr) {

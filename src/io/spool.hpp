@@ -17,6 +17,8 @@ class Spool {
  public:
   // Uses at most `memory_limit` bytes of the budget, and none that the budget refuses.
   Spool(Job& job, std::uint64_t memory_limit);
+  // Finished already: the content of `file`, in memory where it fits there.
+  Spool(Job& job, std::uint64_t memory_limit, std::unique_ptr<ScratchFile> file);
 
   void append(std::span<const std::byte> bytes);
   void finish();

@@ -39,8 +39,11 @@ class HeaderParser {
     if (next_line() != "ply") fail("does not begin with 'ply'");
     bool has_format = false;
     for (;;) {
-      const std::vector<std::string_view> words = split(next_line());
+      const std::string_view line = next_line();
+      const std::vector<std::string_view> words = split(line);
       if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+      // They would end up in messages.
+      if (std::any_of(line.begin(), line.end(), is_control)) fail("has bytes that are no text");
       if (words[0] == "end_header") break;
       if (words[0] == "format") {
         parse_format(words);
@@ -93,6 +96,8 @@ class HeaderParser {
     text_.assign(reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size());
     return true;
   }
+
+  static bool is_control(char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f'; }
 
   static std::vector<std::string_view> split(std::string_view line) {
     std::vector<std::string_view> words;

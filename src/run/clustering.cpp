@@ -52,7 +52,20 @@ Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& opti
   settings_.keep_quadrics = options.error || options.relative_error;
 }
 
-ClusteredMesh Clustering::run() {
+Clustered Clustering::run() {
+  Clustered out;
+  out.mesh = as_asked();
+  out.target = target_;
+  out.error = error_;
+  out.normals = reader_.facts().normals;
+  out.double_positions = reader_.facts().double_positions;
+  report_.cell_size = settings_.grid.cell;
+  report_.input.vertices = reader_.facts().vertices.value_or(0);
+  report_.input.bytes = reader_.bytes();
+  return out;
+}
+
+ClusteredMesh Clustering::as_asked() {
   if (options_.cell || options_.grid) {
     settings_.grid = options_.cell ? grid_of_cell() : grid_of_box();
     return once();

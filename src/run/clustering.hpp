@@ -12,22 +12,26 @@
 
 namespace winnow {
 
+// What all that comes after has to know of it.
+struct Clustered {
+  ClusteredMesh mesh;
+  std::uint64_t target = 0;       // faces wanted; 0 where an error says how many
+  double error = 0;               // the error wanted, in model units; 0 where faces are counted
+  bool normals = false;           // of the input
+  bool double_positions = false;  // likewise
+};
+
+// Fills what the report says of input and cells.
 class Clustering {
  public:
   Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options, const MemoryPlan& plan,
              SimplifyReport& report);
 
   // The mesh that is written, or, if it is going to be refined, what that starts from.
-  ClusteredMesh run();
-
-  // After run(): the faces wanted; 0 where an error says how many.
-  [[nodiscard]] std::uint64_t target() const { return target_; }
-  // The error wanted, in model units; 0 where faces are counted.
-  [[nodiscard]] double error() const { return error_; }
-  // Edge of a cell; 0 where equal positions were welded.
-  [[nodiscard]] double cell() const { return settings_.grid.cell; }
+  Clustered run();
 
  private:
+  ClusteredMesh as_asked();
   Grid grid_of_cell();
   Grid grid_of_box();
   ClusteredMesh to_error();

@@ -26,34 +26,38 @@ const char* name_of(StoppedBy reason) {
 
 }  // namespace
 
-ClusteredMesh refined(Job& job, ClusteredMesh mesh, const SimplifyOptions& options,
-                      const Clustering& clustering, bool single, SimplifyReport& report) {
+ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options,
+                      CheckpointDirectory* checkpoint, SimplifyReport& report) {
   RefineSettings settings;
-  settings.faces = clustering.target();
+  settings.faces = clustered.target;
   settings.decimation.cost = collapse_cost(cost_of(options));
-  settings.decimation.single = single;
+  settings.decimation.single = !clustered.double_positions;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
   settings.decimation.keep_borders = options.borders == Borders::keep;
-  if (clustering.error() > 0) settings.decimation.error = clustering.error();
+  if (clustered.error > 0) settings.decimation.error = clustered.error;
   // In eighths of what clustering left: four for tiles, two for the mesh that comes out, one each for what
   // was collapsed and for sorting.
   const std::uint64_t left = job.budget.left();
   const RefineMemory memory{left / 2, left / 8, left / 4, left / 8};
-  RefinedMesh whole{std::move(mesh), nullptr};
+  RefinedMesh whole{std::move(clustered.mesh), nullptr};
   whole.state = std::move(whole.mesh.quadrics);
   RefineReport done;
-  ClusteredMesh out = refine(job, std::move(whole), settings, memory, done);
+  ClusteredMesh out = refine(job, std::move(whole), settings, memory, done, checkpoint);
   if (out.face_count == 0) {
     throw Error(ErrorKind::failed,
                 std::string("no face is left: faces without neighbours ") +
-                    (clustering.error() > 0 ? "are all smaller than the error; choose a smaller one"
-                                            : "go first; choose more faces"));
+                    (clustered.error > 0 ? "are all smaller than the error; choose a smaller one"
+                                         : "go first; choose more faces"));
   }
   report.refine.cost = cost_of(options);
   report.refine.tiles = done.tiles;
   report.refine.collapses = done.collapses;
   report.refine.max_error = done.largest_error;
   report.refine.stopped_by = name_of(done.stopped_by);
+  if (report.resumed) {
+    report.resumed->rounds = done.rounds_before;
+    report.resumed->tiles = done.tiles_before;
+  }
   if (done.stopped_by == StoppedBy::topology) {
     job.note("no edge can be collapsed any more without changing what the surface is: " +
              grouped(out.face_count) + " faces are left instead of " + grouped(settings.faces));

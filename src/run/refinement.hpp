@@ -4,13 +4,14 @@
 #include <winnow/simplify.hpp>
 
 #include "cluster/clusterer.hpp"
+#include "io/checkpoint_directory.hpp"
 #include "io/job.hpp"
 #include "run/clustering.hpp"
 
 namespace winnow {
 
-// Fills report.refine. `single`: positions are floats.
-ClusteredMesh refined(Job& job, ClusteredMesh mesh, const SimplifyOptions& options,
-                      const Clustering& clustering, bool single, SimplifyReport& report);
+// Fills report.refine, and what was resumed. `checkpoint`: null where nothing is kept.
+ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options,
+                      CheckpointDirectory* checkpoint, SimplifyReport& report);
 
 }  // namespace winnow

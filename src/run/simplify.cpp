@@ -1,4 +1,6 @@
 // The road: read, cluster, refine, write.
+#include <winnow/checkpoint.hpp>
+#include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
 #include "io/arena.hpp"
@@ -6,6 +8,7 @@
 #include "run/clustering.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
+#include "run/simplify_checkpoint.hpp"
 #include "run/simplify_options.hpp"
 #include "run/write_mesh.hpp"
 #include "write/mesh_encoder.hpp"
@@ -17,57 +20,90 @@ namespace winnow {
 
 namespace {
 
-SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::string& output,
-                                 const SimplifyOptions& options) {
-  const Stopwatch watch;
-  // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
-  if (input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
-  const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output);
-  remove_stale_files(job.scratch.directory(), scratch_prefix);
-  ByteSink sink(job, output, options.force);
-  SimplifyReport report;
-
-  // Decompressing takes memory of its own, which shows with the first bytes; the rest is divided.
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
-  std::unique_ptr<ByteSource> source = open_source(job, input);
-  source->peek(1);
-  const MemoryPlan plan =
-      MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, sums_quadrics(options));
-  job.budget.expect(0);
-  const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
+Clustered cluster(Job& job, std::unique_ptr<ByteSource> source, const SimplifyOptions& options,
+                  const MemoryPlan& plan, const Stopwatch& watch, SimplifyReport& report) {
   const std::unique_ptr<MeshReader> reader =
       open_reader(job, std::move(source), options.from, access_for(options), plan.reader);
   Clustering clustering(job, *reader, options, plan, report);
   const double opened = watch.seconds();
-  ClusteredMesh mesh = clustering.run();
+  Clustered clustered = clustering.run();
   report.seconds.read += opened;
   report.seconds.cluster = watch.seconds() - report.seconds.read;
-  if (cost_of(options) != Refine::none) {
-    mesh = refined(job, std::move(mesh), options, clustering, !reader->facts().double_positions, report);
+  return clustered;
+}
+
+SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, SimplifyCheckpoint& checkpoint) {
+  const SimplifyOptions& options = request.options;
+  const Stopwatch watch;
+  // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
+  if (request.input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
+  const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, request.output);
+  remove_stale_files(job.scratch.directory(), scratch_prefix);
+  ByteSink sink(job, request.output, options.force);
+  SimplifyReport report;
+  if (checkpoint.opened()) report.resumed.emplace();
+
+  // Decompressing takes memory of its own, which shows with the first bytes; the rest is divided.
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
+  std::unique_ptr<ByteSource> source;
+  if (!checkpoint.has_mesh()) {
+    source = open_source(job, request.input);
+    source->peek(1);
+  }
+  const MemoryPlan plan =
+      MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, sums_quadrics(options));
+  job.budget.expect(0);
+  const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
+  Clustered clustered;
+  if (checkpoint.has_mesh()) {
+    clustered = checkpoint.load(job, plan.cluster.vertices + plan.cluster.result, report);
+    report.seconds = {};
+    report.seconds.read = watch.seconds();
+  } else {
+    checkpoint.begun();
+    clustered = cluster(job, std::move(source), options, plan, watch, report);
+    checkpoint.save(job, clustered, report);
+  }
+  const bool normals = options.normals || clustered.normals;
+  const bool double_positions = clustered.double_positions;
+  ClusteredMesh mesh;
+  if (cost_of(options) == Refine::none) {
+    mesh = std::move(clustered.mesh);
+  } else {
+    mesh = refined(job, std::move(clustered), options, checkpoint.directory(), report);
     report.seconds.refine = watch.seconds() - report.seconds.read - report.seconds.cluster;
   }
 
-  const MeshShape shape{mesh.vertices->size(), mesh.face_count, options.normals || reader->facts().normals,
-                        reader->facts().double_positions, "simplified by winnow"};
+  const MeshShape shape{mesh.vertices->size(), mesh.face_count, normals, double_positions,
+                        "simplified by winnow"};
   write_mesh(job, mesh, shape, *encoder, sink);
-  sink.finish();
+  sink.settle();
 
-  report.input.vertices = reader->facts().vertices.value_or(0);
-  report.input.bytes = reader->bytes();
-  report.output = {mesh.face_count, mesh.vertices->size(), sink.written()};
-  report.cell_size = clustering.cell();
+  report.output = {mesh.face_count, mesh.vertices->size(), sink.written(), request.output};
   report.cells = mesh.cells;
   report.turned_faces = mesh.turned;
   report.fused_faces = mesh.fused;
-  report.error_bound = clustering.cell() * std::sqrt(3.0);
+  report.error_bound = report.cell_size * std::sqrt(3.0);
   report.spilled_bytes = job.scratch.written();
   report.peak_scratch_bytes = job.scratch.peak();
+  report.notes = job.notes;
+  checkpoint.settled(sink, report);
+  sink.finish();
+  checkpoint.finish(job);
+
   report.peak_memory_bytes = peak_resident_bytes();
   report.seconds.total = watch.seconds();
   report.seconds.write =
       report.seconds.total - report.seconds.cluster - report.seconds.read - report.seconds.refine;
-  report.notes = job.notes;
   return report;
+}
+
+SimplifyReport simplify_with(Job& job, const SimplifyRequest& request, SimplifyCheckpoint checkpoint) {
+  try {
+    return in_arena(job, [&] { return simplify_in_arena(job, request, checkpoint); });
+  } catch (const Error& error) {
+    checkpoint.fail(error);
+  }
 }
 
 }  // namespace
@@ -76,7 +112,30 @@ SimplifyReport simplify(Context& context, const std::string& input, const std::s
                         const SimplifyOptions& options) {
   check(options);
   Job job(context);
-  return in_arena(job, [&] { return simplify_in_arena(job, input, output, options); });
+  return simplify_with(job, {input, output, options}, {});
+}
+
+SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,
+                        const SimplifyOptions& options, const Checkpoint& settings) {
+  check(options);
+  Job job(context, settings.directory);
+  const SimplifyRequest request{input, output, options};
+  return simplify_with(job, request, SimplifyCheckpoint::begin(job, settings, request));
+}
+
+SimplifyReport resume(Context& context, const Checkpoint& settings) {
+  const Stopwatch watch;
+  Job job(context, settings.directory);
+  SimplifyCheckpoint checkpoint = SimplifyCheckpoint::open(job, settings);
+  const SimplifyRequest request = checkpoint.request();
+  SimplifyReport report;
+  if (!checkpoint.is_written(request.output, report))
+    return simplify_with(job, request, std::move(checkpoint));
+  report.resumed.emplace().written = true;
+  checkpoint.finish(job);
+  report.peak_memory_bytes = peak_resident_bytes();
+  report.seconds.total = watch.seconds();
+  return report;
 }
 
 }  // namespace winnow

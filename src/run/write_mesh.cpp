@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
+#include "io/spool_records.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,9 +57,8 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
   if (!encoder.needs_corners()) {
     write_chunks(job, shape.vertices, sink,
                  [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-                   std::vector<IndexedVertex> indexed(count);
-                   mesh.vertices->records().read(first * sizeof(IndexedVertex),
-                                                 std::as_writable_bytes(std::span(indexed)));
+                   const std::vector<IndexedVertex> indexed =
+                       read_records<IndexedVertex>(mesh.vertices->records(), first, count);
                    std::vector<MeshVertex> vertices(count);
                    std::transform(indexed.begin(), indexed.end(), vertices.begin(), finished);
                    encoder.vertices(shape, vertices, bytes);
@@ -68,12 +68,9 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
                                        [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
   write_chunks(
       job, shape.faces, sink, [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-        constexpr std::size_t size = 3 * sizeof(std::uint32_t);
-        std::vector<std::uint32_t> numbers(3 * count);
-        mesh.faces->read(first * size, std::as_writable_bytes(std::span(numbers)));
-        std::vector<MeshFace> faces(count);
-        for (std::size_t i = 0; i < count; ++i)
-          faces[i].vertex = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+        std::vector<MeshFace> faces;
+        for (const auto& numbers : read_records<std::array<std::uint32_t, 3>>(*mesh.faces, first, count))
+          faces.push_back({{numbers[0], numbers[1], numbers[2]}});
         std::vector<Corners> corners;
         if (encoder.needs_corners()) {
           VertexIndex::Reader& reader = readers.local();

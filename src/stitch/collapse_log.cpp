@@ -1,5 +1,7 @@
 #include "stitch/collapse_log.hpp"
 
+#include "io/spool_records.hpp"
+
 #include <bit>
 #include <limits>
 #include <span>
@@ -10,8 +12,8 @@ CollapseLog::CollapseLog(Job& job, std::uint64_t memory)
     : edges_(job, memory / 2), prices_(job, memory / 2) {}
 
 void CollapseLog::append(const std::vector<Collapse>& edges, const std::vector<Price>& prices) {
-  edges_.append(std::as_bytes(std::span(edges)));
-  prices_.append(std::as_bytes(std::span(prices)));
+  append_records<Collapse>(edges_, edges);
+  append_records<Price>(prices_, prices);
   first_.push_back(first_.back() + prices.size());
 }
 
@@ -21,9 +23,7 @@ void CollapseLog::finish() {
 }
 
 CollapseLog::Price CollapseLog::at(std::uint64_t entry) const {
-  Price price;
-  prices_.read(entry * sizeof price, std::as_writable_bytes(std::span(&price, 1)));
-  return price;
+  return read_record<Price>(prices_, entry);
 }
 
 std::uint64_t CollapseLog::count(std::size_t tile, double price, bool with_equal) const {
@@ -88,14 +88,18 @@ std::vector<std::uint64_t> CollapseLog::cut(std::uint64_t faces) const {
   return counts;
 }
 
+std::vector<std::uint64_t> CollapseLog::all() const {
+  std::vector<std::uint64_t> counts;
+  for (std::size_t tile = 0; tile < tiles(); ++tile) counts.push_back(first_[tile + 1] - first_[tile]);
+  return counts;
+}
+
 double CollapseLog::error(std::size_t tile, std::uint64_t count) const {
   return count == 0 ? 0 : at(first_[tile] + count - 1).error;
 }
 
 std::vector<Collapse> CollapseLog::edges(std::size_t tile, std::uint64_t count) const {
-  std::vector<Collapse> edges(count);
-  edges_.read(first_[tile] * sizeof(Collapse), std::as_writable_bytes(std::span(edges)));
-  return edges;
+  return read_records<Collapse>(edges_, first_[tile], count);
 }
 
 }  // namespace winnow

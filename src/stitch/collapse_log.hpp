@@ -33,6 +33,9 @@ class CollapseLog {
   // where all are not enough. Of equally cheap ones those of lower tiles come first.
   [[nodiscard]] std::vector<std::uint64_t> cut(std::uint64_t faces) const;
 
+  // All collapses of each tile.
+  [[nodiscard]] std::vector<std::uint64_t> all() const;
+
   // The price that such a cut reaches.
   [[nodiscard]] double price_of(std::uint64_t faces) const;
 

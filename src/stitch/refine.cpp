@@ -5,10 +5,11 @@
 #include "base/parallel.hpp"
 #include "stitch/collapse_log.hpp"
 #include "stitch/reorder.hpp"
+#include "stitch/saved_mesh.hpp"
 #include "stitch/smaller_mesh.hpp"
+#include "stitch/tried_tiles.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -47,12 +48,13 @@ class Steps {
 
 class Refiner {
  public:
-  Refiner(Job& job, const RefineSettings& settings, const RefineMemory& memory, RefineReport& report)
-      : job_(job), settings_(settings), memory_(memory), report_(report) {}
+  Refiner(Job& job, const RefineSettings& settings, const RefineMemory& memory, RefineReport& report,
+          CheckpointDirectory* checkpoint)
+      : job_(job), settings_(settings), memory_(memory), report_(report), checkpoint_(checkpoint) {}
 
   ClusteredMesh run(RefinedMesh whole) {
-    unsigned idle = 0;
-    for (report_.rounds = 1;; ++report_.rounds) {
+    if (restore()) return std::move(whole.mesh);
+    for (++report_.rounds;; ++report_.rounds) {
       const std::uint64_t before = whole.mesh.face_count;
       const Tiling tiling(whole.mesh, settings_.tile_faces);
       if (report_.rounds == 1) report_.tiles = tiling.tiles();
@@ -62,18 +64,51 @@ class Refiner {
       if (whole.mesh.face_count <= settings_.faces) break;
       // One tile has no borders that kept anything. Of several, two rounds that hardly helped say that no
       // other will: one for each way in which the tiles lie.
-      if (before - whole.mesh.face_count <= before / 1000) ++idle;
-      if (tiling.tiles() == 1 || idle > 1) {
+      if (before - whole.mesh.face_count <= before / 1000) ++idle_;
+      if (tiling.tiles() == 1 || idle_ > 1) {
         report_.stopped_by = settings_.decimation.error ? StoppedBy::error : StoppedBy::topology;
         break;
       }
       const bool back = report_.rounds % 2 == 0;
       whole = reorder(job_, std::move(whole), back, state_size(), memory_.lists, memory_.mesh);
+      keep(whole, false);
     }
+    keep(whole, true);
     return std::move(whole.mesh);
   }
 
  private:
+  // Sets what the rounds that a checkpoint holds have left. True where there is nothing more to do.
+  bool restore() {
+    if (checkpoint_ == nullptr || !checkpoint_->manifest().has("refine.rounds")) return false;
+    const Manifest& manifest = checkpoint_->manifest();
+    report_.rounds = report_.rounds_before = manifest.number("refine.rounds");
+    report_.tiles = manifest.number("refine.tiles");
+    report_.collapses = manifest.number("refine.collapses");
+    report_.largest_error = manifest.real("refine.largest_error");
+    report_.stopped_by = static_cast<StoppedBy>(manifest.number("refine.stopped_by"));
+    idle_ = static_cast<unsigned>(manifest.number("refine.idle"));
+    dearest_ = manifest.real("refine.dearest");
+    settings_.decimation.borders_known = true;
+    return manifest.number("refine.done") != 0;
+  }
+
+  void keep(const RefinedMesh& whole, bool done) {
+    if (checkpoint_ == nullptr) return;
+    job_.progress.begin("keep", 0, "bytes");
+    save_mesh(*checkpoint_, whole, report_.rounds);
+    Manifest& manifest = checkpoint_->manifest();
+    manifest.set("refine.rounds", report_.rounds);
+    manifest.set("refine.tiles", report_.tiles);
+    manifest.set("refine.collapses", report_.collapses);
+    manifest.set("refine.largest_error", report_.largest_error);
+    manifest.set("refine.stopped_by", static_cast<std::uint64_t>(report_.stopped_by));
+    manifest.set("refine.idle", std::uint64_t{idle_});
+    manifest.set("refine.dearest", dearest_);
+    manifest.set("refine.done", std::uint64_t{done});
+    checkpoint_->commit();
+  }
+
   [[nodiscard]] std::size_t state_size() const { return Decimation::state_size(settings_.decimation); }
 
   // What a round is going to remove, for its progress: the first of many tiles tries more than it keeps.
@@ -89,6 +124,11 @@ class Refiner {
       // Nothing goes but vertices without a face; the others get their normals.
       return make_smaller(whole, tiling, incoming, [](std::size_t, Decimation&) {});
     }
+    if (tiling.tiles() > 1 && settings_.faces == 0 && checkpoint_ != nullptr) {
+      CollapseLog log(job_, memory_.logs);
+      try_all(whole, tiling, incoming, no_limit, 0, log);
+      return repeat(whole, tiling, incoming, log, log.all());
+    }
     if (tiling.tiles() == 1 || settings_.faces == 0) {
       return make_smaller(whole, tiling, incoming, [&](std::size_t, Decimation& decimation) {
         Steps steps(job_.progress);
@@ -102,22 +142,28 @@ class Refiner {
     }
     const bool first = report_.rounds == 1;
     double more = more_headroom;
+    unsigned attempt = 0;
     for (double highest = first ? no_limit : first_headroom * dearest_;;
-         highest *= std::exchange(more, no_limit)) {
+         highest *= std::exchange(more, no_limit), ++attempt) {
       if (highest == 0) highest = no_limit;
       CollapseLog log(job_, memory_.logs);
-      const std::uint64_t frozen = try_all(whole, tiling, incoming, highest, log);
+      const std::uint64_t frozen = try_all(whole, tiling, incoming, highest, attempt, log);
       const std::uint64_t wanted =
           first ? wanted_first(whole.mesh.face_count, frozen) : whole.mesh.face_count - settings_.faces;
       if (log.removed() < wanted && highest < no_limit) continue;
       dearest_ = log.price_of(std::min(wanted, log.removed()));
-      const std::vector<std::uint64_t> counts = log.cut(wanted);
-      return make_smaller(whole, tiling, incoming, [&](std::size_t tile, Decimation& decimation) {
-        for (const Collapse& edge : log.edges(tile, counts[tile])) decimation.repeat(edge);
-        job_.progress.check_cancelled();
-        tell(counts[tile], log.error(tile, counts[tile]));
-      });
+      return repeat(whole, tiling, incoming, log, log.cut(wanted));
     }
+  }
+
+  // What is left when so many collapses of each tile are repeated.
+  RefinedMesh repeat(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
+                     const CollapseLog& log, const std::vector<std::uint64_t>& counts) {
+    return make_smaller(whole, tiling, incoming, [&](std::size_t tile, Decimation& decimation) {
+      for (const Collapse& edge : log.edges(tile, counts[tile])) decimation.repeat(edge);
+      job_.progress.check_cancelled();
+      tell(counts[tile], log.error(tile, counts[tile]));
+    });
   }
 
   // How many faces the first round removes. The faces that the borders freeze will become fewer in
@@ -134,10 +180,10 @@ class Refiner {
     report_.largest_error = std::max(report_.largest_error, largest_error);
   }
 
-  // Tiles in order, several at once while their memory lasts: work(tile number) on any thread, finish in
-  // order.
+  // Tiles from `first` on in order, several at once while their memory lasts: work(tile number) on any
+  // thread, finish in order.
   template <typename Item, typename Work, typename Finish>
-  void for_each_tile(const Tiling& tiling, const IncomingFaces& incoming, const Work& work,
+  void for_each_tile(const Tiling& tiling, const IncomingFaces& incoming, std::size_t first, const Work& work,
                      const Finish& finish) {
     std::uint64_t largest = 0;
     for (std::size_t t = 0; t < tiling.tiles(); ++t) {
@@ -149,7 +195,7 @@ class Refiner {
     }
     const std::uint64_t at_once = std::clamp<std::uint64_t>(memory_.tiles / largest, 1, job_.threads);
     const Reservation reserved = job_.budget.reserve(at_once * largest, "tiles");
-    std::size_t next = 0;
+    std::size_t next = first;
     pipeline<std::pair<std::size_t, Item>>(
         at_once,
         [&](auto& item) {
@@ -163,33 +209,34 @@ class Refiner {
   // Collapses what can be collapsed and writes it down; nothing is changed. Returns how many faces cannot
   // change because of the borders between tiles.
   std::uint64_t try_all(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
-                        double highest, CollapseLog& log) {
-    struct Tried {
-      std::vector<Collapse> edges;
-      std::vector<CollapseLog::Price> prices;
-    };
-    std::atomic<std::uint64_t> frozen{0};
+                        double highest, unsigned attempt, CollapseLog& log) {
+    std::uint64_t frozen = 0;
     const bool first = report_.rounds == 1;
-    for_each_tile<Tried>(
-        tiling, incoming,
-        [&](std::size_t number, Tried& tried) {
-          tried.edges.clear();
-          tried.prices.clear();
+    TriedTiles kept(checkpoint_, report_.rounds, attempt);
+    std::size_t known = 0;
+    for (TriedTile tried; known < tiling.tiles() && kept.next(tried); ++known) {
+      log.append(tried.edges, tried.prices);
+      frozen += tried.frozen;
+      job_.progress.advance(tried.prices.empty() ? 0 : tried.prices.back().removed);
+    }
+    if (report_.rounds == report_.rounds_before + 1) report_.tiles_before += known;
+    for_each_tile<TriedTile>(
+        tiling, incoming, known,
+        [&](std::size_t number, TriedTile& tried) {
+          tried.clear();
           Tile tile = load_tile(whole, tiling, incoming, number, state_size());
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
-          std::uint64_t still = 0;
           for (FaceNumber f = 0; f < tile.own_faces; ++f) {
             const FaceVertices& face = mesh.face(f);
-            still += mesh.locked(face[0]) || mesh.locked(face[1]) || mesh.locked(face[2]);
+            tried.frozen += mesh.locked(face[0]) || mesh.locked(face[1]) || mesh.locked(face[2]);
           }
-          frozen += still;
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
           CollapseLimits limits{0, highest};
-          if (first) {
+          if (first && settings_.faces > 0) {
             const double share =
                 static_cast<double>(settings_.faces) / static_cast<double>(whole.mesh.face_count);
-            const auto others = static_cast<double>(mesh.face_count() - tile.own_faces + still);
+            const auto others = static_cast<double>(mesh.face_count() - tile.own_faces + tried.frozen);
             limits.faces =
                 static_cast<std::uint64_t>(deepest * share * static_cast<double>(tile.own_faces) + others);
           }
@@ -202,7 +249,11 @@ class Refiner {
             steps.add(done.faces);
           });
         },
-        [&](std::size_t, const Tried& tried) { log.append(tried.edges, tried.prices); });
+        [&](std::size_t, const TriedTile& tried) {
+          log.append(tried.edges, tried.prices);
+          frozen += tried.frozen;
+          kept.append(tried);
+        });
     log.finish();
     return frozen;
   }
@@ -213,7 +264,7 @@ class Refiner {
                            const Shrink& shrink) {
     SmallerMesh smaller(job_, state_size(), memory_.mesh);
     for_each_tile<TileRest>(
-        tiling, incoming,
+        tiling, incoming, 0,
         [&](std::size_t number, TileRest& rest) {
           Tile tile = load_tile(whole, tiling, incoming, number, state_size());
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
@@ -233,8 +284,10 @@ class Refiner {
   RefineSettings settings_;
   RefineMemory memory_;
   RefineReport& report_;
+  CheckpointDirectory* checkpoint_;
   std::mutex reporting_;
   double dearest_ = 0;  // collapse of the last round
+  unsigned idle_ = 0;   // rounds that hardly helped
 
   static std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices,
                                    std::uint64_t faces) {
@@ -249,8 +302,8 @@ class Refiner {
 }  // namespace
 
 ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings, const RefineMemory& memory,
-                     RefineReport& report) {
-  return Refiner(job, settings, memory, report).run(std::move(whole));
+                     RefineReport& report, CheckpointDirectory* checkpoint) {
+  return Refiner(job, settings, memory, report, checkpoint).run(std::move(whole));
 }
 
 }  // namespace winnow

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "decimate/decimation.hpp"
+#include "io/checkpoint_directory.hpp"
 #include "stitch/tile.hpp"
 
 #include <cstdint>
@@ -31,10 +32,16 @@ struct RefineReport {
   std::uint64_t collapses = 0;
   double largest_error = 0;  // of a vertex from its planes, in the mean; model units
   StoppedBy stopped_by = StoppedBy::count;
+  // What a checkpoint held: rounds that were done, and tiles of the next.
+  std::uint64_t rounds_before = 0, tiles_before = 0;
 };
 
 // Never more faces than wanted, unless topology allows no fewer; at most one collapse less.
+//
+// With a checkpoint, every round and every tile that is done is kept in it, and at the end the result. Where
+// it holds some already, `whole` has to be the mesh in it, and what is done is not done again;
+// report.tiles_before says how much.
 ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings, const RefineMemory& memory,
-                     RefineReport& report);
+                     RefineReport& report, CheckpointDirectory* checkpoint = nullptr);
 
 }  // namespace winnow

@@ -1,6 +1,7 @@
 #include "stitch/reorder.hpp"
 
 #include "io/sorted_list.hpp"
+#include "io/spool_records.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@ namespace winnow {
 namespace {
 
 constexpr std::uint32_t third = axis_cells / 3;
-constexpr std::size_t chunk_records = 4096;
 
 CellKey shifted(CellKey key, bool back) {
   std::array<std::uint32_t, 3> cell = morton_cell(key);
@@ -45,25 +45,6 @@ struct OrderedFace {
   static bool combine(OrderedFace&, const OrderedFace&) { return false; }
 };
 
-// Records through a spool's append() in chunks.
-template <typename Record>
-class Appender {
- public:
-  explicit Appender(Spool& spool) : spool_(spool) {}
-  void add(const Record& record) {
-    chunk_.push_back(record);
-    if (chunk_.size() == chunk_records) flush();
-  }
-  void flush() {
-    spool_.append(std::as_bytes(std::span(chunk_)));
-    chunk_.clear();
-  }
-
- private:
-  Spool& spool_;
-  std::vector<Record> chunk_;
-};
-
 }  // namespace
 
 RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size, std::uint64_t list_memory,
@@ -89,31 +70,23 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
       for (std::uint32_t v = 0; v < vertices; ++v) list.add({shifted(reader.at(v).key, back), v, 0});
       list.sort();
       MergedCursor<Moved> merged = merge<Moved>({&list}, runs);
-      std::vector<IndexedVertex> chunk;
-      std::vector<std::byte> states;
+      Appender<IndexedVertex, VertexIndex> append(job, *out.mesh.vertices);
+      std::vector<std::byte> state(state_size);
       std::uint32_t number = 0;
-      const auto flush = [&] {
-        job.progress.check_cancelled();
-        out.mesh.vertices->append(chunk);
-        if (out.state != nullptr) out.state->append(states);
-        chunk.clear();
-        states.clear();
-      };
       for (Moved moved{}; merged.next(moved); ++number) {
         renumbered.add({moved.old_number, number});
-        chunk.push_back(reader.at(moved.old_number));
-        chunk.back().key = moved.key;
-        if (out.state != nullptr) {
-          states.resize(states.size() + state_size);
-          whole.state->read(moved.old_number * std::uint64_t{state_size}, std::span(states).last(state_size));
-        }
-        if (chunk.size() == chunk_records) flush();
+        IndexedVertex vertex = reader.at(moved.old_number);
+        vertex.key = moved.key;
+        append.add(vertex);
+        if (out.state == nullptr) continue;
+        whole.state->read(moved.old_number * std::uint64_t{state_size}, state);
+        out.state->append(state);
       }
-      flush();
+      append.flush();
     }
     renumbered.sort();
     MergedCursor<Renumbered> merged = merge<Renumbered>({&renumbered}, renumbered_runs);
-    Appender<std::uint32_t> append(numbers);
+    Appender<std::uint32_t> append(job, numbers);
     for (Renumbered pair{}; merged.next(pair);) append.add(pair.new_number);
     append.flush();
     numbers.finish();
@@ -125,20 +98,15 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
 
   SortedRuns<OrderedFace> runs(job);
   SortedList<OrderedFace> list(job, list_memory / 2, runs);
-  whole.mesh.faces->for_each_part(sizeof(FaceVertices), [&](std::span<const std::byte> part) {
-    job.progress.check_cancelled();
-    for (FaceVertices face :
-         std::span(reinterpret_cast<const FaceVertices*>(part.data()), part.size() / sizeof(FaceVertices))) {
-      for (std::uint32_t& v : face) {
-        numbers.read(v * std::uint64_t{sizeof v}, std::as_writable_bytes(std::span(&v, 1)));
-      }
-      list.add({lowest_first(face)});
-    }
-  });
+  SpoolCursor<FaceVertices> faces(job, *whole.mesh.faces);
+  for (FaceVertices face{}; faces.next(face);) {
+    for (std::uint32_t& v : face) v = read_record<std::uint32_t>(numbers, v);
+    list.add({lowest_first(face)});
+  }
   whole.mesh.faces.reset();
   list.sort();
   MergedCursor<OrderedFace> merged = merge<OrderedFace>({&list}, runs);
-  Appender<OrderedFace> append(*out.mesh.faces);
+  Appender<OrderedFace> append(job, *out.mesh.faces);
   for (OrderedFace face{}; merged.next(face);) append.add(face);
   append.flush();
   out.mesh.faces->finish();

@@ -1,5 +1,7 @@
 #include "stitch/smaller_mesh.hpp"
 
+#include "io/spool_records.hpp"
+
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -16,34 +18,6 @@ std::array<float, 3> normal_of(const TileMesh& mesh, VertexNumber v) {
   return {static_cast<float>(sum[0] / size), static_cast<float>(sum[1] / size),
           static_cast<float>(sum[2] / size)};
 }
-
-// The records of a spool, one after the other.
-template <typename Record>
-class SpoolCursor {
- public:
-  explicit SpoolCursor(const Spool& spool) : spool_(spool) {}
-
-  bool next(Record& record) {
-    if (at_ == records_.size()) {
-      const std::uint64_t left = spool_.size() / sizeof(Record) - read_;
-      if (left == 0) return false;
-      records_.resize(std::min<std::uint64_t>(left, chunk));
-      spool_.read(read_ * sizeof(Record), std::as_writable_bytes(std::span(records_)));
-      read_ += records_.size();
-      at_ = 0;
-    }
-    record = records_[at_++];
-    return true;
-  }
-
- private:
-  static constexpr std::uint64_t chunk = 8192;
-
-  const Spool& spool_;
-  std::vector<Record> records_;
-  std::size_t at_ = 0;
-  std::uint64_t read_ = 0;
-};
 
 }  // namespace
 
@@ -107,9 +81,9 @@ void SmallerMesh::append(TileRest rest) {
   out_.mesh.vertices->append(rest.vertices);
   if (out_.state != nullptr) out_.state->append(rest.state);
   out_.mesh.face_count += rest.faces.size() + rest.seam_faces.size();
-  faces_.append(std::as_bytes(std::span(rest.faces)));
-  seam_faces_.append(std::as_bytes(std::span(rest.seam_faces)));
-  named_.append(std::as_bytes(std::span(rest.named)));
+  append_records<FaceVertices>(faces_, rest.faces);
+  append_records<SeamFace>(seam_faces_, rest.seam_faces);
+  append_records<NamedVertex>(named_, rest.named);
   first_vertex_.push_back(first_vertex_.back() + rest.vertices.size());
   first_named_.push_back(first_named_.back() + rest.named.size());
 }
@@ -121,7 +95,7 @@ std::uint32_t SmallerMesh::new_number(const Tiling& tiling, std::uint32_t old_nu
   NamedVertex found{};
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
-    named_.read(middle * sizeof found, std::as_writable_bytes(std::span(&found, 1)));
+    found = read_record<NamedVertex>(named_, middle);
     if (found.old_number == old_number) break;
     if (found.old_number < old_number) {
       low = middle + 1;
@@ -140,30 +114,26 @@ RefinedMesh SmallerMesh::finish(const Tiling& tiling) {
   named_.finish();
   // Both kinds of faces are in the order of their lowest vertices.
   out_.mesh.faces = std::make_unique<Spool>(job_, memory_ / 4);
-  SpoolCursor<FaceVertices> inner(faces_);
-  SpoolCursor<SeamFace> seams(seam_faces_);
+  SpoolCursor<FaceVertices> inner(job_, faces_);
+  SpoolCursor<SeamFace> seams(job_, seam_faces_);
   FaceVertices face{};
   SeamFace seam{};
   bool more_inner = inner.next(face);
   bool more_seams = seams.next(seam);
-  std::vector<FaceVertices> chunk;
+  Appender<FaceVertices> append(job_, *out_.mesh.faces);
   while (more_inner || more_seams) {
     if (more_inner && (!more_seams || face[0] <= seam.vertices[0])) {
-      chunk.push_back(face);
+      append.add(face);
       more_inner = inner.next(face);
     } else {
       for (std::size_t i = 0; i < 3; ++i) {
         if ((seam.old_mask >> i & 1) != 0) seam.vertices[i] = new_number(tiling, seam.vertices[i]);
       }
-      chunk.push_back(seam.vertices);
+      append.add(seam.vertices);
       more_seams = seams.next(seam);
     }
-    if (chunk.size() < 8192) continue;
-    job_.progress.check_cancelled();
-    out_.mesh.faces->append(std::as_bytes(std::span(chunk)));
-    chunk.clear();
   }
-  out_.mesh.faces->append(std::as_bytes(std::span(chunk)));
+  append.flush();
   out_.mesh.faces->finish();
   return std::move(out_);
 }

@@ -1,6 +1,7 @@
 #include "stitch/tile.hpp"
 
 #include "io/sorted_list.hpp"
+#include "io/spool_records.hpp"
 
 #include <algorithm>
 #include <span>
@@ -20,13 +21,6 @@ struct IncomingFace {
   static bool combine(IncomingFace&, const IncomingFace&) { return false; }
 };
 
-template <typename Record>
-std::vector<Record> read_records(const Spool& spool, std::uint64_t first, std::uint64_t count) {
-  std::vector<Record> records(count);
-  spool.read(first * sizeof(Record), std::as_writable_bytes(std::span(records)));
-  return records;
-}
-
 }  // namespace
 
 IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, std::uint64_t memory)
@@ -39,31 +33,25 @@ IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& 
   SortedRuns<IncomingFace> runs(job);
   SortedList<IncomingFace> list(job, memory / 2, runs);
   std::size_t tile = 0;  // of the lowest vertices, which come in order
-  mesh.faces->for_each_part(sizeof(FaceVertices), [&](std::span<const std::byte> part) {
-    job.progress.check_cancelled();
-    for (const FaceVertices& face :
-         std::span(reinterpret_cast<const FaceVertices*>(part.data()), part.size() / sizeof(FaceVertices))) {
-      while (face[0] >= tiling.first_vertex(tile + 1)) ++tile;
-      const std::uint64_t end = tiling.first_vertex(tile + 1);
-      if (face[1] < end && face[2] < end) continue;
-      ++seam_faces_;
-      const std::size_t second = face[1] < end ? tile : tiling.tile_of(face[1]);
-      const std::size_t third = face[2] < end ? tile : tiling.tile_of(face[2]);
-      if (second != tile) list.add({static_cast<std::uint32_t>(second), face});
-      if (third != tile && third != second) list.add({static_cast<std::uint32_t>(third), face});
-    }
-  });
+  SpoolCursor<FaceVertices> faces(job, *mesh.faces);
+  for (FaceVertices face{}; faces.next(face);) {
+    while (face[0] >= tiling.first_vertex(tile + 1)) ++tile;
+    const std::uint64_t end = tiling.first_vertex(tile + 1);
+    if (face[1] < end && face[2] < end) continue;
+    ++seam_faces_;
+    const std::size_t second = face[1] < end ? tile : tiling.tile_of(face[1]);
+    const std::size_t third = face[2] < end ? tile : tiling.tile_of(face[2]);
+    if (second != tile) list.add({static_cast<std::uint32_t>(second), face});
+    if (third != tile && third != second) list.add({static_cast<std::uint32_t>(third), face});
+  }
   list.sort();
   MergedCursor<IncomingFace> merged = merge<IncomingFace>({&list}, runs);
-  std::vector<FaceVertices> chunk;
+  Appender<FaceVertices> append(job, faces_);
   for (IncomingFace face{}; merged.next(face);) {
     ++first_[face.tile + 1];
-    chunk.push_back(face.vertices);
-    if (chunk.size() < 4096) continue;
-    faces_.append(std::as_bytes(std::span(chunk)));
-    chunk.clear();
+    append.add(face.vertices);
   }
-  faces_.append(std::as_bytes(std::span(chunk)));
+  append.flush();
   faces_.finish();
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }

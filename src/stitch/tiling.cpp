@@ -1,5 +1,7 @@
 #include "stitch/tiling.hpp"
 
+#include "io/spool_records.hpp"
+
 #include <array>
 
 namespace winnow {
@@ -60,9 +62,7 @@ class Cutter {
     std::uint64_t high = mesh_.face_count;
     while (low < high) {
       const std::uint64_t middle = low + (high - low) / 2;
-      std::array<std::uint32_t, 1> lowest{};
-      mesh_.faces->read(middle * 3 * sizeof(std::uint32_t), std::as_writable_bytes(std::span(lowest)));
-      if (lowest[0] < vertex) {
+      if (read_record<std::array<std::uint32_t, 3>>(*mesh_.faces, middle)[0] < vertex) {
         low = middle + 1;
       } else {
         high = middle;

@@ -136,6 +136,9 @@ TEST_CASE("a wrong header is refused with the line that is wrong") {
                                                {"property float y", "properties float y", 7},
                                                {"list uchar int", "list float int", 9},
                                                {"list uchar int", "list double int", 9},
+                                               {"list uchar int", "list uchar in\x1bt", 9},
+                                               {"element vertex", "element ver\x01tex", 5},
+                                               {"element face", "element fa\x7f", 10},
                                                {"list uchar int flags", "list uchar int", 9}}) {
     std::string text = plain;
     text.replace(text.find(wrong.from), wrong.from.size(), wrong.to);

@@ -114,6 +114,24 @@ TEST_CASE("a full disk for the output is refused", "[faults]") {
                 "standard output");
 }
 
+TEST_CASE("an output on another file system than scratch and input is renamed there", "[faults]") {
+  const Directory directory;
+  const SmallDisk disk(directory.file("disk"), "8m");
+  if (!disk.mounted()) return;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", 20'000, input);
+  const std::string output = disk.file("out.ply");
+  const Words arguments{"simplify", input, "-o", output, "--faces", "2k", "--scratch", directory.path()};
+  winnow_ok(arguments);
+  const std::string bytes = bytes_of_file(output);
+  CHECK(std::distance(std::filesystem::directory_iterator(disk.file("")), {}) == 1);
+  CHECK(directory.names() == Words{"disk", "scan.ply"});
+  // A checkpoint that has its scratch elsewhere copies it.
+  ::unlink(output.c_str());
+  winnow_ok(arguments + Words{"--checkpoint", disk.file("kept")});
+  CHECK(bytes_of_file(output) == bytes);
+}
+
 TEST_CASE("a full disk for scratch is refused", "[faults]") {
   const Directory directory;
   const SmallDisk disk(directory.file("disk"), "2m");

@@ -20,6 +20,7 @@
 
 #ifndef WINNOW_PROGRAM
 #define WINNOW_PROGRAM ""
+#define WINNOW_FAULTS ""
 #endif
 
 namespace winnow::test {
@@ -124,6 +125,11 @@ std::string read_some(int fd, std::size_t most) {
   }
   // What Catch or a shell changed must not reach the program.
   for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ, SIGBUS}) ::signal(number, SIG_DFL);
+  if (!setup.fault.empty()) {
+    ::setenv("WINNOW_FAULT", setup.fault.c_str(), 1);
+    ::setenv("LD_PRELOAD", WINNOW_FAULTS, 1);
+    ::setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
+  }
   ::execv(arguments[0], arguments.data());
   ::_exit(97);
 }

@@ -22,6 +22,7 @@ struct Setup {
   std::string directory{};         // where it runs; empty: here
   std::uint64_t largest_file = 0;  // RLIMIT_FSIZE, in bytes; 0: none
   std::vector<int> closed{};       // descriptors that it finds closed
+  std::string fault{};             // a system call that fails: see preload/faults.cpp; empty: none
   bool unprivileged = false;       // give up root's right to read and write everything
 };
 

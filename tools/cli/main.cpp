@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
       "Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow COMMAND --help' shows the "
       "options of a command and examples.");
   winnow::cli::add_simplify(app);
+  winnow::cli::add_resume(app);
   winnow::cli::add_info(app);
   winnow::cli::add_compare(app);
   winnow::cli::add_generate(app);

@@ -45,8 +45,12 @@ Format parse_format(const std::string& option, const std::string& text);
 // For reports: standard output, or standard error where standard output carries the mesh.
 std::ostream& report_stream(const std::string& output);
 
+// The summary of a run, or its report as JSON, as the options ask for.
+void tell(const SimplifyReport& report, const CommonOptions& options);
+
 // One file a command.
 void add_simplify(CLI::App& app);
+void add_resume(CLI::App& app);
 void add_info(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_generate(CLI::App& app);

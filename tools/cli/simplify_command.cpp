@@ -1,3 +1,4 @@
+#include <winnow/checkpoint.hpp>
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
@@ -23,6 +24,8 @@ struct Arguments {
   std::string cell, grid, faces, ratio, error;
   std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
   std::string from, to;
+  std::string checkpoint;
+  bool keep_checkpoint = false;
   bool normals = false, strict = false, force = false, dry_run = false;
   CommonOptions common;
 };
@@ -76,6 +79,14 @@ SimplifyOptions options_of(const Arguments& arguments) {
   return options;
 }
 
+Json json_of(const std::optional<Resumed>& resumed) {
+  if (!resumed) return nullptr;
+  return {{"clustered", resumed->clustered},
+          {"rounds", resumed->rounds},
+          {"tiles", resumed->tiles},
+          {"written", resumed->written}};
+}
+
 Json json_of(const SimplifyReport& report) {
   const BadFaces& bad = report.input.bad_faces;
   return {
@@ -114,7 +125,21 @@ Json json_of(const SimplifyReport& report) {
         {"cluster", report.seconds.cluster},
         {"refine", report.seconds.refine},
         {"write", report.seconds.write}}},
+      {"resumed", json_of(report.resumed)},
       {"notes", report.notes}};
+}
+
+// What had been done before.
+std::string describe(const Resumed& resumed) {
+  if (resumed.written) return "all was done";
+  if (!resumed.clustered) return "nothing was done yet";
+  std::string text = "the input was read";
+  if (resumed.rounds > 0)
+    text += ", " + show_count(resumed.rounds) + (resumed.rounds == 1 ? " round" : " rounds") + " refined";
+  if (resumed.tiles > 0)
+    text +=
+        ", " + show_count(resumed.tiles) + (resumed.tiles == 1 ? " tile" : " tiles") + " of the next tried";
+  return text;
 }
 
 std::string percent(double part) {
@@ -153,6 +178,7 @@ void show(const SimplifyReport& report, std::ostream& out) {
                         name_of(report.refine.cost) + ", " + show_count(report.refine.tiles) +
                         (report.refine.tiles == 1 ? " tile" : " tiles"));
   }
+  if (report.resumed) line("resumed", describe(*report.resumed));
   line("time", show_seconds(report.seconds.total) + "  (" +
                    show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
   std::string memory = show_bytes(report.peak_memory_bytes) + " at its peak";
@@ -230,17 +256,27 @@ void run(const Arguments& arguments) {
   SimplifyReport report;
   {
     const ProgressBar bar(context, arguments.common);
-    report = simplify(context, arguments.input, arguments.output, options);
+    if (arguments.checkpoint.empty()) {
+      report = simplify(context, arguments.input, arguments.output, options);
+    } else {
+      if (arguments.common.scratch.empty()) context.scratch.clear();  // that is the checkpoint's directory
+      report = simplify(context, arguments.input, arguments.output, options,
+                        {arguments.checkpoint, arguments.keep_checkpoint});
+    }
   }
-  std::ostream& out = report_stream(arguments.output);
-  if (arguments.common.json) {
-    out << json_of(report).dump(2) << "\n";
-  } else if (!arguments.common.quiet) {
-    show(report, out);
-  }
+  tell(report, arguments.common);
 }
 
 }  // namespace
+
+void tell(const SimplifyReport& report, const CommonOptions& options) {
+  std::ostream& out = report_stream(report.output.name);
+  if (options.json) {
+    out << json_of(report).dump(2) << "\n";
+  } else if (!options.quiet) {
+    show(report, out);
+  }
+}
 
 void add_simplify(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
@@ -327,6 +363,17 @@ void add_simplify(CLI::App& app) {
       ->type_name("FORMAT")
       ->group(result);
   command->add_flag("--force", arguments->force, "Replace the output if it exists")->group(result);
+  const std::string killed = "Long runs";
+  command
+      ->add_option(
+          "--checkpoint", arguments->checkpoint,
+          "A new or empty directory, for scratch too; 'winnow resume DIR' goes on if the run is killed")
+      ->type_name("DIR")
+      ->group(killed);
+  command
+      ->add_flag("--keep-checkpoint", arguments->keep_checkpoint,
+                 "Leave the files in DIR when the run is done (default: they are removed)")
+      ->group(killed);
   command->add_flag("--dry-run", arguments->dry_run, "Show passes, memory and scratch; do nothing")
       ->group("Messages");
   arguments->common.add_to(*command, true);
@@ -337,6 +384,8 @@ void add_simplify(CLI::App& app) {
       "  winnow simplify scan.ply -o small.ply --error 0.1%\n"
       "  winnow simplify scan.ply -o small.ply --faces 1M --detail full\n"
       "  winnow simplify scan.stl -o small.ply --faces 1M --refine none\n"
+      "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept    # if killed: winnow resume "
+      "kept\n"
       "  zstdcat scan.ply.zst | winnow simplify - -o - --cell 2.5 | next-stage\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");
   command->callback([arguments] { run(*arguments); });

@@ -1,0 +1,132 @@
+#include "run/simplify_checkpoint.hpp"
+
+#include <winnow/version.hpp>
+
+#include "stitch/saved_mesh.hpp"
+
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+// In place of the output's identity where that has none, a pipe or a device.
+constexpr const char* done = "straight";
+
+}  // namespace
+
+SimplifyCheckpoint SimplifyCheckpoint::begin(Job& job, const Checkpoint& settings,
+                                             const SimplifyRequest& request) {
+  SimplifyCheckpoint checkpoint;
+  checkpoint.directory_ = CheckpointDirectory::begin(job, settings.directory);
+  checkpoint.keep_ = settings.keep;
+  Manifest& manifest = checkpoint.directory_->manifest();
+  manifest.set("version", std::string(WINNOW_VERSION));
+  put(manifest, request);
+  put_input(manifest, request.input);
+  return checkpoint;
+}
+
+SimplifyCheckpoint SimplifyCheckpoint::open(Job& job, const Checkpoint& settings) {
+  SimplifyCheckpoint checkpoint;
+  checkpoint.opened_ = true;
+  checkpoint.directory_ = CheckpointDirectory::open(job, settings.directory);
+  checkpoint.keep_ = settings.keep;
+  const Manifest& manifest = checkpoint.directory_->manifest();
+  if (manifest.text("version") != WINNOW_VERSION) {
+    throw Error(ErrorKind::bad_input,
+                "'" + settings.directory + "' is of winnow " + manifest.text("version") + ", this is " +
+                    WINNOW_VERSION + "; resume it with that one, or remove it and run winnow simplify again");
+  }
+  check_input(manifest, manifest.text("input"), checkpoint.has_mesh(), settings.directory);
+  return checkpoint;
+}
+
+SimplifyRequest SimplifyCheckpoint::request() const {
+  return request_in(directory_->manifest());
+}
+
+void SimplifyCheckpoint::begun() {
+  if (directory_ != nullptr) directory_->commit();
+  begun_ = true;
+}
+
+bool SimplifyCheckpoint::has_mesh() const {
+  return directory_ != nullptr && directory_->manifest().has("clustered.target");
+}
+
+Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory, SimplifyReport& report) const {
+  const Manifest& manifest = directory_->manifest();
+  get_report(manifest, report);
+  report.resumed.emplace().clustered = true;
+  job.notes.insert(job.notes.begin(), report.notes.begin(), report.notes.end());
+  Clustered clustered;
+  job.progress.begin("go on", 0, "bytes");
+  RefinedMesh whole = load_mesh(job, *directory_, memory);
+  clustered.mesh = std::move(whole.mesh);
+  clustered.mesh.quadrics = std::move(whole.state);
+  clustered.target = manifest.number("clustered.target");
+  clustered.error = manifest.real("clustered.error");
+  clustered.normals = manifest.number("clustered.normals") != 0;
+  clustered.double_positions = manifest.number("clustered.double_positions") != 0;
+  return clustered;
+}
+
+void SimplifyCheckpoint::save(Job& job, Clustered& clustered, SimplifyReport& report) {
+  if (directory_ == nullptr) return;
+  job.progress.begin("keep", 0, "bytes");
+  Manifest& manifest = directory_->manifest();
+  report.notes = job.notes;
+  put_report(manifest, report);
+  manifest.set("clustered.target", clustered.target);
+  manifest.set("clustered.error", clustered.error);
+  manifest.set("clustered.normals", std::uint64_t{clustered.normals});
+  manifest.set("clustered.double_positions", std::uint64_t{clustered.double_positions});
+  RefinedMesh whole{std::move(clustered.mesh), nullptr};
+  whole.state = std::move(whole.mesh.quadrics);
+  save_mesh(*directory_, whole, 0);
+  clustered.mesh = std::move(whole.mesh);
+  clustered.mesh.quadrics = std::move(whole.state);
+  directory_->commit();
+}
+
+bool SimplifyCheckpoint::is_written(const std::string& output, SimplifyReport& report) const {
+  if (directory_ == nullptr || !directory_->manifest().has("written")) return false;
+  const Manifest& manifest = directory_->manifest();
+  if (manifest.text("written") != done && !ByteSink::is(output, manifest.text("written"))) return false;
+  get_report(manifest, report);
+  return true;
+}
+
+void SimplifyCheckpoint::settled(const ByteSink& sink, const SimplifyReport& report) {
+  if (directory_ == nullptr) return;
+  put_report(directory_->manifest(), report);
+  directory_->manifest().set("written", sink.identity());
+  directory_->commit();
+}
+
+void SimplifyCheckpoint::finish(Job& job) {
+  if (directory_ == nullptr || keep_) return;
+  Manifest& manifest = directory_->manifest();
+  if (manifest.text("written").empty()) {
+    manifest.set("written", std::string(done));
+    directory_->commit();
+  }
+  directory_->remove();
+  if (job.context.notice)
+    job.context.notice("the checkpoint in '" + directory_->path() + "' is no longer needed and was removed");
+}
+
+void SimplifyCheckpoint::fail(const Error& error) {
+  if (directory_ == nullptr) throw Error(error);
+  // A pipe that was not read to its end cannot be read again.
+  const bool can_go_on = has_mesh() || (begun_ && directory_->manifest().has("input.size"));
+  const ErrorKind kind = error.kind();
+  if (can_go_on && (kind == ErrorKind::resources || kind == ErrorKind::cancelled || kind == ErrorKind::usage))
+    throw Error(kind, std::string(error.what()) + "; go on by winnow resume '" + directory_->path() + "'");
+  // One that another run made is for its owner to remove.
+  if (!opened_) directory_->remove();
+  throw Error(error);
+}
+
+}  // namespace winnow

@@ -1,0 +1,52 @@
+// A run of simplify() in its checkpoint: what is kept of it when, and where it goes on.
+#pragma once
+
+#include <winnow/checkpoint.hpp>
+#include <winnow/error.hpp>
+
+#include "io/byte_sink.hpp"
+#include "io/checkpoint_directory.hpp"
+#include "run/clustering.hpp"
+#include "run/simplify_request.hpp"
+
+#include <memory>
+
+namespace winnow {
+
+class SimplifyCheckpoint {
+ public:
+  SimplifyCheckpoint() = default;  // keeps nothing
+  static SimplifyCheckpoint begin(Job& job, const Checkpoint& settings, const SimplifyRequest& request);
+  static SimplifyCheckpoint open(Job& job, const Checkpoint& settings);
+
+  // Of a checkpoint that was opened.
+  [[nodiscard]] SimplifyRequest request() const;
+
+  // The input could be opened: from now on the run can be resumed.
+  void begun();
+  [[nodiscard]] bool opened() const { return opened_; }
+  // Whether the input was read, and its mesh is here.
+  [[nodiscard]] bool has_mesh() const;
+  Clustered load(Job& job, std::uint64_t memory, SimplifyReport& report) const;
+  void save(Job& job, Clustered& clustered, SimplifyReport& report);
+
+  // Whether the output is whole and under its name. Then the report is too.
+  bool is_written(const std::string& output, SimplifyReport& report) const;
+  // Before the output gets its name.
+  void settled(const ByteSink& sink, const SimplifyReport& report);
+  // When it has it: removes the files, unless they are to be kept.
+  void finish(Job& job);
+
+  // Null where nothing is kept.
+  [[nodiscard]] CheckpointDirectory* directory() const { return directory_.get(); }
+
+  // An error came: adds to the message how to go on, where the run can; removes the files otherwise.
+  [[noreturn]] void fail(const Error& error);
+
+ private:
+  std::unique_ptr<CheckpointDirectory> directory_;
+  bool keep_ = false;
+  bool opened_ = false, begun_ = false;
+};
+
+}  // namespace winnow

@@ -1,0 +1,49 @@
+#include "stitch/saved_mesh.hpp"
+
+#include <string>
+
+namespace winnow {
+
+namespace {
+
+constexpr const char* stage_key = "mesh.stage";
+constexpr const char* vertices_part = ".vertices";
+constexpr const char* faces_part = ".faces";
+constexpr const char* state_part = ".state";
+
+}  // namespace
+
+void save_mesh(CheckpointDirectory& checkpoint, const RefinedMesh& whole, std::uint64_t rounds) {
+  Manifest& manifest = checkpoint.manifest();
+  if (manifest.has(stage_key)) {
+    for (const char* part : {vertices_part, faces_part, state_part})
+      checkpoint.forget(manifest.text(stage_key) + part);
+  }
+  const std::string stage = "stage-" + std::to_string(rounds);
+  checkpoint.save(stage + vertices_part, whole.mesh.vertices->records());
+  checkpoint.save(stage + faces_part, *whole.mesh.faces);
+  if (whole.state != nullptr) checkpoint.save(stage + state_part, *whole.state);
+  manifest.set(stage_key, stage);
+  manifest.set("mesh.faces", whole.mesh.face_count);
+  manifest.set("mesh.cells", whole.mesh.cells);
+  manifest.set("mesh.turned", whole.mesh.turned);
+  manifest.set("mesh.fused", whole.mesh.fused);
+}
+
+RefinedMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
+  const Manifest& manifest = checkpoint.manifest();
+  const std::string stage = manifest.text(stage_key);
+  RefinedMesh whole;
+  whole.mesh.vertices =
+      std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
+  if (checkpoint.has(stage + state_part))
+    whole.state = std::make_unique<Spool>(checkpoint.load(stage + state_part, memory / 4));
+  whole.mesh.faces = std::make_unique<Spool>(checkpoint.load(stage + faces_part, memory / 4));
+  whole.mesh.face_count = manifest.number("mesh.faces");
+  whole.mesh.cells = manifest.number("mesh.cells");
+  whole.mesh.turned = manifest.number("mesh.turned");
+  whole.mesh.fused = manifest.number("mesh.fused");
+  return whole;
+}
+
+}  // namespace winnow

@@ -1,0 +1,60 @@
+#include <winnow/checkpoint.hpp>
+
+#include "program.hpp"
+
+#include <memory>
+
+namespace winnow::cli {
+
+namespace {
+
+struct Arguments {
+  Checkpoint checkpoint;
+  CommonOptions common;
+};
+
+void run(const Arguments& arguments) {
+  Context context;
+  prepare(context, arguments.common, "-");
+  if (arguments.common.scratch.empty()) context.scratch.clear();  // that is the checkpoint's directory
+  SimplifyReport report;
+  {
+    const ProgressBar bar(context, arguments.common);
+    report = resume(context, arguments.checkpoint);
+  }
+  tell(report, arguments.common);
+}
+
+}  // namespace
+
+void add_resume(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("resume", "Go on with a run of simplify --checkpoint that was killed");
+  command->add_option("directory", arguments->checkpoint.directory, "What --checkpoint named")
+      ->required()
+      ->type_name("DIR");
+  command->add_flag("--keep-checkpoint", arguments->checkpoint.keep,
+                    "Leave the files in DIR when the run is done (default: they are removed)");
+  arguments->common.add_to(*command, false);
+  command
+      ->add_option("--scratch", arguments->common.scratch,
+                   "Directory for what does not fit into memory (default: that of the checkpoint)")
+      ->type_name("DIR")
+      ->group("Speed and memory (never change the result)");
+  command->footer(
+      "Input, output and all that changes the result are those of the run; the bytes are those it would have "
+      "written.\nIt goes on from the last stage that was done: the input read and clustered, each round of "
+      "refinement,\neach tile in a round. Before the input was read it begins anew, which takes a file: a "
+      "pipe "
+      "cannot be read\nagain.\n"
+      "\nExamples:\n"
+      "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept\n"
+      "  winnow resume kept\n"
+      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input or checkpoint, 4 memory or disk or in "
+      "use,"
+      "\n130 interrupted.");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace winnow::cli
