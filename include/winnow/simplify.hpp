@@ -30,8 +30,9 @@ enum class Borders {
   keep    // their vertices stay, all of them
 };
 
-// File formats by name; `automatic` goes by content for an input, by the name's ending for an output.
-enum class Format { automatic, ply, stl };
+// File formats by name; `automatic` goes by content for an input, by the name's ending for an output. Only
+// PLY and STL are written.
+enum class Format { automatic, ply, stl, obj, off, m };
 
 // Options that change the result. Exactly one of cell, grid, faces, ratio, error and
 // relative_error must be set.
@@ -140,7 +141,7 @@ struct SimplifyPlan {
 // Reads `input`, clusters its vertices on a grid, collapses edges of what comes out until it has the faces
 // asked for, writes one mesh to `output`.
 //
-// input: a file's name, or "-" for standard input. PLY or STL, plain or in gzip or zstd. output: a file's
+// input: a file's name, or "-" for standard input, of any Format, plain or in gzip or zstd. output: a file's
 // name, or "-" for standard output. A regular file appears under its name only when it is whole; anything
 // else (a pipe, a device) is written straight. The result depends on the input's content and on `options`
 // alone: never on the context, on threads, on memory, or on whether a file or a pipe was read.

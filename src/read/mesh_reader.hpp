@@ -103,6 +103,7 @@ struct InputOutlook {
   bool copied_first = false;   // the whole input goes to scratch before anything else
   bool vertices_kept = false;  // vertices are decoded into memory or scratch, not looked up in the file
   bool faces_kept = false;     // faces stand before the vertices and wait in scratch
+  bool taken_in = false;       // all is parsed into memory or scratch before anything else
   std::string compression;
 };
 InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access);

@@ -1,6 +1,7 @@
 #include <winnow/simplify.hpp>
 
 #include "io/arena.hpp"
+#include "read/kept_faces.hpp"
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
 
@@ -14,11 +15,13 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   if (outlook.faces_kept) passes.emplace_back("keep the faces in scratch until the vertices are read");
   if (outlook.vertices_kept)
     passes.emplace_back("read the vertices into memory, or scratch where they do not fit");
-  const std::string positions = outlook.facts.vertices ? "vertices" : "corners of all faces";
+  if (outlook.taken_in) passes.emplace_back("parse the input into memory, or scratch where it does not fit");
+  const std::string positions =
+      outlook.taken_in || outlook.facts.vertices ? "vertices" : "corners of all faces";
   if (options.grid) passes.push_back("measure the box of the " + positions);
   if (options.error || options.relative_error) passes.push_back("measure the box of the " + positions);
   if (options.faces || options.ratio) {
-    if (!outlook.facts.faces && options.ratio) passes.emplace_back("count the faces");
+    if (!outlook.facts.faces && !outlook.taken_in && options.ratio) passes.emplace_back("count the faces");
     passes.push_back("find the box and a rough cell size from the " + positions);
     passes.push_back("sample the " + positions + " for the cell size");
   }
@@ -54,7 +57,7 @@ SimplifyPlan plan_simplify(Context& context, const std::string& input, const std
   if (out.faces) {
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
     if (outlook.vertices_kept) kept += out.vertices.value_or(0) * (outlook.facts.double_positions ? 24 : 12);
-    if (outlook.faces_kept) kept += *out.faces * 16;
+    if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
     out.scratch_worst = worst_scratch(*out.faces, sums_quadrics(options)) + kept;
     out.scratch_expected = expected_scratch(*out.faces, plan, sums_quadrics(options)) + kept;
     // A rate measured once for one thread (bench/RESULTS.md), for want of knowing the machine.

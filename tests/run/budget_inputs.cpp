@@ -67,6 +67,17 @@ TEST_CASE("ASCII stays within the budget", "[budget]") {
   check_budget(directory, ascii_file(stl, directory.file("ascii.stl")), coarse, "smallest");
 }
 
+TEST_CASE("OBJ, OFF and .m stay within the budget", "[budget]") {
+  const Directory directory;
+  const std::string binary = directory.file("scan.ply");
+  generate("scan", faces / 2, binary);
+  for (const char* name : {"text.obj", "text.off", "text.m"}) {
+    const std::string text = ascii_file(binary, directory.file(name));
+    check_budget(directory, text, coarse, "smallest");
+    check_pipe(directory, text, {"--faces", "300k", "--refine", "none"});
+  }
+}
+
 TEST_CASE("compressed input stays within the budget", "[budget]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");

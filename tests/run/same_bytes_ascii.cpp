@@ -22,4 +22,25 @@ TEST_CASE("the same bytes from ASCII and binary of the same floats", "[same_byte
   }
 }
 
+TEST_CASE("the same bytes from OBJ, OFF and .m as from PLY with the same floats", "[same_bytes]") {
+  const Directory directory;
+  for (const char* surface : {"scan", "part"}) {
+    const std::string binary = directory.file(std::string(surface) + ".ply");
+    generate(surface, 20'000, binary);
+    for (const Words& options :
+         {Words{"--cell", "0.03"}, Words{"--faces", "3000"}, Words{"--ratio", "20%", "--refine", "none"}}) {
+      const Simplified want = simplified(directory, binary, options);
+      for (const char* format : {".obj", ".off", ".m"}) {
+        INFO(surface << format << " " << joined(options));
+        const std::string text = ascii_file(binary, directory.file(std::string(surface) + format));
+        CHECK(simplified(directory, text, options).hash == want.hash);
+        CHECK(simplified(directory, text, options + Words{"--memory", "40M", "--threads", "1"}).hash ==
+              want.hash);
+        CHECK(simplified(directory, "-", options, {.in = text}).hash == want.hash);
+        CHECK(simplified(directory, gzip_file(text), options).hash == want.hash);
+      }
+    }
+  }
+}
+
 }  // namespace winnow::test

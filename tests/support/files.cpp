@@ -131,7 +131,24 @@ void flush_large(std::ofstream& out, std::string& text) {
   text.clear();
 }
 
-void ascii_ply(std::istream& in, std::ofstream& out) {
+// What stands around the numbers of vertices and faces.
+struct TextForm {
+  std::string header, vertex, face;
+  bool numbered = false;  // vertices and faces have numbers of their own
+  std::uint32_t first = 0;
+};
+
+TextForm form_of(const std::string& path, const std::string& header, std::uint64_t vertices,
+                 std::uint64_t faces) {
+  if (path.ends_with(".obj")) return {"# as text\n", "v ", "f ", false, 1};
+  if (path.ends_with(".m")) return {"# as text\n", "Vertex ", "Face ", true, 1};
+  if (path.ends_with(".off")) {
+    return {"OFF\n" + std::to_string(vertices) + ' ' + std::to_string(faces) + " 0\n", "", "3 "};
+  }
+  return {header, "", "3 "};
+}
+
+void ascii_ply(std::istream& in, std::ofstream& out, const std::string& path) {
   std::string text;
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
@@ -142,7 +159,11 @@ void ascii_ply(std::istream& in, std::ofstream& out) {
     text += line + "\n";
     if (line == "end_header") break;
   }
+  const TextForm form = form_of(path, text, vertices, faces);
+  text = form.header;
   for (std::uint64_t i = 0; i < vertices; ++i) {
+    text += form.vertex;
+    if (form.numbered) put(text, i + 1, ' ');
     put_point(text, in);
     flush_large(out, text);
   }
@@ -150,10 +171,11 @@ void ascii_ply(std::istream& in, std::ofstream& out) {
     std::array<std::uint32_t, 3> corner{};
     if (in.get() != 3) throw std::runtime_error("not a triangle of winnow generate");
     in.read(reinterpret_cast<char*>(corner.data()), sizeof corner);
-    text += "3 ";
-    put(text, corner[0], ' ');
-    put(text, corner[1], ' ');
-    put(text, corner[2], '\n');
+    text += form.face;
+    if (form.numbered) put(text, i + 1, ' ');
+    put(text, corner[0] + form.first, ' ');
+    put(text, corner[1] + form.first, ' ');
+    put(text, corner[2] + form.first, '\n');
     flush_large(out, text);
   }
   out << text;
@@ -187,7 +209,7 @@ std::string ascii_file(const std::string& path, const std::string& ascii_path) {
   if (path.ends_with(".stl")) {
     ascii_stl(in, out);
   } else {
-    ascii_ply(in, out);
+    ascii_ply(in, out, ascii_path);
   }
   out.close();
   if (!in || !out) throw std::runtime_error("cannot turn " + path + " into text");

@@ -71,8 +71,8 @@ SimplifyOptions options_of(const Arguments& arguments) {
   options.normals = arguments.normals;
   options.strict = arguments.strict;
   options.force = arguments.force;
-  options.from = parse_format("--from", arguments.from);
-  options.to = parse_format("--to", arguments.to);
+  options.from = parse_input_format("--from", arguments.from);
+  options.to = parse_output_format("--to", arguments.to);
   return options;
 }
 
@@ -245,9 +245,7 @@ void run(const Arguments& arguments) {
 void add_simplify(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("simplify", "Make a mesh of any size small, in bounded memory");
-  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")
-      ->required()
-      ->type_name("IN");
+  command->add_option("input", arguments->input, input_names)->required()->type_name("IN");
   command
       ->add_option("-o,--output", arguments->output,
                    "PLY, or STL where the name ends so; - is standard output")
@@ -320,7 +318,9 @@ void add_simplify(CLI::App& app) {
   command
       ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")
       ->group(result);
-  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")
+  command
+      ->add_option("--from", arguments->from,
+                   std::string("Input format, where the content does not tell: ") + input_formats)
       ->type_name("FORMAT")
       ->group(result);
   command->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl")
