@@ -58,9 +58,7 @@ class KeptReader : public IndexedReader {
   void begin_faces() override;
   bool next_faces(RawBatch& batch) override;
   void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override;
-  [[nodiscard]] std::uint64_t bytes() const override {
-    return source_->size().value_or(source_->position());
-  }
+  [[nodiscard]] std::uint64_t bytes() const override { return source_->size().value_or(source_->position()); }
 
  private:
   KeptFaces faces_;

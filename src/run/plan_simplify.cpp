@@ -2,6 +2,7 @@
 
 #include "io/arena.hpp"
 #include "read/kept_faces.hpp"
+#include "run/input.hpp"
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
 
@@ -38,19 +39,18 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
 
 }  // namespace
 
-SimplifyPlan plan_simplify(Context& context, const std::string& input, const std::string& /*output*/,
-                           const SimplifyOptions& options) {
+SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
+                           const std::string& /*output*/, const SimplifyOptions& options) {
   check(options);
   Job job(context);
   job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
-  const std::unique_ptr<ByteSource> source = open_source(job, input);
-  source->peek(1);
+  Input input(job, inputs);
   const MemoryPlan plan =
-      MemoryPlan::divide(context.memory, job.budget.used(), job.threads, sums_quadrics(options));
-  const InputOutlook outlook = look_at(job, *source, options.from, access_for(options));
+      MemoryPlan::divide(context.memory, input.memory(), job.threads, sums_quadrics(options));
+  const InputOutlook outlook = input.outlook(options);
   SimplifyPlan out;
   out.memory = plan.parts();
-  out.smallest_memory = plan.smallest + job.budget.used();
+  out.smallest_memory = plan.smallest + input.memory();
   out.passes = passes_of(outlook, options);
   out.faces = outlook.facts.faces;
   out.vertices = outlook.facts.vertices;
@@ -64,6 +64,11 @@ SimplifyPlan plan_simplify(Context& context, const std::string& input, const std
     out.seconds_expected = static_cast<double>(*out.faces) / (2.2e7 * job.threads);
   }
   return out;
+}
+
+SimplifyPlan plan_simplify(Context& context, const std::string& input, const std::string& output,
+                           const SimplifyOptions& options) {
+  return plan_simplify(context, std::vector{input}, output, options);
 }
 
 }  // namespace winnow

@@ -4,12 +4,14 @@
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
 #include "run/clustering.hpp"
+#include "run/input.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
 #include "run/simplify_options.hpp"
 #include "run/write_mesh.hpp"
 #include "write/mesh_encoder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,11 +19,12 @@ namespace winnow {
 
 namespace {
 
-SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::string& output,
+SimplifyReport simplify_in_arena(Job& job, const std::vector<std::string>& inputs, const std::string& output,
                                  const SimplifyOptions& options) {
   const Stopwatch watch;
   // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
-  if (input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
+  if (inputs.size() == 1 && inputs.front() == "-")
+    MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output);
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   ByteSink sink(job, output, options.force);
@@ -29,14 +32,12 @@ SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::
 
   // Decompressing takes memory of its own, which shows with the first bytes; the rest is divided.
   job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
-  std::unique_ptr<ByteSource> source = open_source(job, input);
-  source->peek(1);
+  Input input(job, inputs);
   const MemoryPlan plan =
-      MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, sums_quadrics(options));
+      MemoryPlan::divide(job.budget.total(), input.memory(), job.threads, sums_quadrics(options));
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
-  const std::unique_ptr<MeshReader> reader =
-      open_reader(job, std::move(source), options.from, access_for(options), plan.reader);
+  const std::unique_ptr<MeshReader> reader = input.reader(options, plan.reader);
   Clustering clustering(job, *reader, options, plan, report);
   const double opened = watch.seconds();
   ClusteredMesh mesh = clustering.run();
@@ -66,17 +67,26 @@ SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::
   report.seconds.total = watch.seconds();
   report.seconds.write =
       report.seconds.total - report.seconds.cluster - report.seconds.read - report.seconds.refine;
-  report.notes = job.notes;
+  // A file that is opened again says the same again.
+  for (const std::string& note : job.notes) {
+    if (std::find(report.notes.begin(), report.notes.end(), note) == report.notes.end())
+      report.notes.push_back(note);
+  }
   return report;
 }
 
 }  // namespace
 
-SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,
+SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
                         const SimplifyOptions& options) {
   check(options);
   Job job(context);
-  return in_arena(job, [&] { return simplify_in_arena(job, input, output, options); });
+  return in_arena(job, [&] { return simplify_in_arena(job, inputs, output, options); });
+}
+
+SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,
+                        const SimplifyOptions& options) {
+  return simplify(context, std::vector{input}, output, options);
 }
 
 }  // namespace winnow

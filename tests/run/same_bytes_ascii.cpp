@@ -22,7 +22,7 @@ TEST_CASE("the same bytes from ASCII and binary of the same floats", "[same_byte
   }
 }
 
-TEST_CASE("the same bytes from OBJ, OFF and .m as from PLY with the same floats", "[same_bytes]") {
+TEST_CASE("the same bytes from OBJ, OFF, .m and GLB as from PLY with the same floats", "[same_bytes]") {
   const Directory directory;
   for (const char* surface : {"scan", "part"}) {
     const std::string binary = directory.file(std::string(surface) + ".ply");
@@ -30,14 +30,15 @@ TEST_CASE("the same bytes from OBJ, OFF and .m as from PLY with the same floats"
     for (const Words& options :
          {Words{"--cell", "0.03"}, Words{"--faces", "3000"}, Words{"--ratio", "20%", "--refine", "none"}}) {
       const Simplified want = simplified(directory, binary, options);
-      for (const char* format : {".obj", ".off", ".m"}) {
+      for (const std::string format : {".obj", ".off", ".m", ".glb"}) {
         INFO(surface << format << " " << joined(options));
-        const std::string text = ascii_file(binary, directory.file(std::string(surface) + format));
-        CHECK(simplified(directory, text, options).hash == want.hash);
-        CHECK(simplified(directory, text, options + Words{"--memory", "40M", "--threads", "1"}).hash ==
+        const std::string name = directory.file(surface + format);
+        const std::string other = format == ".glb" ? glb_file(binary, name) : ascii_file(binary, name);
+        CHECK(simplified(directory, other, options).hash == want.hash);
+        CHECK(simplified(directory, other, options + Words{"--memory", "40M", "--threads", "1"}).hash ==
               want.hash);
-        CHECK(simplified(directory, "-", options, {.in = text}).hash == want.hash);
-        CHECK(simplified(directory, gzip_file(text), options).hash == want.hash);
+        CHECK(simplified(directory, "-", options, {.in = other}).hash == want.hash);
+        CHECK(simplified(directory, gzip_file(other), options).hash == want.hash);
       }
     }
   }

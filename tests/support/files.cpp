@@ -216,6 +216,46 @@ std::string ascii_file(const std::string& path, const std::string& ascii_path) {
   return ascii_path;
 }
 
+std::string glb_file(const std::string& path, const std::string& glb_path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ofstream out(glb_path, std::ios::binary);
+  std::uint64_t vertices = 0;
+  std::uint64_t faces = 0;
+  for (std::string line; std::getline(in, line) && line != "end_header";) {
+    if (line.starts_with("element vertex ")) vertices = std::stoull(line.substr(15));
+    if (line.starts_with("element face ")) faces = std::stoull(line.substr(13));
+  }
+  const auto number = [](std::uint64_t value) { return std::to_string(value); };
+  std::string json =
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + number(12 * (vertices + faces)) +
+      R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + number(12 * vertices) +
+      R"(},{"buffer":0,"byteOffset":)" + number(12 * vertices) + R"(,"byteLength":)" + number(12 * faces) +
+      R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" + number(vertices) +
+      R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" + number(3 * faces) +
+      R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"nodes":[{"mesh":0}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto put_word = [&out](std::uint64_t value) {
+    const auto word = static_cast<std::uint32_t>(value);
+    out.write(reinterpret_cast<const char*>(&word), sizeof word);
+  };
+  out << "glTF";
+  put_word(2);
+  put_word(28 + json.size() + 12 * (vertices + faces));
+  put_word(json.size());
+  out << "JSON" << json;
+  put_word(12 * (vertices + faces));
+  out.write("BIN\0", 4);
+  std::array<char, 12> record{};
+  for (std::uint64_t i = 0; i < vertices + faces; ++i) {
+    if (i >= vertices && in.get() != 3) throw std::runtime_error("not a triangle of winnow generate");
+    in.read(record.data(), record.size());
+    out.write(record.data(), record.size());
+  }
+  out.close();
+  if (!in || !out) throw std::runtime_error("cannot turn " + path + " into a GLB");
+  return glb_path;
+}
+
 std::string faces_first_file(const std::string& path, const std::string& other_path) {
   const std::string whole = bytes_of_file(path);
   const std::string end = "end_header\n";

@@ -40,6 +40,9 @@ std::string zstd_file(const std::string& path);
 // back. A PLY becomes an OBJ, OFF or .m where the other name ends so.
 std::string ascii_file(const std::string& path, const std::string& ascii_path);
 
+// A binary PLY of `winnow generate` as a GLB with the same floats.
+std::string glb_file(const std::string& path, const std::string& glb_path);
+
 // A PLY of `winnow generate` with its elements the other way round.
 std::string faces_first_file(const std::string& path, const std::string& other_path);
 

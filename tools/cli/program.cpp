@@ -81,12 +81,13 @@ void prepare(Context& context, const CommonOptions& options, const std::string& 
 }
 
 Format parse_input_format(const std::string& option, const std::string& text) {
-  constexpr std::array<std::pair<std::string_view, Format>, 6> formats{{{"auto", Format::automatic},
+  constexpr std::array<std::pair<std::string_view, Format>, 7> formats{{{"auto", Format::automatic},
                                                                         {"ply", Format::ply},
                                                                         {"stl", Format::stl},
                                                                         {"obj", Format::obj},
                                                                         {"off", Format::off},
-                                                                        {"m", Format::m}}};
+                                                                        {"m", Format::m},
+                                                                        {"gltf", Format::gltf}}};
   if (text.empty()) return Format::automatic;
   for (const auto& [name, format] : formats) {
     if (text == name) return format;

@@ -41,9 +41,9 @@ class ProgressBar {
 void prepare(Context& context, const CommonOptions& options, const std::string& output);
 
 // What is read, as --from and help texts say it.
-inline constexpr const char* input_formats = "ply, stl, obj, off, m";
+inline constexpr const char* input_formats = "ply, stl, obj, off, m, gltf";
 inline constexpr const char* input_names =
-    "PLY, STL, OBJ, OFF or .m, also in .gz or .zst; - is standard input";
+    "PLY, STL, OBJ, OFF, .m or glTF, also in .gz or .zst; - is standard input";
 
 Format parse_input_format(const std::string& option, const std::string& text);
 Format parse_output_format(const std::string& option, const std::string& text);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -19,7 +20,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
-  std::string input, output;
+  std::vector<std::string> inputs;
+  std::string output, crop;
   std::string cell, grid, faces, ratio, error;
   std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
   std::string from, to;
@@ -68,6 +70,7 @@ SimplifyOptions options_of(const Arguments& arguments) {
     options.max_normal_deviation = parse_number("--max-normal-deviation", arguments.max_normal_deviation,
                                                 "an angle like 60, in degrees");
   options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
+  if (!arguments.crop.empty()) options.crop = parse_box("--crop", arguments.crop);
   options.normals = arguments.normals;
   options.strict = arguments.strict;
   options.force = arguments.force;
@@ -83,6 +86,7 @@ Json json_of(const SimplifyReport& report) {
        {{"faces", report.input.faces},
         {"vertices", report.input.vertices},
         {"bytes", report.input.bytes},
+        {"cropped_faces", report.input.cropped_faces},
         {"bad_faces",
          {{"degenerate", bad.degenerate},
           {"non_finite", bad.non_finite},
@@ -172,6 +176,8 @@ void show(const SimplifyReport& report, std::ostream& out) {
     }
     line("bad faces", text);
   }
+  if (report.input.cropped_faces > 0)
+    line("cropped", show_count(report.input.cropped_faces) + " faces, not wholly inside of the box");
   if (report.clamped_faces > 0)
     line("weights",
          show_count(report.clamped_faces) + " faces span so many cells that their weight was limited");
@@ -219,7 +225,7 @@ void run(const Arguments& arguments) {
   Context context;
   prepare(context, arguments.common, arguments.output);
   if (arguments.dry_run) {
-    const SimplifyPlan plan = plan_simplify(context, arguments.input, arguments.output, options);
+    const SimplifyPlan plan = plan_simplify(context, arguments.inputs, arguments.output, options);
     if (arguments.common.json) {
       std::cout << json_of(plan).dump(2) << "\n";
     } else {
@@ -230,7 +236,7 @@ void run(const Arguments& arguments) {
   SimplifyReport report;
   {
     const ProgressBar bar(context, arguments.common);
-    report = simplify(context, arguments.input, arguments.output, options);
+    report = simplify(context, arguments.inputs, arguments.output, options);
   }
   std::ostream& out = report_stream(arguments.output);
   if (arguments.common.json) {
@@ -245,7 +251,9 @@ void run(const Arguments& arguments) {
 void add_simplify(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("simplify", "Make a mesh of any size small, in bounded memory");
-  command->add_option("input", arguments->input, input_names)->required()->type_name("IN");
+  command->add_option("input", arguments->inputs, std::string(input_names) + "; several files are one model")
+      ->required()
+      ->type_name("IN");
   command
       ->add_option("-o,--output", arguments->output,
                    "PLY, or STL where the name ends so; - is standard output")
@@ -319,6 +327,11 @@ void add_simplify(CLI::App& app) {
       ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")
       ->group(result);
   command
+      ->add_option("--crop", arguments->crop,
+                   "Only faces that lie wholly in this box, in model units: xmin,ymin,zmin,xmax,ymax,zmax")
+      ->type_name("BOX")
+      ->group(result);
+  command
       ->add_option("--from", arguments->from,
                    std::string("Input format, where the content does not tell: ") + input_formats)
       ->type_name("FORMAT")
@@ -337,6 +350,7 @@ void add_simplify(CLI::App& app) {
       "  winnow simplify scan.ply -o small.ply --error 0.1%\n"
       "  winnow simplify scan.ply -o small.ply --faces 1M --detail full\n"
       "  winnow simplify scan.stl -o small.ply --faces 1M --refine none\n"
+      "  winnow simplify part-*.ply -o all.ply --faces 5M --crop 0,0,-10,500,500,90\n"
       "  zstdcat scan.ply.zst | winnow simplify - -o - --cell 2.5 | next-stage\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");
   command->callback([arguments] { run(*arguments); });

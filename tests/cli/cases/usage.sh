@@ -33,7 +33,6 @@ simplify --cell 1 --progress sometimes
 simplify --cell 1 --scratch nowhere
 echo "# what is missing or too much"
 simplify --cell 1 --bogus
-simplify --cell 1 other.ply
 simplify --cell 1 --cell 2
 try simplify none.ply --cell 1
 try simplify -o small.ply --cell 1
