@@ -5,6 +5,7 @@
 #include "read/ply_scalar.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace winnow {
 
@@ -46,13 +47,13 @@ bool is_index(GltfType type) {
 }  // namespace
 
 GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor,
-                           unsigned components, const std::string& name)
+                           unsigned components, std::string name)
     : bytes_(bytes),
       document_(document),
       accessor_(document.accessors[accessor]),
       components_(components),
       normalized_(accessor_.normalized && components == 3),
-      name_(name) {
+      name_(std::move(name)) {
   if (accessor_.components != components) fail("an accessor is of the wrong type for what it is used for");
   if (components == 1 && !is_index(accessor_.type)) fail("indices are no unsigned integers");
   if (components == 3 && accessor_.type == GltfType::uint32)

@@ -15,7 +15,7 @@ class GltfElements {
   // `components`: 3 for points, 1 for indices. Throws Error(bad_input) where the accessor holds something
   // else.
   GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor, unsigned components,
-               const std::string& name);
+               std::string name);
 
   [[nodiscard]] std::uint64_t size() const { return accessor_.count; }
 

@@ -41,12 +41,12 @@ void GltfBytes::fail(const std::string& what) const {
   throw Error(ErrorKind::bad_input, "'" + source_.name() + "': " + what);
 }
 
-std::span<const std::byte> GltfBytes::read(std::size_t index, std::uint64_t offset, std::size_t bytes) {
-  const GltfView& view = document_.views[index];
-  if (offset > view.bytes || bytes > view.bytes - offset)
+std::span<const std::byte> GltfBytes::read(std::size_t view, std::uint64_t offset, std::size_t bytes) {
+  const GltfView& from = document_.views[view];
+  if (offset > from.bytes || bytes > from.bytes - offset)
     fail("an accessor reaches behind the end of its 'bufferView'");
-  if (view.packing) return read_content(unpacked(index, *view.packing), offset, bytes);
-  return read_content(buffer(view.buffer), view.offset + offset, bytes);
+  if (from.packing) return read_content(unpacked(view, *from.packing), offset, bytes);
+  return read_content(buffer(from.buffer), from.offset + offset, bytes);
 }
 
 std::span<const std::byte> GltfBytes::read_content(Content& content, std::uint64_t offset,
