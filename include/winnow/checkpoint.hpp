@@ -4,6 +4,7 @@
 #include <winnow/simplify.hpp>
 
 #include <string>
+#include <vector>
 
 namespace winnow {
 
@@ -25,7 +26,7 @@ struct Checkpoint {
 //
 // Throws Error as simplify() does; usage also where the directory cannot be used or holds another run's
 // checkpoint; resources where another run works in it.
-SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,
+SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
                         const SimplifyOptions& options, const Checkpoint& checkpoint);
 
 // Goes on with the run that `checkpoint.directory` is of, with the options it had; memory, threads and

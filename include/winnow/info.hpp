@@ -13,9 +13,9 @@
 namespace winnow {
 
 struct InfoReport {
-  std::string format;          // "PLY binary little-endian", "STL ascii", ... with ", gzip" or ", zstd"
-  std::uint64_t bytes = 0;     // after decompression
-  std::uint64_t faces = 0;     // triangles, bad ones included; polygons count as their triangles
+  std::string format;       // "PLY binary little-endian", "STL ASCII", "OBJ", ... with ", gzip" or ", zstd"
+  std::uint64_t bytes = 0;  // after decompression
+  std::uint64_t faces = 0;  // triangles, bad ones included; polygons count as their triangles
   std::uint64_t vertices = 0;  // vertices stored; 0 for formats without (STL)
   BadFaces bad_faces;
   std::uint64_t zero_area = 0;  // faces with three distinct corners on one line; they are not bad

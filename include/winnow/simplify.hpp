@@ -30,8 +30,9 @@ enum class Borders {
   keep    // their vertices stay, all of them
 };
 
-// File formats by name; `automatic` goes by content for an input, by the name's ending for an output.
-enum class Format { automatic, ply, stl };
+// File formats by name; `automatic` goes by content for an input, by the name's ending for an output. Only
+// PLY and STL are written.
+enum class Format { automatic, ply, stl, obj, off, m, gltf };  // gltf: GLB too
 
 // Options that change the result. Exactly one of cell, grid, faces, ratio, error and
 // relative_error must be set.
@@ -57,6 +58,12 @@ struct SimplifyOptions {
   Placement placement = Placement::quadric;  // where in its cell the vertex goes
   bool normals = false;                      // write vertex normals (also done when the input has them)
   bool strict = false;                       // the first bad face of the input is an error
+
+  // Only the faces all of whose corners lie in this box (its sides included), in model units: its low and its
+  // high corner. The others are counted, and neither they nor vertices outside have any influence. The
+  // lattice of `cell` then hangs on the low corner; `ratio` is of the faces that are left. Default: all
+  // faces.
+  std::optional<std::array<std::array<double, 3>, 2>> crop;
 
   Format from = Format::automatic;
   Format to = Format::automatic;
@@ -92,6 +99,7 @@ struct SimplifyReport {
     std::uint64_t vertices = 0;  // vertices stored; 0 for formats without (STL)
     std::uint64_t bytes = 0;     // after decompression
     BadFaces bad_faces;
+    std::uint64_t cropped_faces = 0;  // left out for SimplifyOptions::crop; the others are `faces` less these
   } input;
   struct {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;
@@ -151,7 +159,7 @@ struct SimplifyPlan {
 // Reads `input`, clusters its vertices on a grid, collapses edges of what comes out until it has the faces
 // asked for, writes one mesh to `output`.
 //
-// input: a file's name, or "-" for standard input. PLY or STL, plain or in gzip or zstd. output: a file's
+// input: a file's name, or "-" for standard input, of any Format, plain or in gzip or zstd. output: a file's
 // name, or "-" for standard output. A regular file appears under its name only when it is whole; anything
 // else (a pipe, a device) is written straight. The result depends on the input's content and on `options`
 // alone: never on the context, on threads, on memory, or on whether a file or a pipe was read.
@@ -160,8 +168,16 @@ struct SimplifyPlan {
 SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,
                         const SimplifyOptions& options);
 
+// The same with several inputs as one model, in their order: the faces of one after those of the other, in
+// the box of all. Each must be a file; of any formats. One is open at a time, and each is read again in each
+// pass.
+SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
+                        const SimplifyOptions& options);
+
 // The plan of the same call; reads no more than the input's header and writes nothing. Same errors.
 SimplifyPlan plan_simplify(Context& context, const std::string& input, const std::string& output,
                            const SimplifyOptions& options);
+SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
+                           const std::string& output, const SimplifyOptions& options);
 
 }  // namespace winnow

@@ -224,6 +224,10 @@ class ClustererOf final : public Clusterer {
 
   void count_bad(Worker& worker, const FaceBatch& faces, std::size_t i) {
     const char* what = nullptr;
+    if (faces.status[i] == FaceStatus::cropped) {
+      ++worker.counts.cropped;
+      return;
+    }
     if (faces.status[i] == FaceStatus::out_of_range) {
       ++worker.counts.bad.out_of_range;
       what = "names a vertex that does not exist";
@@ -285,6 +289,7 @@ std::uint64_t ClusterMemory::smallest_table(std::size_t parts, bool quadrics) {
 void ClusterCounts::add(const ClusterCounts& other) {
   faces += other.faces;
   bad.add(other.bad);
+  cropped += other.cropped;
   clamped += other.clamped;
   if (other.first_bad.face < first_bad.face) first_bad = other.first_bad;
   outside = std::max(outside, other.outside);

@@ -34,6 +34,7 @@ struct ClusterMemory {
 struct ClusterCounts {
   std::uint64_t faces = 0;
   BadFaces bad;
+  std::uint64_t cropped = 0;
   std::uint64_t clamped = 0;
   FirstBad first_bad;
   // The farthest finite corner outside of the lattice, in cells from its middle; 0 where there is none.

@@ -117,6 +117,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldMemory& memory, Clust
         ClusterCounts here;
         here.faces = batch.count;
         here.bad = good.bad();
+        here.cropped = good.cropped();
         here.first_bad = good.first_bad();
         worker.counts.add(here);
         for (const NumberedFace& face : good.faces()) {

@@ -11,6 +11,7 @@ enum class FaceStatus : std::uint8_t {
   good,
   degenerate,    // fewer than three corners; repeated positions are found later
   out_of_range,  // an index of no vertex
+  cropped        // a corner outside of the box that is asked for
 };
 
 // A slice of the input, small enough to stay in a core's nearest caches. Arrays side by side, so that

@@ -45,20 +45,25 @@ auto watch_the_file(const MeshReader& reader, Pass pass) {
 
 bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
                          const std::function<bool()>& stop) {
-  return watch_the_file(reader, [&] {
-    return run_pass(
-        job, [&](RawBatch& batch) { return reader.next_faces(batch); },
-        [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_faces(batch, slice, sink); }, stop);
-  });
+  for (;;) {
+    const bool more = watch_the_file(reader, [&] {
+      return run_pass(
+          job, [&](RawBatch& batch) { return reader.next_faces(batch); },
+          [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_faces(batch, slice, sink); }, stop);
+    });
+    if (more || !reader.next_part()) return more;
+  }
 }
 
 void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink, PassCorners corners) {
   reader.begin_positions(corners);
-  watch_the_file(reader, [&] {
-    return run_pass(
-        job, [&](RawBatch& batch) { return reader.next_positions(batch); },
-        [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_positions(batch, slice, sink); }, {});
-  });
+  do {
+    watch_the_file(reader, [&] {
+      return run_pass(
+          job, [&](RawBatch& batch) { return reader.next_positions(batch); },
+          [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_positions(batch, slice, sink); }, {});
+    });
+  } while (reader.next_part());
 }
 
 }  // namespace winnow

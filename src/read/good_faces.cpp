@@ -5,6 +5,10 @@ namespace winnow {
 GoodFaces::GoodFaces(const FaceBatch& faces) {
   for (std::size_t i = 0; i < faces.count; ++i) {
     const Triangle t{faces.corner(0, i), faces.corner(1, i), faces.corner(2, i)};
+    if (faces.status[i] == FaceStatus::cropped) {
+      ++cropped_;
+      continue;
+    }
     const char* what = nullptr;
     if (faces.status[i] == FaceStatus::out_of_range) {
       ++bad_.out_of_range;

@@ -31,11 +31,13 @@ class GoodFaces {
   [[nodiscard]] std::span<const NumberedFace> faces() const { return {good_.data(), count_}; }
   [[nodiscard]] const BadFaces& bad() const { return bad_; }
   [[nodiscard]] const FirstBad& first_bad() const { return first_bad_; }
+  [[nodiscard]] std::uint64_t cropped() const { return cropped_; }  // not bad, but not asked for
 
  private:
   std::array<NumberedFace, FaceBatch::capacity> good_;
   std::size_t count_ = 0;
   BadFaces bad_;
+  std::uint64_t cropped_ = 0;
   FirstBad first_bad_;
 };
 

@@ -52,7 +52,8 @@ enum class Access {
 enum class PassCorners { all, first };
 
 // Two steps a pass: next_*() is for one thread at a time and finds where batches begin and end; decode_*()
-// does the work and may run for many batches at once. Errors: Error(bad_input), naming file and place.
+// does the work, in `slice`, which it hands to the sink, and may run for many batches at once. Errors:
+// Error(bad_input), naming file and place.
 class MeshReader {
  public:
   virtual ~MeshReader() = default;
@@ -66,6 +67,10 @@ class MeshReader {
   virtual void begin_faces() = 0;
   virtual bool next_faces(RawBatch& batch) = 0;
   virtual void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const = 0;
+
+  // After a pass's last batch, when none is under way any more: whether the pass goes on, with another file
+  // of the same input.
+  virtual bool next_part() { return false; }
 
   // The first position all of whose coordinates are finite, in the input's order; nothing if there is
   // none. To be called before begin_faces(); costs next to nothing.
@@ -103,6 +108,7 @@ struct InputOutlook {
   bool copied_first = false;   // the whole input goes to scratch before anything else
   bool vertices_kept = false;  // vertices are decoded into memory or scratch, not looked up in the file
   bool faces_kept = false;     // faces stand before the vertices and wait in scratch
+  bool taken_in = false;       // all is parsed into memory or scratch before anything else
   std::string compression;
 };
 InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access);

@@ -2,24 +2,60 @@
 #include <winnow/error.hpp>
 
 #include "read/formats.hpp"
+#include "read/text_tokens.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace winnow {
 
 namespace {
 
-Format format_of(ByteSource& source, Format asked) {
-  if (asked != Format::automatic) return asked;
-  const Block head = source.peek(4);
-  const bool ply = head.bytes.size() == 4 && std::memcmp(head.bytes.data(), "ply", 3) == 0 &&
-                   (head.bytes[3] == std::byte{'\n'} || head.bytes[3] == std::byte{'\r'});
-  return ply ? Format::ply : Format::stl;
+// Formats that are taken in whole when they are opened.
+struct KeptFormat {
+  Format format;
+  const char* name;
+  bool (*is)(std::string_view head);
+  std::unique_ptr<MeshReader> (*open)(Job& job, std::unique_ptr<ByteSource> source,
+                                      const ReaderMemory& memory);
+};
+constexpr std::array<KeptFormat, 4> kept_formats{{{Format::gltf, "glTF", is_gltf, open_gltf},
+                                                  {Format::off, "OFF", is_off, open_off},
+                                                  {Format::m, "M", is_m, open_m},
+                                                  {Format::obj, "OBJ", is_obj, open_obj}}};
+
+const KeptFormat* kept_format(Format format) {
+  const auto* found = std::find_if(kept_formats.begin(), kept_formats.end(),
+                                   [&](const KeptFormat& one) { return one.format == format; });
+  return found == kept_formats.end() ? nullptr : found;
 }
 
-// A PLY keeps its vertices anyway; only its faces cannot be had twice from a pipe. STL is all faces.
+std::string_view text_of(const Block& block) {
+  return {reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size()};
+}
+
+Format format_of(ByteSource& source, Format asked) {
+  if (asked != Format::automatic) return asked;
+  const Block head = source.peek(1024);
+  const std::string_view text = text_of(head);
+  if (text.starts_with("glTF")) return Format::gltf;
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return Format::ply;
+  if (text.substr(0, 16).find("OFF BINARY") != std::string_view::npos) return Format::off;
+  if (!is_text(text)) return Format::stl;
+  // Comments may come first, a licence say.
+  const Block more = source.peek(std::size_t{1} << 16);
+  for (const KeptFormat& format : kept_formats) {
+    if (format.is(text_of(more))) return format.format;
+  }
+  return Format::stl;
+}
+
+// A PLY keeps its vertices anyway; only its faces cannot be had twice from a pipe. STL is all faces. Of a
+// glTF the parts may be needed in any order.
 bool needs_copy(const ByteSource& source, Format format, Access access) {
-  if (source.seekable() || access == Access::once) return false;
+  if (format == Format::gltf) return !source.seekable();
+  if (source.seekable() || access == Access::once || kept_format(format) != nullptr) return false;
   return format == Format::stl || access == Access::repeatedly;
 }
 
@@ -29,13 +65,20 @@ std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> so
                                         Access access, const ReaderMemory& memory) {
   format = format_of(*source, format);
   if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
+  if (const KeptFormat* text = kept_format(format)) return text->open(job, std::move(source), memory);
   return format == Format::ply ? open_ply(job, std::move(source), memory)
                                : open_stl(job, std::move(source), memory);
 }
 
 InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access access) {
   format = format_of(source, format);
-  InputOutlook outlook = format == Format::ply ? look_at_ply(source) : look_at_stl(source);
+  InputOutlook outlook;
+  if (const KeptFormat* text = kept_format(format)) {
+    outlook.facts.format = text->name;
+    outlook.taken_in = true;
+  } else {
+    outlook = format == Format::ply ? look_at_ply(source) : look_at_stl(source);
+  }
   outlook.bytes = source.size();
   outlook.copied_first = needs_copy(source, format, access);
   outlook.compression = source.compression();

@@ -3,14 +3,14 @@
 
 #include "base/text.hpp"
 #include "read/formats.hpp"
+#include "read/indexed_reader.hpp"
+#include "read/kept_faces.hpp"
 #include "read/ply_lists.hpp"
 #include "read/ply_scalar.hpp"
 #include "read/ply_values.hpp"
 #include "read/slices.hpp"
-#include "read/vertex_store.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace winnow {
@@ -79,16 +79,10 @@ InputFacts facts_of(const PlyHeader& header) {
   return facts;
 }
 
-// A triangle that waits for its vertices.
-struct KeptFace {
-  std::array<std::uint32_t, 3> index{};
-  FaceStatus status = FaceStatus::good;
-};
-
-class PlyReader final : public MeshReader {
+class PlyReader final : public IndexedReader {
  public:
   PlyReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory)
-      : job_(job), source_(std::move(source)), memory_(memory), vertices_(job, memory.vertices) {
+      : IndexedReader(job, std::move(source), memory, memory.vertices) {
     header_ = read_ply_header(*source_);
     facts_ = facts_of(header_);
     if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
@@ -114,46 +108,10 @@ class PlyReader final : public MeshReader {
     }
   }
 
-  void begin_positions(PassCorners /*corners*/) override {
-    vertices_.wake();
-    next_position_ = 0;
-  }
-
-  bool next_positions(RawBatch& batch) override {
-    batch = {};
-    batch.first = next_position_;
-    batch.count = std::min<std::uint64_t>(memory_.batch_faces, vertices_.size() - next_position_);
-    next_position_ += batch.count;
-    return batch.count > 0;
-  }
-
-  void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override {
-    const std::array<double*, 3> out{slice.position[0][0].data(), slice.position[0][1].data(),
-                                     slice.position[0][2].data()};
-    for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
-      const std::size_t count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
-      vertices_.read(batch.first + from, count, out);
-      sink({{out[0], out[1], out[2]}, count, batch.first + from, 0});
-    }
-    vertices_.check_intact(source_->name());
-  }
-
-  std::optional<std::array<double, 3>> first_finite_position() override {
-    std::array<double, 3> xyz{};
-    for (std::uint64_t i = 0; i < vertices_.size(); ++i) {
-      vertices_.read(i, 1, {&xyz[0], &xyz[1], &xyz[2]});
-      if (std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2])) return xyz;
-    }
-    return {};
-  }
-
-  void rest() override { vertices_.rest(); }
-
   void begin_faces() override {
     vertices_.wake();
     if (faces_.element == nullptr) return;
     next_face_ = 0;
-    kept_at_ = 0;
     if (kept_faces_ != nullptr) return;
     // The first time the source stands there already, and may not be seekable.
     if (source_->position() != faces_offset_ || lists_ != nullptr) {
@@ -168,7 +126,7 @@ class PlyReader final : public MeshReader {
     batch.first = next_face_;
     if (faces_.element == nullptr) return false;
     if (kept_faces_ != nullptr) {
-      next_kept(batch);
+      kept_faces_->read(next_face_, memory_.batch_faces, batch);
     } else if (!next_triangles(batch)) {
       // Some other polygon comes first; a few records on there may be triangles again.
       const bool fast_later = triangle_stride() != 0;
@@ -192,8 +150,6 @@ class PlyReader final : public MeshReader {
   }
 
   [[nodiscard]] std::uint64_t bytes() const override { return std::max(source_->position(), bytes_seen_); }
-  [[nodiscard]] const std::string& name() const override { return source_->name(); }
-  void check_whole() const override { source_->check_whole(); }
 
  private:
   // A header that promises more than the file can hold is refused before anything is built on its counts.
@@ -340,32 +296,22 @@ class PlyReader final : public MeshReader {
   // Faces that stand before the vertices wait in scratch.
   void keep_faces() {
     job_.progress.begin("keep faces", faces_.element->count, "faces");
-    kept_faces_ = std::make_unique<Spool>(job_, memory_.vertices / 4);
+    kept_faces_ = std::make_unique<KeptFaces>(job_, memory_.vertices / 4);
     PlyLists lists(*faces_.element, *faces_.list, *values_, faces_.strips);
     for (;;) {
       RawBatch batch;
       lists.read(batch, 4096);
       if (batch.count == 0) break;
       for (std::size_t i = 0; i < batch.count; ++i) {
-        const KeptFace face{{batch.indices[3 * i], batch.indices[3 * i + 1], batch.indices[3 * i + 2]},
-                            batch.status[i]};
-        kept_faces_->append(std::as_bytes(std::span(&face, 1)));
+        if (batch.status[i] == FaceStatus::good) {
+          kept_faces_->add(std::span(batch.indices).subspan(3 * i, 3));
+        } else {
+          kept_faces_->add_degenerate();
+        }
       }
       job_.progress.advance(batch.count);
     }
     kept_faces_->finish();
-  }
-
-  void next_kept(RawBatch& batch) {
-    batch.count =
-        std::min<std::uint64_t>(memory_.batch_faces, (kept_faces_->size() - kept_at_) / sizeof(KeptFace));
-    std::vector<KeptFace> faces(batch.count);
-    kept_faces_->read(kept_at_, std::as_writable_bytes(std::span(faces)));
-    for (const KeptFace& face : faces) {
-      batch.indices.insert(batch.indices.end(), face.index.begin(), face.index.end());
-      batch.status.push_back(face.status);
-    }
-    kept_at_ += batch.count * sizeof(KeptFace);
   }
 
   // Size of a face's record if it is a triangle and nothing but the list has a variable size, and the list
@@ -445,19 +391,13 @@ class PlyReader final : public MeshReader {
     bytes_seen_ = source_->size().value_or(source_->position());
   }
 
-  Job& job_;
-  std::unique_ptr<ByteSource> source_;
-  ReaderMemory memory_;
   PlyHeader header_;
   FaceElement faces_;
   std::unique_ptr<PlyValues> values_;
-  VertexStore vertices_;
   bool vertices_loaded_ = false;
-  std::uint64_t next_position_ = 0;
   std::uint64_t faces_offset_ = 0;
   std::unique_ptr<PlyLists> lists_;
-  std::unique_ptr<Spool> kept_faces_;
-  std::uint64_t kept_at_ = 0;
+  std::unique_ptr<KeptFaces> kept_faces_;
   std::uint64_t next_face_ = 0;
   std::uint64_t bytes_seen_ = 0;
 };

@@ -30,13 +30,6 @@ bool contains_word(std::string_view text, std::string_view word) {
   return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
-bool is_text(std::string_view bytes) {
-  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte < 0x20 && !(byte >= '\t' && byte <= '\r');
-  });
-}
-
 // What there is to decide by: whether it begins with "solid", whether it reads like text, whether the count
 // fits the size. Many binary files begin with "solid" all the same.
 StlHead look_at_head(ByteSource& source) {
@@ -56,21 +49,10 @@ StlHead look_at_head(ByteSource& source) {
     found.ascii = true;
     return found;
   }
-  const std::string wrong = "'" + source.name() + "' is neither PLY nor STL";
-  if (is_text(head)) {
-    if (head.starts_with("OFF") || head.starts_with("COFF"))
-      throw Error(ErrorKind::bad_input, wrong + " but OFF, which is not read; convert it to PLY");
-    if (contains_word(head, "\nv ") || head.starts_with("v "))
-      throw Error(ErrorKind::bad_input,
-                  wrong + " but OBJ, by its look, which is not read; convert it to PLY");
-    throw Error(ErrorKind::bad_input, wrong + ": it is some other text");
-  }
-  if (head.starts_with("glTF"))
-    throw Error(ErrorKind::bad_input, wrong + " but GLB, which is not read; convert it to PLY");
-  if (head.size() < header_bytes) {
-    throw Error(ErrorKind::bad_input,
-                wrong + ": " + human_bytes(head.size()) + " are too short for a header");
-  }
+  const std::string wrong = "'" + source.name() + "' is no mesh in a format that winnow reads: ";
+  if (is_text(head)) throw Error(ErrorKind::bad_input, wrong + "it is some other text");
+  if (head.size() < header_bytes)
+    throw Error(ErrorKind::bad_input, wrong + human_bytes(head.size()) + " are too short for an STL");
   // A random file would be read as a handful of wild faces. A damaged STL has a count that its size nearly
   // fits.
   if (found.stored && *found.stored == 0 && found.declared != 0) {

@@ -4,6 +4,7 @@
 
 #include "base/text.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -77,6 +78,13 @@ void TextTokens::sync() {
   text_ = {};
   at_ = 0;
   ended_ = false;
+}
+
+bool is_text(std::string_view bytes) {
+  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && !is_blank(c);
+  });
 }
 
 std::optional<double> parse_real(std::string_view word) {

@@ -34,6 +34,9 @@ class TextTokens {
   bool ended_ = false;
 };
 
+// Whether bytes look like text, in whatever encoding has blanks and line ends as ASCII has.
+bool is_text(std::string_view bytes);
+
 // The whole word as a number; "nan" and "inf" in any spelling are numbers.
 std::optional<double> parse_real(std::string_view word);
 std::optional<std::int64_t> parse_integer(std::string_view word);

@@ -87,15 +87,15 @@ void VertexStore::finish_keeping() {
 namespace {
 
 // The layout nearly every file has gets a loop of its own.
-template <typename Real>
+template <typename Real, typename Given>
 void gather_plain(const std::byte* base, std::size_t stride, const std::uint32_t* index, std::size_t count,
-                  std::array<std::array<Real, FaceBatch::capacity>, 3>& out) {
+                  std::array<std::array<Given, FaceBatch::capacity>, 3>& out) {
   for (std::size_t i = 0; i < count; ++i) {
     std::array<Real, 3> xyz;
     std::memcpy(xyz.data(), base + std::size_t{index[i]} * stride, sizeof xyz);
-    out[0][i] = xyz[0];
-    out[1][i] = xyz[1];
-    out[2][i] = xyz[2];
+    out[0][i] = static_cast<Given>(xyz[0]);
+    out[1][i] = static_cast<Given>(xyz[1]);
+    out[2][i] = static_cast<Given>(xyz[2]);
   }
 }
 
@@ -113,9 +113,11 @@ bool is_plain(const VertexLayout& layout) {
 
 void VertexStore::gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index,
                                 std::size_t count, FaceBatch& out) const {
-  out.single = is_plain<float>(layout_);
+  out.single = is_plain<float>(layout_) || floats_;
   for (std::size_t corner = 0; corner < 3; ++corner) {
-    if (out.single) {
+    if (floats_) {
+      gather_plain<double>(base, layout_.stride, index[corner], count, out.single_position[corner]);
+    } else if (out.single) {
       gather_plain<float>(base + layout_.offset[0], layout_.stride, index[corner], count,
                           out.single_position[corner]);
     } else if (is_plain<double>(layout_)) {
@@ -146,8 +148,9 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
                                               "; was the file shortened while it was read?");
       }
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        out.position[corner][axis][i] =
+        const double value =
             load_real(record.data() + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+        out.position[corner][axis][i] = floats_ ? double{static_cast<float>(value)} : value;
       }
     }
   }
@@ -202,8 +205,9 @@ void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<
   }
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      out[axis][i] =
+      const double value =
           load_real(base + i * layout_.stride + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+      out[axis][i] = floats_ ? double{static_cast<float>(value)} : value;
     }
   }
 }

@@ -49,6 +49,9 @@ class VertexStore {
   void keep(std::span<const double> xyz);
   void finish_keeping();
 
+  // What is kept in doubles is given out as floats from now on.
+  void give_floats() { floats_ = true; }
+
   [[nodiscard]] std::uint64_t size() const { return count_; }
 
   // Positions of three vertices for each of `count` faces: `index[corner][face]`, all in `range` and below
@@ -89,6 +92,7 @@ class VertexStore {
   std::uint64_t memory_limit_;
   std::uint64_t count_ = 0;
   VertexLayout layout_;
+  bool floats_ = false;
   std::unique_ptr<Spool> kept_;
   std::vector<std::byte> packed_;  // keep()'s own
   std::unique_ptr<boost::interprocess::file_mapping> file_;

@@ -9,6 +9,7 @@
 #include "run/simplify_options.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 
@@ -31,13 +32,16 @@ constexpr double cell_for_error = 1.5;
 
 std::uint64_t count_faces(Job& job, MeshReader& reader) {
   if (reader.facts().faces) return *reader.facts().faces;
-  std::uint64_t count = 0;
+  std::atomic<std::uint64_t> count{0};
   job.progress.begin("count faces", 0, "faces");
   reader.begin_faces();
-  for (RawBatch batch; reader.next_faces(batch);) {
-    count += batch.count;
-    job.progress.advance(batch.count);
-  }
+  for_each_face_batch(job, reader,
+                      [&](const FaceBatch& faces) {
+                        const auto* end = faces.status.begin() + faces.count;
+                        const auto cropped = std::count(faces.status.begin(), end, FaceStatus::cropped);
+                        count += faces.count - static_cast<std::uint64_t>(cropped);
+                      },
+                      {});
   return count;
 }
 
@@ -178,6 +182,7 @@ void Clustering::take_counts(const ClusterCounts& counts) {
   }
   report_.input.faces = counts.faces;
   report_.input.bad_faces = counts.bad;
+  report_.input.cropped_faces = counts.cropped;
   report_.clamped_faces = counts.clamped;
 }
 

@@ -1,6 +1,8 @@
 #include <winnow/simplify.hpp>
 
 #include "io/arena.hpp"
+#include "read/kept_faces.hpp"
+#include "run/input.hpp"
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
 
@@ -14,11 +16,13 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   if (outlook.faces_kept) passes.emplace_back("keep the faces in scratch until the vertices are read");
   if (outlook.vertices_kept)
     passes.emplace_back("read the vertices into memory, or scratch where they do not fit");
-  const std::string positions = outlook.facts.vertices ? "vertices" : "corners of all faces";
+  if (outlook.taken_in) passes.emplace_back("parse the input into memory, or scratch where it does not fit");
+  const std::string positions =
+      outlook.taken_in || outlook.facts.vertices ? "vertices" : "corners of all faces";
   if (options.grid) passes.push_back("measure the box of the " + positions);
   if (options.error || options.relative_error) passes.push_back("measure the box of the " + positions);
   if (options.faces || options.ratio) {
-    if (!outlook.facts.faces && options.ratio) passes.emplace_back("count the faces");
+    if (!outlook.facts.faces && !outlook.taken_in && options.ratio) passes.emplace_back("count the faces");
     passes.push_back("find the box and a rough cell size from the " + positions);
     passes.push_back("sample the " + positions + " for the cell size");
   }
@@ -35,32 +39,36 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
 
 }  // namespace
 
-SimplifyPlan plan_simplify(Context& context, const std::string& input, const std::string& /*output*/,
-                           const SimplifyOptions& options) {
+SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
+                           const std::string& /*output*/, const SimplifyOptions& options) {
   check(options);
   Job job(context);
   job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
-  const std::unique_ptr<ByteSource> source = open_source(job, input);
-  source->peek(1);
+  Input input(job, inputs);
   const MemoryPlan plan =
-      MemoryPlan::divide(context.memory, job.budget.used(), job.threads, sums_quadrics(options));
-  const InputOutlook outlook = look_at(job, *source, options.from, access_for(options));
+      MemoryPlan::divide(context.memory, input.memory(), job.threads, sums_quadrics(options));
+  const InputOutlook outlook = input.outlook(options);
   SimplifyPlan out;
   out.memory = plan.parts();
-  out.smallest_memory = plan.smallest + job.budget.used();
+  out.smallest_memory = plan.smallest + input.memory();
   out.passes = passes_of(outlook, options);
   out.faces = outlook.facts.faces;
   out.vertices = outlook.facts.vertices;
   if (out.faces) {
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
     if (outlook.vertices_kept) kept += out.vertices.value_or(0) * (outlook.facts.double_positions ? 24 : 12);
-    if (outlook.faces_kept) kept += *out.faces * 16;
+    if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
     out.scratch_worst = worst_scratch(*out.faces, sums_quadrics(options)) + kept;
     out.scratch_expected = expected_scratch(*out.faces, plan, sums_quadrics(options)) + kept;
     // A rate measured once for one thread (bench/RESULTS.md), for want of knowing the machine.
     out.seconds_expected = static_cast<double>(*out.faces) / (2.2e7 * job.threads);
   }
   return out;
+}
+
+SimplifyPlan plan_simplify(Context& context, const std::string& input, const std::string& output,
+                           const SimplifyOptions& options) {
+  return plan_simplify(context, std::vector{input}, output, options);
 }
 
 }  // namespace winnow

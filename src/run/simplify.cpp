@@ -6,6 +6,7 @@
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
 #include "run/clustering.hpp"
+#include "run/input.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
 #include "run/simplify_checkpoint.hpp"
@@ -13,17 +14,19 @@
 #include "run/write_mesh.hpp"
 #include "write/mesh_encoder.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace winnow {
 
 namespace {
 
-Clustered cluster(Job& job, std::unique_ptr<ByteSource> source, const SimplifyOptions& options,
-                  const MemoryPlan& plan, const Stopwatch& watch, SimplifyReport& report) {
-  const std::unique_ptr<MeshReader> reader =
-      open_reader(job, std::move(source), options.from, access_for(options), plan.reader);
+Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const MemoryPlan& plan,
+                  const Stopwatch& watch, SimplifyReport& report) {
+  const std::unique_ptr<MeshReader> reader = input.reader(options, plan.reader);
   Clustering clustering(job, *reader, options, plan, report);
   const double opened = watch.seconds();
   Clustered clustered = clustering.run();
@@ -36,7 +39,8 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
   const SimplifyOptions& options = request.options;
   const Stopwatch watch;
   // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
-  if (request.input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
+  if (request.inputs.size() == 1 && request.inputs.front() == "-")
+    MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, request.output);
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   ByteSink sink(job, request.output, options.force);
@@ -45,13 +49,10 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
 
   // Decompressing takes memory of its own, which shows with the first bytes; the rest is divided.
   job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
-  std::unique_ptr<ByteSource> source;
-  if (!checkpoint.has_mesh()) {
-    source = open_source(job, request.input);
-    source->peek(1);
-  }
-  const MemoryPlan plan =
-      MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, sums_quadrics(options));
+  std::optional<Input> input;
+  if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
+  const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), input ? input->memory() : job.budget.used(),
+                                             job.threads, sums_quadrics(options));
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   Clustered clustered;
@@ -61,7 +62,7 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
     report.seconds.read = watch.seconds();
   } else {
     checkpoint.begun();
-    clustered = cluster(job, std::move(source), options, plan, watch, report);
+    clustered = cluster(job, *input, options, plan, watch, report);
     checkpoint.save(job, clustered, report);
   }
   const bool normals = options.normals || clustered.normals;
@@ -86,7 +87,11 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
   report.error_bound = report.cell_size * std::sqrt(3.0);
   report.spilled_bytes = job.scratch.written();
   report.peak_scratch_bytes = job.scratch.peak();
-  report.notes = job.notes;
+  // A file that is opened again says the same again.
+  for (const std::string& note : job.notes) {
+    if (std::find(report.notes.begin(), report.notes.end(), note) == report.notes.end())
+      report.notes.push_back(note);
+  }
   checkpoint.settled(sink, report);
   sink.finish();
   checkpoint.finish(job);
@@ -108,18 +113,23 @@ SimplifyReport simplify_with(Job& job, const SimplifyRequest& request, SimplifyC
 
 }  // namespace
 
-SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,
+SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
                         const SimplifyOptions& options) {
   check(options);
   Job job(context);
-  return simplify_with(job, {input, output, options}, {});
+  return simplify_with(job, {inputs, output, options}, {});
 }
 
 SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,
+                        const SimplifyOptions& options) {
+  return simplify(context, std::vector{input}, output, options);
+}
+
+SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
                         const SimplifyOptions& options, const Checkpoint& settings) {
   check(options);
   Job job(context, settings.directory);
-  const SimplifyRequest request{input, output, options};
+  const SimplifyRequest request{inputs, output, options};
   return simplify_with(job, request, SimplifyCheckpoint::begin(job, settings, request));
 }
 

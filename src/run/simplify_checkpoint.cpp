@@ -23,7 +23,7 @@ SimplifyCheckpoint SimplifyCheckpoint::begin(Job& job, const Checkpoint& setting
   Manifest& manifest = checkpoint.directory_->manifest();
   manifest.set("version", std::string(WINNOW_VERSION));
   put(manifest, request);
-  put_input(manifest, request.input);
+  put_inputs(manifest, request.inputs);
   return checkpoint;
 }
 
@@ -38,7 +38,7 @@ SimplifyCheckpoint SimplifyCheckpoint::open(Job& job, const Checkpoint& settings
                 "'" + settings.directory + "' is of winnow " + manifest.text("version") + ", this is " +
                     WINNOW_VERSION + "; resume it with that one, or remove it and run winnow simplify again");
   }
-  check_input(manifest, manifest.text("input"), checkpoint.has_mesh(), settings.directory);
+  check_inputs(manifest, checkpoint.has_mesh(), settings.directory);
   return checkpoint;
 }
 
@@ -120,7 +120,7 @@ void SimplifyCheckpoint::finish(Job& job) {
 void SimplifyCheckpoint::fail(const Error& error) {
   if (directory_ == nullptr) throw Error(error);
   // A pipe that was not read to its end cannot be read again.
-  const bool can_go_on = has_mesh() || (begun_ && directory_->manifest().has("input.size"));
+  const bool can_go_on = has_mesh() || (begun_ && inputs_are_files(directory_->manifest()));
   const ErrorKind kind = error.kind();
   if (can_go_on && (kind == ErrorKind::resources || kind == ErrorKind::cancelled || kind == ErrorKind::usage))
     throw Error(kind, std::string(error.what()) + "; go on by winnow resume '" + directory_->path() + "'");

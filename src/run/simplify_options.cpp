@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace winnow {
 
@@ -39,6 +40,13 @@ void check(const SimplifyOptions& options) {
   if (options.relative_error && !(*options.relative_error > 0 && *options.relative_error < 1)) {
     throw Error(ErrorKind::usage, "--error takes a part of the diagonal above 0 and below 100%, not " +
                                       shortest(100 * *options.relative_error) + "%");
+  }
+  if (options.crop) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = std::pair((*options.crop)[0][axis], (*options.crop)[1][axis]);
+      if (!(std::isfinite(low) && std::isfinite(high) && low <= high))
+        throw Error(ErrorKind::usage, "--crop takes the low and then the high corner of a box");
+    }
   }
   const bool by_error = options.error || options.relative_error;
   if (by_error && options.refine.value_or(Refine::quadric) != Refine::quadric) {

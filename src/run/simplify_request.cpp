@@ -4,6 +4,7 @@
 
 #include "base/checksum.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -36,6 +37,10 @@ class Put {
   void operator()(const std::string& key, const std::optional<Value>& value) {
     if (value) (*this)(key, *value);
   }
+  void operator()(const std::string& key, const std::array<std::array<double, 3>, 2>& box) {
+    manifest_.set(key, std::uint64_t{1});
+    for (std::size_t i = 0; i < 6; ++i) manifest_.set(key + "." + std::to_string(i), box[i / 3][i % 3]);
+  }
   void operator()(const std::string& key, const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
@@ -66,6 +71,9 @@ class Get {
     if (!manifest_.has(key)) return;
     (*this)(key, value.emplace());
   }
+  void operator()(const std::string& key, std::array<std::array<double, 3>, 2>& box) {
+    for (std::size_t i = 0; i < 6; ++i) box[i / 3][i % 3] = manifest_.real(key + "." + std::to_string(i));
+  }
   void operator()(const std::string& key, std::vector<std::string>& lines) {
     lines.clear();
     std::istringstream text(manifest_.text(key));
@@ -79,7 +87,7 @@ class Get {
 // Every option: one that is missing here would be forgotten by resume().
 template <typename Visit, typename Options>
 void visit_options(Visit&& visit, Options& options) {
-  static_assert(sizeof(SimplifyOptions) == 160, "an option has come or gone: name it below");
+  static_assert(sizeof(SimplifyOptions) == 216, "an option has come or gone: name it below");
   visit("option.cell", options.cell);
   visit("option.grid", options.grid);
   visit("option.faces", options.faces);
@@ -93,6 +101,7 @@ void visit_options(Visit&& visit, Options& options) {
   visit("option.placement", options.placement);
   visit("option.normals", options.normals);
   visit("option.strict", options.strict);
+  visit("option.crop", options.crop);
   visit("option.from", options.from);
   visit("option.to", options.to);
   visit("option.force", options.force);
@@ -103,6 +112,7 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.faces", report.input.faces);
   visit("report.vertices", report.input.vertices);
   visit("report.bytes", report.input.bytes);
+  visit("report.cropped_faces", report.input.cropped_faces);
   visit("report.degenerate", report.input.bad_faces.degenerate);
   visit("report.non_finite", report.input.bad_faces.non_finite);
   visit("report.out_of_range", report.input.bad_faces.out_of_range);
@@ -134,6 +144,16 @@ struct Identity {
   std::uint64_t size = 0, modified = 0, ends = 0;
 };
 
+std::string input_key(std::size_t i) {
+  return "input." + std::to_string(i);
+}
+
+std::vector<std::string> inputs_in(const Manifest& manifest) {
+  std::vector<std::string> inputs;
+  for (std::size_t i = 0; i < manifest.number("inputs"); ++i) inputs.push_back(manifest.text(input_key(i)));
+  return inputs;
+}
+
 // Of regular files; looking into a pipe would take away from it.
 std::optional<Identity> identity_of(const std::string& input) {
   struct stat status {};
@@ -157,49 +177,62 @@ std::optional<Identity> identity_of(const std::string& input) {
 }  // namespace
 
 void put(Manifest& manifest, const SimplifyRequest& request) {
-  manifest.set("input", absolute(request.input));
+  manifest.set("inputs", std::uint64_t{request.inputs.size()});
+  for (std::size_t i = 0; i < request.inputs.size(); ++i)
+    manifest.set(input_key(i), absolute(request.inputs[i]));
   manifest.set("output", absolute(request.output));
   visit_options(Put(manifest), request.options);
 }
 
 SimplifyRequest request_in(const Manifest& manifest) {
   SimplifyRequest request;
-  request.input = manifest.text("input");
+  request.inputs = inputs_in(manifest);
   request.output = manifest.text("output");
   visit_options(Get(manifest), request.options);
   return request;
 }
 
-void put_input(Manifest& manifest, const std::string& input) {
-  const std::optional<Identity> identity = identity_of(input);
-  if (!identity) return;
-  manifest.set("input.size", identity->size);
-  manifest.set("input.modified", identity->modified);
-  manifest.set("input.ends", identity->ends);
+void put_inputs(Manifest& manifest, const std::vector<std::string>& inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::optional<Identity> identity = identity_of(inputs[i]);
+    if (!identity) continue;
+    manifest.set(input_key(i) + ".size", identity->size);
+    manifest.set(input_key(i) + ".modified", identity->modified);
+    manifest.set(input_key(i) + ".ends", identity->ends);
+  }
 }
 
-void check_input(const Manifest& manifest, const std::string& input, bool read,
-                 const std::string& directory) {
+bool inputs_are_files(const Manifest& manifest) {
+  for (std::size_t i = 0; i < manifest.number("inputs"); ++i) {
+    if (!manifest.has(input_key(i) + ".size")) return false;
+  }
+  return true;
+}
+
+void check_inputs(const Manifest& manifest, bool read, const std::string& directory) {
   const std::string way_out = "; remove '" + directory + "' and run winnow simplify again";
-  if (!manifest.has("input.size")) {
-    if (read) return;
-    throw Error(ErrorKind::bad_input,
-                "the run in '" + directory +
-                    "' was killed before it had read all of its input, which was a pipe " +
-                    "and cannot be read again" + way_out);
+  const std::vector<std::string> inputs = inputs_in(manifest);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::string key = input_key(i);
+    if (!manifest.has(key + ".size")) {
+      if (read) continue;
+      throw Error(ErrorKind::bad_input,
+                  "the run in '" + directory +
+                      "' was killed before it had read all of its input, which was a pipe " +
+                      "and cannot be read again" + way_out);
+    }
+    const std::optional<Identity> now = identity_of(inputs[i]);
+    if (!now) {
+      if (read) continue;
+      throw Error(ErrorKind::bad_input, "'" + inputs[i] + "', the input of the run in '" + directory +
+                                            "', is not there or cannot be read any more" + way_out);
+    }
+    if (now->size != manifest.number(key + ".size") || now->modified != manifest.number(key + ".modified") ||
+        now->ends != manifest.number(key + ".ends")) {
+      throw Error(ErrorKind::bad_input, "'" + inputs[i] + "' has changed since the run in '" + directory +
+                                            "' began with it" + way_out);
+    }
   }
-  const std::optional<Identity> now = identity_of(input);
-  if (!now) {
-    if (read) return;
-    throw Error(ErrorKind::bad_input, "'" + input + "', the input of the run in '" + directory +
-                                          "', is not there or cannot be read any more" + way_out);
-  }
-  if (now->size == manifest.number("input.size") && now->modified == manifest.number("input.modified") &&
-      now->ends == manifest.number("input.ends")) {
-    return;
-  }
-  throw Error(ErrorKind::bad_input,
-              "'" + input + "' has changed since the run in '" + directory + "' began with it" + way_out);
 }
 
 void put_report(Manifest& manifest, const SimplifyReport& report) {

@@ -6,11 +6,13 @@
 #include "io/manifest.hpp"
 
 #include <string>
+#include <vector>
 
 namespace winnow {
 
 struct SimplifyRequest {
-  std::string input, output;
+  std::vector<std::string> inputs;
+  std::string output;
   SimplifyOptions options;
 };
 
@@ -18,11 +20,13 @@ struct SimplifyRequest {
 void put(Manifest& manifest, const SimplifyRequest& request);
 SimplifyRequest request_in(const Manifest& manifest);
 
-// Size, time and both ends of the input's content.
-void put_input(Manifest& manifest, const std::string& input);
-// Throws Error(bad_input) where the input is not what it was. `read`: all of it was read; then it may be
+// Size, time and both ends of the content of each input.
+void put_inputs(Manifest& manifest, const std::vector<std::string>& inputs);
+// Whether every input is a file, which can be read again.
+bool inputs_are_files(const Manifest& manifest);
+// Throws Error(bad_input) where an input is not what it was. `read`: all of them were read; then they may be
 // gone.
-void check_input(const Manifest& manifest, const std::string& input, bool read, const std::string& directory);
+void check_inputs(const Manifest& manifest, bool read, const std::string& directory);
 
 // What a run has reported so far, but for its time, memory and scratch.
 void put_report(Manifest& manifest, const SimplifyReport& report);

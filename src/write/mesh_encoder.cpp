@@ -19,6 +19,8 @@ std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path
                                         " is not written; name the output .ply or .stl, or say --to ply");
     }
   }
+  if (format != Format::ply && format != Format::stl)
+    throw Error(ErrorKind::usage, "this format is only read; --to takes ply or stl");
   return format == Format::stl ? make_stl_encoder() : make_ply_encoder();
 }
 

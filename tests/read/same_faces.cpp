@@ -5,6 +5,7 @@
 #include "support/sanitized.hpp"
 #include "support/sources.hpp"
 #include "support/stl_file.hpp"
+#include "support/text_meshes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -58,6 +59,9 @@ std::vector<std::string> example_files() {
     style.ornaments = &random;
     files.push_back(ply_file(polygons, style));
   }
+  files.push_back(obj_file(polygons, {.random = &random}));
+  files.push_back(off_file(polygons, {}));
+  files.push_back(m_file(polygons, {.random = &random}));
   std::vector<test::Triangle> faces = test::random_triangles(random, 50'000);
   faces[0][0] = {NAN, 0, 0};
   faces[0][1][2] = INFINITY;

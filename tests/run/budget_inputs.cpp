@@ -67,6 +67,27 @@ TEST_CASE("ASCII stays within the budget", "[budget]") {
   check_budget(directory, ascii_file(stl, directory.file("ascii.stl")), coarse, "smallest");
 }
 
+TEST_CASE("OBJ, OFF, .m and GLB stay within the budget", "[budget]") {
+  const Directory directory;
+  const std::string binary = directory.file("scan.ply");
+  generate("scan", faces / 2, binary);
+  for (const std::string name : {"other.obj", "other.off", "other.m", "other.glb"}) {
+    const std::string other = name.ends_with(".glb") ? glb_file(binary, directory.file(name))
+                                                     : ascii_file(binary, directory.file(name));
+    check_budget(directory, other, coarse, "smallest");
+    check_pipe(directory, other, {"--faces", "300k", "--refine", "none"});
+  }
+}
+
+TEST_CASE("several files stay within the budget", "[budget]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", faces / 2, input);
+  const std::string text = ascii_file(input, directory.file("scan.obj"));
+  const Words others{zstd_file(input), text};
+  check_budget(directory, input, others + coarse, "48M");
+}
+
 TEST_CASE("compressed input stays within the budget", "[budget]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");

@@ -1,12 +1,14 @@
-// Every PLY and STL of a folder of real and of broken meshes ends in an output that is sound, or in one clear
+// Every mesh of a folder of real and of broken meshes ends in an output that is sound, or in one clear
 // refusal with a documented exit code.
 #include "meshes.hpp"
 #include "support/program.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -23,7 +25,9 @@ std::vector<fs::path> meshes_in(const fs::path& folder) {
     std::string ending = entry.path().extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return static_cast<char>(std::tolower(c)); });
-    if (entry.is_regular_file() && (ending == ".ply" || ending == ".stl")) found.push_back(entry.path());
+    constexpr std::array<std::string_view, 7> endings{".ply", ".stl", ".obj", ".off", ".m", ".glb", ".gltf"};
+    if (entry.is_regular_file() && std::find(endings.begin(), endings.end(), ending) != endings.end())
+      found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());
   return found;

@@ -131,7 +131,24 @@ void flush_large(std::ofstream& out, std::string& text) {
   text.clear();
 }
 
-void ascii_ply(std::istream& in, std::ofstream& out) {
+// What stands around the numbers of vertices and faces.
+struct TextForm {
+  std::string header, vertex, face;
+  bool numbered = false;  // vertices and faces have numbers of their own
+  std::uint32_t first = 0;
+};
+
+TextForm form_of(const std::string& path, const std::string& header, std::uint64_t vertices,
+                 std::uint64_t faces) {
+  if (path.ends_with(".obj")) return {"# as text\n", "v ", "f ", false, 1};
+  if (path.ends_with(".m")) return {"# as text\n", "Vertex ", "Face ", true, 1};
+  if (path.ends_with(".off")) {
+    return {"OFF\n" + std::to_string(vertices) + ' ' + std::to_string(faces) + " 0\n", "", "3 "};
+  }
+  return {header, "", "3 "};
+}
+
+void ascii_ply(std::istream& in, std::ofstream& out, const std::string& path) {
   std::string text;
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
@@ -142,7 +159,11 @@ void ascii_ply(std::istream& in, std::ofstream& out) {
     text += line + "\n";
     if (line == "end_header") break;
   }
+  const TextForm form = form_of(path, text, vertices, faces);
+  text = form.header;
   for (std::uint64_t i = 0; i < vertices; ++i) {
+    text += form.vertex;
+    if (form.numbered) put(text, i + 1, ' ');
     put_point(text, in);
     flush_large(out, text);
   }
@@ -150,10 +171,11 @@ void ascii_ply(std::istream& in, std::ofstream& out) {
     std::array<std::uint32_t, 3> corner{};
     if (in.get() != 3) throw std::runtime_error("not a triangle of winnow generate");
     in.read(reinterpret_cast<char*>(corner.data()), sizeof corner);
-    text += "3 ";
-    put(text, corner[0], ' ');
-    put(text, corner[1], ' ');
-    put(text, corner[2], '\n');
+    text += form.face;
+    if (form.numbered) put(text, i + 1, ' ');
+    put(text, corner[0] + form.first, ' ');
+    put(text, corner[1] + form.first, ' ');
+    put(text, corner[2] + form.first, '\n');
     flush_large(out, text);
   }
   out << text;
@@ -187,11 +209,51 @@ std::string ascii_file(const std::string& path, const std::string& ascii_path) {
   if (path.ends_with(".stl")) {
     ascii_stl(in, out);
   } else {
-    ascii_ply(in, out);
+    ascii_ply(in, out, ascii_path);
   }
   out.close();
   if (!in || !out) throw std::runtime_error("cannot turn " + path + " into text");
   return ascii_path;
+}
+
+std::string glb_file(const std::string& path, const std::string& glb_path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ofstream out(glb_path, std::ios::binary);
+  std::uint64_t vertices = 0;
+  std::uint64_t faces = 0;
+  for (std::string line; std::getline(in, line) && line != "end_header";) {
+    if (line.starts_with("element vertex ")) vertices = std::stoull(line.substr(15));
+    if (line.starts_with("element face ")) faces = std::stoull(line.substr(13));
+  }
+  const auto number = [](std::uint64_t value) { return std::to_string(value); };
+  std::string json =
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + number(12 * (vertices + faces)) +
+      R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + number(12 * vertices) +
+      R"(},{"buffer":0,"byteOffset":)" + number(12 * vertices) + R"(,"byteLength":)" + number(12 * faces) +
+      R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" + number(vertices) +
+      R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" + number(3 * faces) +
+      R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"nodes":[{"mesh":0}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto put_word = [&out](std::uint64_t value) {
+    const auto word = static_cast<std::uint32_t>(value);
+    out.write(reinterpret_cast<const char*>(&word), sizeof word);
+  };
+  out << "glTF";
+  put_word(2);
+  put_word(28 + json.size() + 12 * (vertices + faces));
+  put_word(json.size());
+  out << "JSON" << json;
+  put_word(12 * (vertices + faces));
+  out.write("BIN\0", 4);
+  std::array<char, 12> record{};
+  for (std::uint64_t i = 0; i < vertices + faces; ++i) {
+    if (i >= vertices && in.get() != 3) throw std::runtime_error("not a triangle of winnow generate");
+    in.read(record.data(), record.size());
+    out.write(record.data(), record.size());
+  }
+  out.close();
+  if (!in || !out) throw std::runtime_error("cannot turn " + path + " into a GLB");
+  return glb_path;
 }
 
 std::string faces_first_file(const std::string& path, const std::string& other_path) {

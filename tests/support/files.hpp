@@ -37,8 +37,11 @@ std::string gzip_file(const std::string& path);
 std::string zstd_file(const std::string& path);
 
 // A binary PLY or STL of `winnow generate` as text: floats in the fewest digits that give the same float
-// back.
+// back. A PLY becomes an OBJ, OFF or .m where the other name ends so.
 std::string ascii_file(const std::string& path, const std::string& ascii_path);
+
+// A binary PLY of `winnow generate` as a GLB with the same floats.
+std::string glb_file(const std::string& path, const std::string& glb_path);
 
 // A PLY of `winnow generate` with its elements the other way round.
 std::string faces_first_file(const std::string& path, const std::string& other_path);

@@ -29,7 +29,7 @@ void run(const Arguments& arguments) {
                                                      : Surface::part;
   options.faces = parse_count("--faces", arguments.faces);
   options.seed = arguments.seed;
-  options.to = parse_format("--to", arguments.to);
+  options.to = parse_output_format("--to", arguments.to);
   options.shuffle = arguments.shuffle;
   options.force = arguments.force;
   for (std::size_t axis = 0; axis < arguments.offset.size(); ++axis)

@@ -92,7 +92,7 @@ void run(const Arguments& arguments) {
   InfoReport report;
   {
     const ProgressBar bar(context, arguments.common);
-    report = info(context, arguments.input, parse_format("--from", arguments.from));
+    report = info(context, arguments.input, parse_input_format("--from", arguments.from));
   }
   if (arguments.common.json) {
     std::cout << json_of(report).dump(2) << "\n";
@@ -106,10 +106,10 @@ void run(const Arguments& arguments) {
 void add_info(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("info", "Tell what is in a mesh file of any size");
-  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")
-      ->required()
-      ->type_name("IN");
-  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")
+  command->add_option("input", arguments->input, input_names)->required()->type_name("IN");
+  command
+      ->add_option("--from", arguments->from,
+                   std::string("Input format, where the content does not tell: ") + input_formats)
       ->type_name("FORMAT");
   arguments->common.add_to(*command, true);
   command->footer(

@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -82,6 +83,19 @@ double parse_number(const std::string& option, const std::string& text, const ch
   const double value = parse_front(option, text, examples, rest);
   if (!rest.empty()) refuse(option, text, examples);
   return value;
+}
+
+std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const std::string& text) {
+  constexpr const char* examples = "six numbers like 0,0,0,10,10,5: the low and the high corner of a box";
+  std::array<std::array<double, 3>, 2> box{};
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    if (at > text.size() || (i == 5) != (end == text.size())) refuse(option, text, examples);
+    box[i / 3][i % 3] = parse_number(option, text.substr(at, end - at), examples);
+    at = end + 1;
+  }
+  return box;
 }
 
 std::string show_count(std::uint64_t count) {

@@ -1,6 +1,7 @@
 // Numbers as the command line takes them and as people read them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -14,6 +15,8 @@ double parse_ratio(const std::string& option, const std::string& text);        /
 double parse_length(const std::string& option, const std::string& text);       // 2.5
 double parse_number(const std::string& option, const std::string& text,
                     const char* examples);  // the message says that it takes `examples`
+// The low and the high corner of a box: 0,0,0,1,1,1
+std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const std::string& text);
 
 std::string show_count(std::uint64_t count);  // 1,234,567
 std::string show_bytes(std::uint64_t bytes);  // 1.5 GiB

@@ -4,10 +4,13 @@
 
 #include "numbers.hpp"
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <string_view>
+#include <utility>
 
 #include <unistd.h>
 
@@ -77,7 +80,22 @@ void prepare(Context& context, const CommonOptions& options, const std::string& 
   ::sigaction(SIGTERM, &action, nullptr);
 }
 
-Format parse_format(const std::string& option, const std::string& text) {
+Format parse_input_format(const std::string& option, const std::string& text) {
+  constexpr std::array<std::pair<std::string_view, Format>, 7> formats{{{"auto", Format::automatic},
+                                                                        {"ply", Format::ply},
+                                                                        {"stl", Format::stl},
+                                                                        {"obj", Format::obj},
+                                                                        {"off", Format::off},
+                                                                        {"m", Format::m},
+                                                                        {"gltf", Format::gltf}}};
+  if (text.empty()) return Format::automatic;
+  for (const auto& [name, format] : formats) {
+    if (text == name) return format;
+  }
+  throw Error(ErrorKind::usage, option + " takes one of " + input_formats + ", not '" + text + "'");
+}
+
+Format parse_output_format(const std::string& option, const std::string& text) {
   if (text.empty() || text == "auto") return Format::automatic;
   if (text == "ply") return Format::ply;
   if (text == "stl") return Format::stl;

@@ -40,7 +40,13 @@ class ProgressBar {
 // beside a regular file, else to TMPDIR or /var/tmp (/tmp may be memory). Throws Error(usage).
 void prepare(Context& context, const CommonOptions& options, const std::string& output);
 
-Format parse_format(const std::string& option, const std::string& text);
+// What is read, as --from and help texts say it.
+inline constexpr const char* input_formats = "ply, stl, obj, off, m, gltf";
+inline constexpr const char* input_names =
+    "PLY, STL, OBJ, OFF, .m or glTF, also in .gz or .zst; - is standard input";
+
+Format parse_input_format(const std::string& option, const std::string& text);
+Format parse_output_format(const std::string& option, const std::string& text);
 
 // For reports: standard output, or standard error where standard output carries the mesh.
 std::ostream& report_stream(const std::string& output);

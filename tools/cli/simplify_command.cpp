@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
-  std::string input, output;
+  std::vector<std::string> inputs;
+  std::string output, crop;
   std::string cell, grid, faces, ratio, error;
   std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
   std::string from, to;
@@ -71,11 +73,12 @@ SimplifyOptions options_of(const Arguments& arguments) {
     options.max_normal_deviation = parse_number("--max-normal-deviation", arguments.max_normal_deviation,
                                                 "an angle like 60, in degrees");
   options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
+  if (!arguments.crop.empty()) options.crop = parse_box("--crop", arguments.crop);
   options.normals = arguments.normals;
   options.strict = arguments.strict;
   options.force = arguments.force;
-  options.from = parse_format("--from", arguments.from);
-  options.to = parse_format("--to", arguments.to);
+  options.from = parse_input_format("--from", arguments.from);
+  options.to = parse_output_format("--to", arguments.to);
   return options;
 }
 
@@ -94,6 +97,7 @@ Json json_of(const SimplifyReport& report) {
        {{"faces", report.input.faces},
         {"vertices", report.input.vertices},
         {"bytes", report.input.bytes},
+        {"cropped_faces", report.input.cropped_faces},
         {"bad_faces",
          {{"degenerate", bad.degenerate},
           {"non_finite", bad.non_finite},
@@ -198,6 +202,8 @@ void show(const SimplifyReport& report, std::ostream& out) {
     }
     line("bad faces", text);
   }
+  if (report.input.cropped_faces > 0)
+    line("cropped", show_count(report.input.cropped_faces) + " faces, not wholly inside of the box");
   if (report.clamped_faces > 0)
     line("weights",
          show_count(report.clamped_faces) + " faces span so many cells that their weight was limited");
@@ -245,7 +251,7 @@ void run(const Arguments& arguments) {
   Context context;
   prepare(context, arguments.common, arguments.output);
   if (arguments.dry_run) {
-    const SimplifyPlan plan = plan_simplify(context, arguments.input, arguments.output, options);
+    const SimplifyPlan plan = plan_simplify(context, arguments.inputs, arguments.output, options);
     if (arguments.common.json) {
       std::cout << json_of(plan).dump(2) << "\n";
     } else {
@@ -257,10 +263,10 @@ void run(const Arguments& arguments) {
   {
     const ProgressBar bar(context, arguments.common);
     if (arguments.checkpoint.empty()) {
-      report = simplify(context, arguments.input, arguments.output, options);
+      report = simplify(context, arguments.inputs, arguments.output, options);
     } else {
       if (arguments.common.scratch.empty()) context.scratch.clear();  // that is the checkpoint's directory
-      report = simplify(context, arguments.input, arguments.output, options,
+      report = simplify(context, arguments.inputs, arguments.output, options,
                         {arguments.checkpoint, arguments.keep_checkpoint});
     }
   }
@@ -281,7 +287,7 @@ void tell(const SimplifyReport& report, const CommonOptions& options) {
 void add_simplify(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("simplify", "Make a mesh of any size small, in bounded memory");
-  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")
+  command->add_option("input", arguments->inputs, std::string(input_names) + "; several files are one model")
       ->required()
       ->type_name("IN");
   command
@@ -356,7 +362,14 @@ void add_simplify(CLI::App& app) {
   command
       ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")
       ->group(result);
-  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")
+  command
+      ->add_option("--crop", arguments->crop,
+                   "Only faces that lie wholly in this box, in model units: xmin,ymin,zmin,xmax,ymax,zmax")
+      ->type_name("BOX")
+      ->group(result);
+  command
+      ->add_option("--from", arguments->from,
+                   std::string("Input format, where the content does not tell: ") + input_formats)
       ->type_name("FORMAT")
       ->group(result);
   command->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl")
@@ -386,6 +399,7 @@ void add_simplify(CLI::App& app) {
       "  winnow simplify scan.stl -o small.ply --faces 1M --refine none\n"
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept    # if killed: winnow resume "
       "kept\n"
+      "  winnow simplify part-*.ply -o all.ply --faces 5M --crop 0,0,-10,500,500,90\n"
       "  zstdcat scan.ply.zst | winnow simplify - -o - --cell 2.5 | next-stage\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");
   command->callback([arguments] { run(*arguments); });

@@ -26,14 +26,13 @@ simplify --cell 1 --memory 12XB
 simplify --cell 1 --threads 9999
 simplify --cell 1 --threads -1
 echo "# names"
-simplify --cell 1 --from obj
+simplify --cell 1 --from blend
 simplify --cell 1 --to off
 simplify --cell 1 --placement best
 simplify --cell 1 --progress sometimes
 simplify --cell 1 --scratch nowhere
 echo "# what is missing or too much"
 simplify --cell 1 --bogus
-simplify --cell 1 other.ply
 simplify --cell 1 --cell 2
 try simplify none.ply --cell 1
 try simplify -o small.ply --cell 1

@@ -1,0 +1,42 @@
+#include "read/indexed_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winnow {
+
+void IndexedReader::begin_positions(PassCorners /*corners*/) {
+  vertices_.wake();
+  next_position_ = 0;
+}
+
+bool IndexedReader::next_positions(RawBatch& batch) {
+  batch = {};
+  batch.first = next_position_;
+  batch.count = std::min<std::uint64_t>(memory_.batch_faces, vertices_.size() - next_position_);
+  next_position_ += batch.count;
+  return batch.count > 0;
+}
+
+void IndexedReader::decode_positions(const RawBatch& batch, FaceBatch& slice,
+                                     const PositionSink& sink) const {
+  const std::array<double*, 3> out{slice.position[0][0].data(), slice.position[0][1].data(),
+                                   slice.position[0][2].data()};
+  for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
+    const std::size_t count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
+    vertices_.read(batch.first + from, count, out);
+    sink({{out[0], out[1], out[2]}, count, batch.first + from, 0});
+  }
+  vertices_.check_intact(source_->name());
+}
+
+std::optional<std::array<double, 3>> IndexedReader::first_finite_position() {
+  std::array<double, 3> xyz{};
+  for (std::uint64_t i = 0; i < vertices_.size(); ++i) {
+    vertices_.read(i, 1, {&xyz[0], &xyz[1], &xyz[2]});
+    if (std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2])) return xyz;
+  }
+  return {};
+}
+
+}  // namespace winnow

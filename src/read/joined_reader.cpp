@@ -1,0 +1,183 @@
+#include "read/joined_reader.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/text.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace winnow {
+
+namespace {
+
+// The sum of what is known; unknown where any is.
+void add(std::optional<std::uint64_t>& sum, const std::optional<std::uint64_t>& count) {
+  if (sum && count) {
+    *sum += *count;
+  } else {
+    sum.reset();
+  }
+}
+
+class JoinedReader final : public MeshReader {
+ public:
+  JoinedReader(Job& job, const std::vector<std::string>& names, Format format, const ReaderMemory& memory)
+      : job_(job),
+        names_(names),
+        format_(format),
+        memory_(memory),
+        name_(names.front() + " and " + grouped(names.size() - 1) + " more"),
+        bytes_(names.size()) {
+    std::vector<std::string> formats;
+    facts_.faces = facts_.vertices = 0;
+    facts_.normals = true;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      open(i);
+      const InputFacts& facts = reader_->facts();
+      if (std::find(formats.begin(), formats.end(), facts.format) == formats.end())
+        formats.push_back(facts.format);
+      add(facts_.faces, facts.faces);
+      add(facts_.vertices, facts.vertices);
+      facts_.double_positions |= facts.double_positions;
+      facts_.normals &= facts.normals;
+    }
+    for (const std::string& format_name : formats)
+      facts_.format += (facts_.format.empty() ? "" : " and ") + format_name;
+  }
+
+  void begin_positions(PassCorners corners) override {
+    corners_ = corners;
+    positions_ = true;
+    begin(0);
+  }
+  bool next_positions(RawBatch& batch) override { return seen(batch, reader_->next_positions(batch)); }
+  void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override {
+    reader_->decode_positions(batch, slice, [&](const PositionView& view) {
+      PositionView numbered = view;
+      numbered.first += before_;
+      sink(numbered);
+    });
+  }
+
+  void begin_faces() override {
+    positions_ = false;
+    begin(0);
+  }
+  bool next_faces(RawBatch& batch) override { return seen(batch, reader_->next_faces(batch)); }
+  void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override {
+    reader_->decode_faces(batch, slice, [&](const FaceBatch& /*slice*/) {
+      slice.first += before_;
+      sink(slice);
+    });
+  }
+
+  bool next_part() override {
+    if (current_ + 1 == names_.size()) return false;
+    const std::uint64_t before = before_ + seen_;
+    begin(current_ + 1);
+    before_ = before;
+    return true;
+  }
+
+  std::optional<std::array<double, 3>> first_finite_position() override {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      open(i);
+      if (const auto found = reader_->first_finite_position()) return found;
+    }
+    return {};
+  }
+
+  void rest() override { reader_->rest(); }
+  void check_whole() const override { reader_->check_whole(); }
+  [[nodiscard]] const std::string& name() const override { return name_; }
+  [[nodiscard]] std::uint64_t bytes() const override {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < bytes_.size(); ++i)
+      sum += i == current_ ? std::max(bytes_[i], reader_->bytes()) : bytes_[i];
+    return sum;
+  }
+
+ private:
+  void open(std::size_t part) {
+    if (reader_ != nullptr) bytes_[current_] = std::max(bytes_[current_], reader_->bytes());
+    reader_.reset();
+    current_ = part;
+    reader_ = open_reader(job_, open_source(job_, names_[part]), format_, Access::once, memory_);
+  }
+
+  void begin(std::size_t part) {
+    open(part);
+    before_ = seen_ = 0;
+    if (positions_) {
+      reader_->begin_positions(corners_);
+    } else {
+      reader_->begin_faces();
+    }
+  }
+
+  bool seen(const RawBatch& batch, bool more) {
+    if (more) seen_ = batch.first + batch.count;
+    return more;
+  }
+
+  Job& job_;
+  std::vector<std::string> names_;
+  Format format_;
+  ReaderMemory memory_;
+  std::string name_;
+  std::vector<std::uint64_t> bytes_;  // of each file, as far as it was read
+  std::unique_ptr<MeshReader> reader_;
+  std::size_t current_ = 0;
+  std::uint64_t before_ = 0;  // faces or positions of the files before
+  std::uint64_t seen_ = 0;    // of this one
+  bool positions_ = false;
+  PassCorners corners_ = PassCorners::all;
+};
+
+void check_regular(const std::string& name) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(name, ignored);
+  if (name == "-" || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
+    throw Error(ErrorKind::usage, "several inputs are read more than once, so each must be a file, which '" +
+                                      name + "' is not; join them first, or name it alone");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<MeshReader> join_files(Job& job, const std::vector<std::string>& names, Format format,
+                                       const ReaderMemory& memory) {
+  return std::make_unique<JoinedReader>(job, names, format, memory);
+}
+
+InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Format format) {
+  InputOutlook outlook;
+  outlook.facts.faces = outlook.facts.vertices = 0;
+  outlook.bytes = 0;
+  for (const std::string& name : names) {
+    const std::unique_ptr<ByteSource> source = open_source(job, name);
+    const InputOutlook one = look_at(job, *source, format, Access::once);
+    add(outlook.facts.faces, one.facts.faces);
+    add(outlook.facts.vertices, one.facts.vertices);
+    add(outlook.bytes, one.bytes);
+    outlook.facts.double_positions |= one.facts.double_positions;
+    outlook.vertices_kept |= one.vertices_kept;
+    outlook.faces_kept |= one.faces_kept;
+    outlook.taken_in |= one.taken_in;
+  }
+  return outlook;
+}
+
+std::uint64_t memory_to_open(Job& job, const std::vector<std::string>& names) {
+  std::uint64_t most = 0;
+  for (const std::string& name : names) {
+    check_regular(name);
+    const std::unique_ptr<ByteSource> source = open_source(job, name);
+    source->peek(1);
+    most = std::max(most, job.budget.used());
+  }
+  return most;
+}
+
+}  // namespace winnow

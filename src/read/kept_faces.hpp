@@ -1,0 +1,33 @@
+// Triangles that wait for their vertices, in memory or scratch.
+#pragma once
+
+#include "io/spool.hpp"
+#include "read/mesh_reader.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace winnow {
+
+// Filled once, by one thread; then read any number of times.
+class KeptFaces {
+ public:
+  static constexpr std::uint64_t bytes_a_face = 12;
+
+  KeptFaces(Job& job, std::uint64_t memory_limit) : spool_(job, memory_limit) {}
+
+  // Three indices a face, which need not be those of vertices.
+  void add(std::span<const std::uint32_t> indices) { spool_.append(std::as_bytes(indices)); }
+  void add_degenerate();  // fewer than three corners
+  void finish() { spool_.finish(); }
+
+  [[nodiscard]] std::uint64_t size() const { return spool_.size() / bytes_a_face; }
+
+  // The next faces from `first` on, at most `most`, as indices, status and count of `batch`.
+  void read(std::uint64_t first, std::size_t most, RawBatch& batch) const;
+
+ private:
+  Spool spool_;
+};
+
+}  // namespace winnow

@@ -1,0 +1,69 @@
+// Formats that are taken in whole before anything is given out: their vertices and triangles wait in memory
+// or, where they do not fit, in scratch. So vertices and faces may stand in any order, and every pass after
+// the first is free of parsing, from files and pipes alike.
+#pragma once
+
+#include "read/indexed_reader.hpp"
+#include "read/kept_faces.hpp"
+#include "read/vertex_numbers.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+// Stands for every index of no vertex.
+constexpr std::uint32_t no_vertex = UINT32_MAX;
+
+// What a format's parser fills, by one thread at a time.
+class KeptMesh {
+ public:
+  KeptMesh(Job& job, VertexStore& vertices, KeptFaces& faces, VertexNumbers& numbers, std::string name)
+      : job_(job), vertices_(vertices), faces_(faces), numbers_(numbers), name_(std::move(name)) {}
+
+  // `single`: floats say the same. A mesh of which all vertices are single is one of floats.
+  void add_vertices(std::span<const double> xyz, bool single);
+  // By which the corners of faces name vertices, if at all; else they count them from 0.
+  void add_numbers(std::span<const std::uint32_t> numbers) { numbers_.add(numbers); }
+  // A fan of triangles; of fewer than three corners, a degenerate one.
+  void add_polygon(std::span<const std::uint32_t> corners);
+  void add_triangles(std::span<const std::uint32_t> corners) { faces_.add(corners); }  // three each
+
+  [[nodiscard]] std::uint64_t vertices() const { return vertices_.size(); }
+  [[nodiscard]] bool single() const { return single_; }
+  [[nodiscard]] Job& job() const { return job_; }
+  [[nodiscard]] const std::string& name() const { return name_; }  // of the input, for messages
+
+ private:
+  Job& job_;
+  VertexStore& vertices_;
+  KeptFaces& faces_;
+  VertexNumbers& numbers_;
+  std::string name_;
+  bool single_ = true;
+  std::vector<std::uint32_t> fan_;
+};
+
+class KeptReader : public IndexedReader {
+ public:
+  // Reads the whole source into the mesh.
+  using Parse = std::function<void(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh)>;
+
+  KeptReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+             const std::string& format, const Parse& parse);
+
+  void begin_faces() override;
+  bool next_faces(RawBatch& batch) override;
+  void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override;
+  [[nodiscard]] std::uint64_t bytes() const override { return source_->size().value_or(source_->position()); }
+
+ private:
+  KeptFaces faces_;
+  VertexNumbers numbers_;
+  std::uint64_t next_face_ = 0;
+};
+
+}  // namespace winnow

@@ -1,0 +1,61 @@
+// .m, the text format of Hugues Hoppe's mesh programs: "Vertex 7 x y z" and "Face 1 7 9 12", each with a
+// number of its own and attributes in braces, which are passed over.
+#include "read/formats.hpp"
+#include "read/text_mesh.hpp"
+#include "read/text_tokens.hpp"
+
+namespace winnow {
+
+namespace {
+
+std::int64_t integer(std::string_view word, LineWords& words, const ParsedLines& lines) {
+  const std::optional<std::int64_t> value = parse_integer(word);
+  if (!value) lines.fail_number(word, words.rest());
+  return *value;
+}
+
+void parse_lines(const TextBlock& block, ParsedLines& lines) {
+  TextLines each(block.text());
+  for (std::string_view line; each.next(line);) {
+    LineWords words(line);
+    const std::string_view keyword = words.next();
+    if (keyword == "Vertex") {
+      const std::string_view word = words.next();
+      const std::int64_t number = integer(word, words, lines);
+      if (number < 0 || number >= no_vertex)
+        lines.fail(word,
+                   "the vertex number " + std::string(word.substr(0, 40)) + " is not between 0 and 2^32");
+      lines.add_number(static_cast<std::uint32_t>(number));
+      lines.add_position(words);
+    } else if (keyword == "Face") {
+      integer(words.next(), words, lines);
+      for (std::string_view word = words.next(); !word.empty() && word.front() != '{'; word = words.next())
+        lines.add_corner(integer(word, words, lines), false);
+      lines.end_face();
+    }
+  }
+}
+
+void parse_m(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
+  TextBlocks blocks(source, text_block_bytes(batch_faces));
+  parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_lines}, mesh);
+}
+
+}  // namespace
+
+bool is_m(std::string_view head) {
+  TextLines each(head);
+  for (std::string_view line; each.next(line);) {
+    LineWords words(line);
+    const std::string_view keyword = words.next();
+    if (keyword.empty()) continue;
+    return (keyword == "Vertex" || keyword == "Face") && parse_integer(words.next());
+  }
+  return false;
+}
+
+std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, "M", parse_m);
+}
+
+}  // namespace winnow

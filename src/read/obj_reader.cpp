@@ -1,0 +1,74 @@
+// Wavefront OBJ, by its specification ("Advanced Visualizer Manual, Appendix B1", 1993): vertices and faces;
+// everything else is passed over.
+#include <winnow/error.hpp>
+
+#include "read/formats.hpp"
+#include "read/text_mesh.hpp"
+#include "read/text_tokens.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace winnow {
+
+namespace {
+
+// "7", "7/1", "7/1/3" or "7//3": what is behind the first number is of textures and normals.
+void add_corner(std::string_view word, ParsedLines& lines) {
+  const char* end = word.data() + word.size();
+  std::int64_t number = 0;
+  const auto [behind, error] = std::from_chars(word.data() + (word.front() == '+' ? 1 : 0), end, number);
+  if (error == std::errc::invalid_argument || (behind != end && *behind != '/'))
+    lines.fail(word, "'" + std::string(word.substr(0, 40)) + "' is not a corner of a face");
+  if (error == std::errc::result_out_of_range || number == 0) number = INT64_MIN / 4;
+  if (number > 0) return lines.add_corner(number - 1, false);
+  lines.add_corner(lines.vertices() + number, true);
+}
+
+void parse_lines(const TextBlock& block, ParsedLines& lines) {
+  TextLines each(block.text());
+  for (std::string_view line; each.next(line);) {
+    LineWords words(line);
+    const std::string_view keyword = words.next();
+    if (keyword == "v") {
+      lines.add_position(words);
+    } else if (keyword == "f") {
+      for (std::string_view word = words.next(); !word.empty(); word = words.next()) add_corner(word, lines);
+      lines.end_face();
+    }
+  }
+}
+
+void parse_obj(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
+  TextBlocks blocks(source, text_block_bytes(batch_faces));
+  parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_lines}, mesh);
+}
+
+// What may stand before the first vertex or face.
+constexpr std::array<std::string_view, 14> prelude{"g",          "o",         "s",      "mtllib", "usemtl",
+                                                   "mg",         "usemap",    "maplib", "l",      "p",
+                                                   "shadow_obj", "trace_obj", "lod",    "bevel"};
+
+}  // namespace
+
+bool is_obj(std::string_view head) {
+  TextLines each(head);
+  for (std::string_view line; each.next(line);) {
+    LineWords words(line);
+    const std::string_view keyword = words.next();
+    if (keyword.empty() || std::find(prelude.begin(), prelude.end(), keyword) != prelude.end()) continue;
+    if (keyword != "v" && keyword != "vt" && keyword != "vn" && keyword != "vp" && keyword != "f")
+      return false;
+    const std::string_view first = words.next();
+    return !first.empty() && (parse_real(first) || first.find('/') != std::string_view::npos);
+  }
+  return false;
+}
+
+std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, "OBJ", parse_obj);
+}
+
+}  // namespace winnow

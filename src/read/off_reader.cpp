@@ -1,0 +1,211 @@
+// OFF as text, as Geomview's manual describes it: a header, a vertex a line, a face a line. What stands
+// behind the position (colours, normals, texture coordinates) and behind the indices is passed over.
+#include <winnow/error.hpp>
+
+#include "base/text.hpp"
+#include "read/formats.hpp"
+#include "read/text_mesh.hpp"
+#include "read/text_tokens.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace winnow {
+
+namespace {
+
+// "OFF", "COFF", "STCNOFF" ...; `behind` is what follows without a blank. Nothing if it is no such word.
+struct Keyword {
+  std::string_view prefix, behind;
+};
+std::optional<Keyword> keyword_of(std::string_view word) {
+  const std::size_t at = word.find("OFF");
+  if (at == std::string_view::npos) return {};
+  const Keyword found{word.substr(0, at), word.substr(at + 3)};
+  std::string_view left = found.prefix;
+  for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
+    if (left.starts_with(part)) left.remove_prefix(part.size());
+  }
+  const bool number =
+      std::all_of(found.behind.begin(), found.behind.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!left.empty() || !number) return {};
+  return found;
+}
+
+// The first word that is no comment.
+std::string_view first_word(std::string_view text) {
+  TextLines each(text);
+  for (std::string_view line; each.next(line);) {
+    LineWords words(line);
+    const std::string_view word = words.next();
+    if (!word.empty()) return word;
+  }
+  return {};
+}
+
+class OffParser {
+ public:
+  OffParser(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh)
+      : source_(source), blocks_(source, text_block_bytes(batch_faces)), mesh_(mesh) {}
+
+  void parse() {
+    read_header();
+    check_size();
+    for (vertices_next_ = true; left_ > 0 || vertices_next_;) {
+      if (left_ > 0) {
+        parse_text({[&](TextBlock& block) { return next(block); },
+                    [&](const TextBlock& block, ParsedLines& lines) { parse_block(block, lines); }},
+                   mesh_);
+        if (left_ > 0) {
+          throw Error(ErrorKind::bad_input, "'" + source_.name() + "' ends " + grouped(left_) +
+                                                (vertices_next_ ? " vertices" : " faces") +
+                                                " short of what its header says: it was cut short, or the "
+                                                "counts are wrong");
+        }
+      }
+      if (!vertices_next_) break;
+      vertices_next_ = false;
+      left_ = faces_;
+    }
+    read_to_the_end();
+  }
+
+ private:
+  [[noreturn]] void fail(const TextBlock& block, std::string_view place, const std::string& what) const {
+    ParsedLines(block, source_.name()).fail(place, what);
+  }
+
+  // The keyword and three counts, on as many lines as they take.
+  void read_header() {
+    TextBlock block;
+    std::optional<Keyword> keyword;
+    std::array<std::uint64_t, 3> counts{};
+    std::size_t found = 0;
+    while (found < counts.size() && blocks_.next(block)) {
+      TextLines each(block.text());
+      for (std::string_view line; found < counts.size() && each.next(line);) {
+        LineWords words(line);
+        for (std::string_view word = words.next(); !word.empty() && found < counts.size();
+             word = words.next()) {
+          if (!keyword) {
+            keyword = keyword_of(word);
+            if (!keyword) fail(block, word, "expected 'OFF', not '" + std::string(word.substr(0, 40)) + "'");
+            check_prefix(block, *keyword);
+            if (keyword->behind.empty()) continue;
+            word = keyword->behind;
+          }
+          if (word == "BINARY" && found == 0) {
+            fail(block, word, "this is binary OFF, which is not read; convert it to OFF as text, or to PLY");
+          }
+          const std::optional<std::int64_t> count = parse_integer(word);
+          if (!count || *count < 0)
+            fail(block, word,
+                 "'" + std::string(word.substr(0, 40)) + "' is not a count of vertices, faces or edges");
+          counts[found++] = static_cast<std::uint64_t>(*count);
+        }
+        // Some writers leave the edges out.
+        if (found == 2) ++found;
+        if (found == counts.size()) {
+          const char* end = line.data() + line.size();
+          blocks_.give_back(block,
+                            {end, static_cast<std::size_t>(block.text().data() + block.text().size() - end)});
+        }
+      }
+    }
+    if (found < counts.size()) {
+      throw Error(ErrorKind::bad_input,
+                  "'" + source_.name() + "' ends inside its OFF header: it was cut short");
+    }
+    left_ = counts[0];
+    faces_ = counts[1];
+  }
+
+  void check_prefix(const TextBlock& block, const Keyword& keyword) const {
+    if (keyword.prefix.find('4') != std::string_view::npos ||
+        keyword.prefix.find('n') != std::string_view::npos)
+      fail(block, keyword.prefix, "this OFF has vertices of other than three dimensions, which is not read");
+  }
+
+  // A header that promises more than the file can hold: a vertex takes five characters and the end of its
+  // line, a face takes one and that.
+  void check_size() const {
+    if (!source_.size()) return;
+    const std::uint64_t rest = *source_.size() - source_.position() + 1;
+    if (left_ > rest / 6 || faces_ > (rest - 6 * left_) / 2) {
+      throw Error(ErrorKind::bad_input, "'" + source_.name() + "' is too short for its header of " +
+                                            grouped(left_) + " vertices and " + grouped(faces_) +
+                                            " faces: only " + human_bytes(rest - 1) +
+                                            " follow; it was cut short, or the counts are wrong");
+    }
+  }
+
+  // Lines of vertices, or lines of faces.
+  bool next(TextBlock& block) {
+    if (left_ == 0 || !blocks_.next(block)) return false;
+    TextLines each(block.text());
+    for (std::string_view line; left_ > 0 && each.next(line);) {
+      if (LineWords(line).next().empty()) continue;
+      if (--left_ > 0) continue;
+      const char* end = line.data() + line.size();
+      blocks_.give_back(block,
+                        {end, static_cast<std::size_t>(block.text().data() + block.text().size() - end)});
+    }
+    return true;
+  }
+
+  void parse_block(const TextBlock& block, ParsedLines& lines) const {
+    TextLines each(block.text());
+    for (std::string_view line; each.next(line);) {
+      LineWords words(line);
+      if (LineWords(line).next().empty()) continue;
+      if (vertices_next_) {
+        lines.add_position(words);
+      } else {
+        parse_face(words, lines);
+      }
+    }
+  }
+
+  static void parse_face(LineWords& words, ParsedLines& lines) {
+    const auto integer = [&] {
+      const std::string_view word = words.next();
+      const std::optional<std::int64_t> value = parse_integer(word);
+      if (!value) lines.fail_number(word, words.rest());
+      return *value;
+    };
+    for (std::int64_t count = integer(); count > 0; --count) {
+      const std::int64_t vertex = integer();
+      lines.add_corner(vertex < 0 ? -1 : vertex, false);
+    }
+    lines.end_face();
+  }
+
+  // A pipe's writer must not be cut off.
+  void read_to_the_end() {
+    while (!source_.take(std::size_t{1} << 16).bytes.empty()) mesh_.job().progress.check_cancelled();
+  }
+
+  ByteSource& source_;
+  TextBlocks blocks_;
+  KeptMesh& mesh_;
+  std::uint64_t left_ = 0;  // lines of the kind at work
+  std::uint64_t faces_ = 0;
+  bool vertices_next_ = false;
+};
+
+void parse_off(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
+  OffParser(source, batch_faces, mesh).parse();
+}
+
+}  // namespace
+
+bool is_off(std::string_view head) {
+  return keyword_of(first_word(head)).has_value();
+}
+
+std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, "OFF", parse_off);
+}
+
+}  // namespace winnow

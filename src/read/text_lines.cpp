@@ -1,0 +1,106 @@
+#include "read/text_lines.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/text.hpp"
+
+#include <algorithm>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+constexpr bool is_blank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r') || c == '\\';
+}
+
+// Of either kind, whichever the text uses.
+std::uint64_t line_ends(std::string_view text) {
+  const auto feeds = std::count(text.begin(), text.end(), '\n');
+  return static_cast<std::uint64_t>(feeds != 0 ? feeds : std::count(text.begin(), text.end(), '\r'));
+}
+
+// Just behind the last end of a line that is not joined to the next; 0 where there is none.
+std::size_t last_cut(std::string_view text) {
+  const auto joined = [&](std::size_t at) {
+    if (at > 0 && text[at] == '\n' && text[at - 1] == '\r') --at;
+    return at > 0 && text[at - 1] == '\\';
+  };
+  for (std::size_t at = text.rfind('\n'); at != std::string_view::npos && at > 0;
+       at = text.rfind('\n', at - 1)) {
+    if (!joined(at)) return at + 1;
+  }
+  // Lines that end with "\r" alone. Of the last character it is not known whether a "\n" follows.
+  if (text.size() < 2 || text.find('\n') != std::string_view::npos) return 0;
+  for (std::size_t at = text.rfind('\r', text.size() - 2); at != std::string_view::npos && at > 0;
+       at = text.rfind('\r', at - 1)) {
+    if (!joined(at)) return at + 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::uint64_t TextBlock::line_of(std::string_view place) const {
+  return first_line + line_ends(text().substr(0, static_cast<std::size_t>(place.data() - text().data())));
+}
+
+bool TextLines::next(std::string_view& line) {
+  if (rest_.empty()) return false;
+  const bool comment = rest_.front() == '#';
+  std::size_t end = 0;
+  for (;; ++end) {
+    while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
+    if (end >= rest_.size() || comment || end == 0 || rest_[end - 1] != '\\') break;
+    if (rest_[end] == '\r' && end + 1 < rest_.size() && rest_[end + 1] == '\n') ++end;
+  }
+  end = std::min(end, rest_.size());
+  line = rest_.substr(0, end);
+  rest_.remove_prefix(std::min(end + 1, rest_.size()));
+  return true;
+}
+
+std::string_view LineWords::next() {
+  std::size_t begin = 0;
+  while (begin < rest_.size() && is_blank(rest_[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < rest_.size() && !is_blank(rest_[end]) && rest_[end] != '#') ++end;
+  const std::string_view word = rest_.substr(begin, end - begin);
+  rest_.remove_prefix(end);
+  if (word.empty()) rest_ = rest_.substr(rest_.size());
+  return word;
+}
+
+bool TextBlocks::next(TextBlock& block) {
+  for (std::size_t wanted = bytes_;; wanted *= 2) {
+    block.block = source_.take(wanted);
+    block.block.check_intact(source_.name());
+    block.first_line = next_line_;
+    if (block.block.bytes.size() < wanted) break;
+    const std::size_t cut = last_cut(block.text());
+    if (cut > 0) {
+      source_.give_back(block.block.bytes.size() - cut);
+      block.block.bytes = block.block.bytes.first(cut);
+      break;
+    }
+    if (wanted > longest_line) {
+      throw Error(ErrorKind::bad_input, "'" + source_.name() + "', line " + grouped(next_line_) +
+                                            ", is longer than " + human_bytes(longest_line) +
+                                            ": this is no mesh as text");
+    }
+    source_.give_back(block.block.bytes.size());
+  }
+  next_line_ += line_ends(block.text());
+  return !block.block.bytes.empty();
+}
+
+void TextBlocks::give_back(TextBlock& block, std::string_view place) {
+  const auto kept = static_cast<std::size_t>(place.data() - block.text().data());
+  next_line_ -= line_ends(place);
+  source_.give_back(block.block.bytes.size() - kept);
+  block.block.bytes = block.block.bytes.first(kept);
+}
+
+}  // namespace winnow

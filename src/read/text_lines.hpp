@@ -1,0 +1,65 @@
+// Texts with a record a line, cut into blocks of whole lines that threads take apart.
+#pragma once
+
+#include "io/byte_source.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace winnow {
+
+// A stretch of whole lines.
+struct TextBlock {
+  Block block;
+  std::uint64_t first_line = 1;
+
+  [[nodiscard]] std::string_view text() const {
+    return {reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size()};
+  }
+  // The number of the line that `place`, a part of text(), stands in.
+  [[nodiscard]] std::uint64_t line_of(std::string_view place) const;
+};
+
+// The lines of a block one after the other. They end at "\n", "\r" or both; a backslash before that joins the
+// next to it, except in a comment.
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text) : rest_(text) {}
+  bool next(std::string_view& line);
+
+ private:
+  std::string_view rest_;
+};
+
+// The words of a line, up to a '#'.
+class LineWords {
+ public:
+  explicit LineWords(std::string_view line) : rest_(line) {}
+  std::string_view next();  // empty at the end
+
+  // Where next() goes on: behind the last word.
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+};
+
+// Cuts a source into blocks.
+class TextBlocks {
+ public:
+  // Blocks have about `bytes`; a longer line makes a longer one.
+  TextBlocks(ByteSource& source, std::size_t bytes) : source_(source), bytes_(bytes) {}
+
+  // False at the end. Throws Error(bad_input) where a line is longer than any mesh's.
+  bool next(TextBlock& block);
+
+  // Leaves the last block's text from `place` on for the next block.
+  void give_back(TextBlock& block, std::string_view place);
+
+ private:
+  ByteSource& source_;
+  std::size_t bytes_;
+  std::uint64_t next_line_ = 1;
+};
+
+}  // namespace winnow

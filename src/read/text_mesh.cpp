@@ -1,0 +1,94 @@
+#include "read/text_mesh.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "read/decimal.hpp"
+#include "read/for_each_batch.hpp"
+#include "read/text_tokens.hpp"
+
+#include <algorithm>
+
+namespace winnow {
+
+void ParsedLines::add_position(LineWords& words) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string_view word = words.next();
+    const std::optional<double> value = parse_real(word);
+    if (!value) fail_number(word, words.rest());
+    single_ = single_ && float_says_it(word, *value);
+    xyz_.push_back(*value);
+  }
+}
+
+void ParsedLines::add_corner(std::int64_t vertex, bool relative) {
+  corners_.push_back(2 * std::clamp<std::int64_t>(vertex, -1 - std::int64_t{no_vertex}, no_vertex) +
+                     (relative ? 1 : 0));
+  ++open_;
+}
+
+void ParsedLines::end_face() {
+  sizes_.push_back(open_);
+  open_ = 0;
+}
+
+void ParsedLines::fail(std::string_view place, const std::string& what) const {
+  throw Error(ErrorKind::bad_input, "'" + name_ + "', line " + grouped(block_.line_of(place)) + ": " + what);
+}
+
+void ParsedLines::fail_number(std::string_view word, std::string_view place) const {
+  if (word.empty()) fail(place, "a number is missing; the file was cut short, or is damaged");
+  fail(word, "'" + std::string(word.substr(0, 40)) + "' is not a number");
+}
+
+void ParsedLines::hand_over(KeptMesh& mesh) const {
+  const auto base = static_cast<std::int64_t>(mesh.vertices());
+  mesh.add_vertices(xyz_, single_);
+  mesh.add_numbers(numbers_);
+  std::vector<std::uint32_t> polygon;
+  std::size_t at = 0;
+  for (const std::uint32_t size : sizes_) {
+    polygon.clear();
+    for (const std::size_t end = at + size; at < end; ++at) {
+      const std::int64_t vertex = (corners_[at] >> 1) + ((corners_[at] & 1) != 0 ? base : 0);
+      polygon.push_back(vertex < 0 || vertex > no_vertex ? no_vertex : static_cast<std::uint32_t>(vertex));
+    }
+    mesh.add_polygon(polygon);
+  }
+}
+
+namespace {
+
+struct Item {
+  TextBlock block;
+  std::optional<ParsedLines> lines;
+  std::optional<Error> error;
+};
+
+}  // namespace
+
+void parse_text(const TextParser& parser, KeptMesh& mesh) {
+  pipeline<Item>(
+      batches_in_flight(mesh.job().threads), [&](Item& item) { return parser.next(item.block); },
+      [&](Item& item) {
+        item.lines.emplace(item.block, mesh.name());
+        item.error.reset();
+        try {
+          parser.parse(item.block, *item.lines);
+        } catch (const Error& error) {
+          item.error = error;
+        }
+        item.block.block.check_intact(mesh.name());
+      },
+      // Of several wrong lines the first is told.
+      [&](Item& item) {
+        if (item.error) throw Error(*item.error);
+        item.lines->hand_over(mesh);
+        mesh.job().progress.advance(item.block.block.bytes.size());
+        item.lines.reset();
+        item.block = {};
+      });
+}
+
+}  // namespace winnow

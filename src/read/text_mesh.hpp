@@ -1,0 +1,64 @@
+// Meshes as text with a record a line, parsed by all threads.
+#pragma once
+
+#include "read/kept_reader.hpp"
+#include "read/text_lines.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace winnow {
+
+// What one block of lines holds.
+class ParsedLines {
+ public:
+  ParsedLines(const TextBlock& block, const std::string& name) : block_(block), name_(name) {}
+
+  // Three coordinates, the next words of a line.
+  void add_position(LineWords& words);
+
+  // What the next position's vertex is called; for all vertices or for none. Corners then name vertices so.
+  void add_number(std::uint32_t number) { numbers_.push_back(number); }
+
+  // A corner counts vertices from 0, over the whole file or, relative, from the block's first on (negative:
+  // before it).
+  void add_corner(std::int64_t vertex, bool relative);
+  void end_face();
+
+  [[nodiscard]] std::int64_t vertices() const { return static_cast<std::int64_t>(xyz_.size() / 3); }
+
+  // Throws Error(bad_input) naming the line that `place` stands in.
+  [[noreturn]] void fail(std::string_view place, const std::string& what) const;
+  // The same for a word that should be a number.
+  [[noreturn]] void fail_number(std::string_view word, std::string_view place) const;
+
+  void hand_over(KeptMesh& mesh) const;
+
+ private:
+  const TextBlock& block_;
+  const std::string& name_;
+  std::vector<double> xyz_;
+  std::vector<std::uint32_t> numbers_;
+  bool single_ = true;
+  std::vector<std::int64_t> corners_;  // twice the number, plus one where it is relative
+  std::vector<std::uint32_t> sizes_;   // corners of each face
+  std::uint32_t open_ = 0;             // of the face at work
+};
+
+// Cuts blocks off, parses them in parallel and hands them over in their order. `parse` takes a block apart.
+struct TextParser {
+  std::function<bool(TextBlock&)> next;
+  std::function<void(const TextBlock&, ParsedLines&)> parse;
+};
+void parse_text(const TextParser& parser, KeptMesh& mesh);
+
+// Bytes of text at once, so that a block and what it holds take no more than a batch of faces.
+constexpr std::size_t text_block_bytes(std::size_t batch_faces) {
+  return 8 * batch_faces;
+}
+
+}  // namespace winnow

@@ -1,0 +1,41 @@
+// Vertices that are called by numbers of their own, as some formats do.
+#pragma once
+
+#include "io/spool.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace winnow {
+
+// Filled once, by one thread; then asked by any number of threads. Numbers that count 1, 2, 3 ... take
+// nothing; all from the first other one on take eight bytes each, in memory or scratch.
+class VertexNumbers {
+ public:
+  VertexNumbers(Job& job, std::uint64_t memory_limit);
+
+  void add(std::span<const std::uint32_t> numbers);  // of the next vertices
+  void finish();
+
+  [[nodiscard]] bool used() const { return count_ > 0; }
+
+  // Which vertex has the number, from 0 in their order, the last of several; UINT32_MAX where none has.
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t number) const;
+
+ private:
+  struct Named;
+  [[nodiscard]] Named named(std::uint64_t at) const;
+  void sort();
+
+  Job& job_;
+  std::uint64_t memory_limit_;
+  std::uint64_t plain_ = 0;  // so many first vertices are called 1, 2, 3 ...
+  std::uint64_t count_ = 0;
+  std::unique_ptr<Spool> others_;  // by number
+  std::uint32_t last_ = 0;
+  bool sorted_ = true;
+};
+
+}  // namespace winnow

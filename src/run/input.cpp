@@ -1,0 +1,40 @@
+#include "run/input.hpp"
+
+#include <winnow/error.hpp>
+
+#include "read/cropped_reader.hpp"
+#include "read/joined_reader.hpp"
+#include "run/simplify_options.hpp"
+
+namespace winnow {
+
+Input::Input(Job& job, const std::vector<std::string>& names) : job_(job), names_(names) {
+  if (names.empty()) throw Error(ErrorKind::usage, "there is no input");
+  if (names.size() > 1) {
+    memory_ = memory_to_open(job, names);
+    return;
+  }
+  source_ = open_source(job, names.front());
+  source_->peek(1);
+  memory_ = job.budget.used();
+}
+
+std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options, const ReaderMemory& memory) {
+  std::unique_ptr<MeshReader> reader =
+      source_ != nullptr ? open_reader(job_, std::move(source_), options.from, access_for(options), memory)
+                         : join_files(job_, names_, options.from, memory);
+  if (!options.crop) return reader;
+  Box box;
+  box.add((*options.crop)[0]);
+  box.add((*options.crop)[1]);
+  return crop_to(box, std::move(reader));
+}
+
+InputOutlook Input::outlook(const SimplifyOptions& options) {
+  InputOutlook outlook = source_ != nullptr ? look_at(job_, *source_, options.from, access_for(options))
+                                            : look_at_files(job_, names_, options.from);
+  if (options.crop) outlook.facts.faces.reset();
+  return outlook;
+}
+
+}  // namespace winnow

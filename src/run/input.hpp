@@ -1,0 +1,36 @@
+// What a run reads: one file or pipe, or several files as one model, whole or cropped.
+#pragma once
+
+#include <winnow/simplify.hpp>
+
+#include "io/byte_source.hpp"
+#include "io/job.hpp"
+#include "read/mesh_reader.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+class Input {
+ public:
+  // Opens what there is, so that the memory to decompress it shows. Throws Error: usage, bad_input.
+  Input(Job& job, const std::vector<std::string>& names);
+
+  // What of the budget it takes before the rest can be divided.
+  [[nodiscard]] std::uint64_t memory() const { return memory_; }
+
+  // To be called once, either of them.
+  std::unique_ptr<MeshReader> reader(const SimplifyOptions& options, const ReaderMemory& memory);
+  InputOutlook outlook(const SimplifyOptions& options);
+
+ private:
+  Job& job_;
+  std::vector<std::string> names_;
+  std::unique_ptr<ByteSource> source_;  // of a single one
+  std::uint64_t memory_ = 0;
+};
+
+}  // namespace winnow

@@ -1,0 +1,103 @@
+// Every way to write an OBJ gives the same faces.
+#include "support/reading.hpp"
+#include "support/sources.hpp"
+#include "support/text_meshes.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace winnow {
+
+using test::difference;
+using test::faces_of;
+
+namespace {
+
+std::vector<test::SeenFace> both_ways(const std::string& file) {
+  const std::vector<test::SeenFace> faces = faces_of(file);
+  CHECK(difference(test::faces_of_pipe(file), faces) == "");
+  return faces;
+}
+
+const test::Polygons square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+
+}  // namespace
+
+TEST_CASE("an OBJ of any style is the mesh that was written") {
+  test::Random random(400);
+  for (int round = 0; round < 60; ++round) {
+    const test::Polygons mesh =
+        test::random_polygons(random, random.between(1, 300), random.between(1, 300), 6);
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+      CAPTURE(round, end);
+      const std::string file = obj_file(mesh, {end, &random});
+      // Blocks of a few lines, and of all.
+      for (const std::size_t batch : {8, 64, 8192}) {
+        const test::ReadStyle style{Format::automatic, Access::once, {test::usual_vertex_memory, batch}};
+        REQUIRE(difference(faces_of(file, style), as_fans(mesh)) == "");
+        REQUIRE(difference(test::faces_of_pipe(file, style), as_fans(mesh)) == "");
+      }
+    }
+  }
+}
+
+TEST_CASE("corners of an OBJ: alone, with texture, with normal, counted from the end") {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  for (const char* faces :
+       {"f 1 2 3\nf 1 3 4\n", "f 1/1 2/1 3/1\nf 1/4 3/4 4/4", "f 1/1/1 2/1/1 3/1/1\nf 1//1 3//2 4//3",
+        "f -4 -3 -2\nf -4 -2 -1", "f 1 2 3 4", "f 1// 2// 3//\nf 1/ 3/ 4/", "f +1 +2 +3\nf 1 3 4\n",
+        "f 1 \\\n 2 \\\r\n 3\nf 1\\\n 3 4 # 5", "\n\nf\t1  2\t3 \n# f 1 2 3\n  f 1 3 4  "}) {
+    CAPTURE(faces);
+    CHECK(difference(both_ways(vertices + faces), as_fans(square)) == "");
+  }
+  // Faces before all vertices, and between them.
+  CHECK(difference(both_ways("f 1 2 3 4\n" + vertices), as_fans(square)) == "");
+  CHECK(difference(both_ways("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nf 1 3 4\nv 0 1 0"), as_fans(square)) ==
+        "");
+}
+
+TEST_CASE("names in an OBJ are no vertices and no faces") {
+  const std::string file =
+      "mtllib f 1 2 3\ng v 9 9 9\no f\nusemtl v\ns 1\nv 0 0 0 1.0\nv 1 0 0 0.5 0.5 0.5\nvn 1 2 3\nvt 5 5\n"
+      "v 1 1 0 1 0.5 0.5 0.5\nv 0 1 0\ng An f Three Other Things\nusemtl \\\n f\nf 1 2 3\nl 1 2\np 1\nf 1 3 "
+      "4\n";
+  CHECK(difference(both_ways(file), as_fans(square)) == "");
+}
+
+TEST_CASE("faces of an OBJ that are none are told apart") {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  const auto status = [&](const std::string& face) {
+    const std::vector<test::SeenFace> faces = both_ways(vertices + face);
+    REQUIRE(faces.size() == 1);
+    return faces[0].status;
+  };
+  CHECK(status("f 1 2 3") == FaceStatus::good);
+  for (const char* face : {"f", "f 1", "f 2 3"}) CHECK(status(face) == FaceStatus::degenerate);
+  for (const char* face : {"f 0 1 2", "f 1 2 4", "f -4 1 2", "f 1 2 99999999999999999999", "f 4294967297 2 3",
+                           "f 1 2 4294967296", "f -4294967299 2 3", "f 1 2 -9223372036854775808"}) {
+    CAPTURE(face);
+    CHECK(status(face) == FaceStatus::out_of_range);
+  }
+}
+
+TEST_CASE("an OBJ is one of floats, unless its digits say more") {
+  const auto read = [](const std::string& x) {
+    test::TestJob test;
+    const auto reader = open_reader(
+        test.job, std::make_unique<test::MemorySource>("v 0.1 1e3 2\nv " + x + " 0 0\nv 1 0 0\nf 1 2 3\n"),
+        Format::automatic, Access::once, {test::usual_vertex_memory, 512});
+    const std::vector<test::SeenFace> faces = test::read_faces(test.job, *reader);
+    CHECK(test::difference(test::read_positions(test.job, *reader),
+                           {faces[0].corner.begin(), faces[0].corner.end()}) == "");
+    return std::pair(reader->facts().double_positions, faces[0].corner);
+  };
+  const auto [single_is_double, single] = read("123.456001");
+  CHECK_FALSE(single_is_double);
+  CHECK(single[0][0] == double{0.1F});
+  CHECK(single[1][0] == double{123.456001F});
+  const auto [double_is_double, wide] = read("5412000.125001");
+  CHECK(double_is_double);
+  CHECK(wide[0][0] == 0.1);
+  CHECK(wide[1][0] == 5412000.125001);
+}
+
+}  // namespace winnow
