@@ -10,8 +10,8 @@ TEST_CASE("refining with a checkpoint stays within the smallest budget, resumed 
   const std::string input = directory.file("scan.ply");
   const std::string output = directory.file("out.ply");
   generate("scan", 700'000, input);
-  for (const Words& options : {Words{"--faces", "100k", "--threads", "2"},
-                               Words{"--error", "0.0003", "--detail", "full", "--threads", "1"}}) {
+  for (const Words& options :
+       {Words{"--faces", "100k", "--threads", "2"}, Words{"--error", "0.0003", "--threads", "1"}}) {
     const std::string memory = smallest_memory(input, options);
     const Words speed{"--json", "--memory", memory};
     INFO(joined(options) << " --memory " << memory);
