@@ -10,6 +10,8 @@ namespace winnow {
 namespace {
 
 Format format_of(ByteSource& source, Format asked) {
+  if (asked != Format::automatic && asked != Format::ply && asked != Format::stl)
+    throw Error(ErrorKind::usage, "of the formats only PLY and STL are read");
   if (asked != Format::automatic) return asked;
   const Block head = source.peek(4);
   const bool ply = head.bytes.size() == 4 && std::memcmp(head.bytes.data(), "ply", 3) == 0 &&

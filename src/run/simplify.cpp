@@ -7,6 +7,7 @@
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
 #include "run/simplify_options.hpp"
+#include "run/simplify_source.hpp"
 #include "run/write_mesh.hpp"
 #include "write/mesh_encoder.hpp"
 
@@ -15,41 +16,31 @@
 
 namespace winnow {
 
-namespace {
-
-SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::string& output,
-                                 const SimplifyOptions& options) {
-  const Stopwatch watch;
-  // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
-  if (input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
-  const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output);
-  remove_stale_files(job.scratch.directory(), scratch_prefix);
-  ByteSink sink(job, output, options.force);
+SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source, const MeshEncoder& encoder,
+                               ByteSink& sink, const SimplifyOptions& options, const Stopwatch& watch) {
   SimplifyReport report;
-
-  // Decompressing takes memory of its own, which shows with the first bytes; the rest is divided.
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
-  std::unique_ptr<ByteSource> source = open_source(job, input);
-  source->peek(1);
+  source->peek(1);  // what decompressing takes shows with the first bytes
   const MemoryPlan plan =
       MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, sums_quadrics(options));
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   const std::unique_ptr<MeshReader> reader =
       open_reader(job, std::move(source), options.from, access_for(options), plan.reader);
+  const bool exact = reader->facts().double_positions;
+  const bool doubles = writes_doubles(options.encoding, exact);
   Clustering clustering(job, *reader, options, plan, report);
   const double opened = watch.seconds();
   ClusteredMesh mesh = clustering.run();
   report.seconds.read += opened;
   report.seconds.cluster = watch.seconds() - report.seconds.read;
   if (cost_of(options) != Refine::none) {
-    mesh = refined(job, std::move(mesh), options, clustering, !reader->facts().double_positions, report);
+    mesh = refined(job, std::move(mesh), options, clustering, !doubles, report);
     report.seconds.refine = watch.seconds() - report.seconds.read - report.seconds.cluster;
   }
 
-  const MeshShape shape{mesh.vertices->size(), mesh.face_count, options.normals || reader->facts().normals,
-                        reader->facts().double_positions, "simplified by winnow"};
-  write_mesh(job, mesh, shape, *encoder, sink);
+  const MeshShape shape = shape_of(job, mesh, encoder, options.normals || reader->facts().normals, doubles,
+                                   exact, "simplified by winnow");
+  write_mesh(job, mesh, shape, encoder, sink);
   sink.finish();
 
   report.input.vertices = reader->facts().vertices.value_or(0);
@@ -68,6 +59,22 @@ SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::
       report.seconds.total - report.seconds.cluster - report.seconds.read - report.seconds.refine;
   report.notes = job.notes;
   return report;
+}
+
+namespace {
+
+SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::string& output,
+                                 const SimplifyOptions& options) {
+  const Stopwatch watch;
+  // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
+  if (input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
+  const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output, options.encoding);
+  if (options.faces) (void)encoder->header({.faces = *options.faces});  // refuses what it cannot count
+  remove_stale_files(job.scratch.directory(), scratch_prefix);
+  // Compressing and decompressing take memory of their own; the rest is divided.
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
+  ByteSink sink(job, output, options.force);
+  return simplify_source(job, open_source(job, input), *encoder, sink, options, watch);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
+#include "write/coarse_floats.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,35 @@ MeshVertex finished(const IndexedVertex& vertex) {
   return out;
 }
 
+Box box_of(Job& job, const VertexIndex& vertices) {
+  Box box;
+  vertices.records().for_each_part(sizeof(IndexedVertex), [&](std::span<const std::byte> part) {
+    job.progress.check_cancelled();
+    for (; !part.empty(); part = part.subspan(sizeof(IndexedVertex))) {
+      IndexedVertex vertex;
+      std::memcpy(&vertex, part.data(), sizeof vertex);
+      box.add(vertex.position);
+    }
+  });
+  return box;
+}
+
 }  // namespace
+
+bool writes_doubles(const Encoding& encoding, bool input) {
+  return encoding.positions == Positions::as_input ? input : encoding.positions == Positions::doubles;
+}
+
+MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encoder, bool normals,
+                   bool double_positions, bool exact, std::string comment) {
+  MeshShape shape{mesh.vertices->size(), mesh.face_count, normals, double_positions, std::move(comment)};
+  const bool rounded = exact && !(double_positions && encoder.holds_doubles());
+  if (!rounded && !encoder.needs_box()) return shape;
+  const Box box = box_of(job, *mesh.vertices);
+  if (rounded) note_coarse_floats(job, box, mesh.face_count);
+  if (encoder.needs_box()) shape.box = box;
+  return shape;
+}
 
 void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder,
                 ByteSink& sink) {
@@ -84,6 +113,8 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
         }
         encoder.faces(shape, faces, corners, bytes);
       });
+  const std::string footer = encoder.footer(shape);
+  sink.write(std::as_bytes(std::span(footer)));
 }
 
 }  // namespace winnow

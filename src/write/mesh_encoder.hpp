@@ -1,7 +1,9 @@
 // Vertices and faces as the bytes of a file format.
 #pragma once
 
-#include <winnow/simplify.hpp>
+#include <winnow/format.hpp>
+
+#include "base/box.hpp"
 
 #include <array>
 #include <cstddef>
@@ -18,8 +20,9 @@ struct MeshShape {
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
   bool normals = false;           // vertices carry normals
-  bool double_positions = false;  // else float
-  std::string comment;            // one line; may be empty
+  bool double_positions = false;  // else every position is a float
+  std::string comment{};          // one line; may be empty
+  Box box{};                      // of all vertices; only where needs_box() asks for it
 };
 
 struct MeshVertex {
@@ -33,7 +36,8 @@ struct MeshFace {
 
 using Corners = std::array<std::array<double, 3>, 3>;
 
-// Pure: the same calls give the same bytes, from any thread. A file is header(), all vertices, all faces.
+// Pure: the same calls give the same bytes, from any thread. A file is header(), all vertices, all faces,
+// footer().
 class MeshEncoder {
  public:
   virtual ~MeshEncoder() = default;
@@ -49,14 +53,25 @@ class MeshEncoder {
   virtual void faces(const MeshShape& shape, std::span<const MeshFace> faces,
                      std::span<const Corners> corners, std::vector<std::byte>& out) const = 0;
 
-  [[nodiscard]] virtual bool needs_corners() const = 0;
+  [[nodiscard]] virtual std::string footer(const MeshShape& /*shape*/) const { return {}; }
+
+  [[nodiscard]] virtual bool needs_corners() const { return false; }
+  // Whether header() and vertices() look at the shape's box.
+  [[nodiscard]] virtual bool needs_box() const { return false; }
+  // Whether positions lose no more than a part of the mesh's size by being written, wherever it is.
+  [[nodiscard]] virtual bool holds_doubles() const { return true; }
 };
 
-// The encoder for `format`; with Format::automatic for what the name ends in, PLY where that says nothing.
-std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path);
+// The encoder for `format`; with Format::automatic for what the name ends in (before .gz or .zst), PLY where
+// that says nothing. Throws Error(usage) where `encoding` asks for what the format does not have.
+std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path,
+                                          const Encoding& encoding = {});
 
 // One function a format; a new one is a new file and a line in make_encoder.
-std::unique_ptr<MeshEncoder> make_ply_encoder();
-std::unique_ptr<MeshEncoder> make_stl_encoder();
+std::unique_ptr<MeshEncoder> make_ply_encoder(bool ascii = false);
+std::unique_ptr<MeshEncoder> make_stl_encoder(bool ascii = false);
+std::unique_ptr<MeshEncoder> make_obj_encoder();
+std::unique_ptr<MeshEncoder> make_off_encoder();
+std::unique_ptr<MeshEncoder> make_glb_encoder();
 
 }  // namespace winnow

@@ -22,8 +22,9 @@ struct Arguments {
   std::string input, output;
   std::string cell, grid, faces, ratio, error;
   std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
-  std::string from, to;
-  bool normals = false, strict = false, force = false, dry_run = false;
+  std::string from;
+  bool normals = false, strict = false, dry_run = false;
+  OutputOptions written;
   CommonOptions common;
 };
 
@@ -70,9 +71,10 @@ SimplifyOptions options_of(const Arguments& arguments) {
   options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
   options.normals = arguments.normals;
   options.strict = arguments.strict;
-  options.force = arguments.force;
-  options.from = parse_format("--from", arguments.from);
-  options.to = parse_format("--to", arguments.to);
+  options.force = arguments.written.force;
+  options.from = parse_input_format(arguments.from);
+  options.to = parse_output_format(arguments.written.to);
+  options.encoding = arguments.written.encoding();
   return options;
 }
 
@@ -160,18 +162,7 @@ void show(const SimplifyReport& report, std::ostream& out) {
     memory += ", and " + show_bytes(report.peak_scratch_bytes) + " of scratch";
   line("memory", memory);
   const BadFaces& bad = report.input.bad_faces;
-  if (bad.total() > 0) {
-    std::string text = show_count(bad.total()) + " left out:";
-    if (bad.degenerate > 0) text += " " + show_count(bad.degenerate) + " repeat a corner";
-    if (bad.non_finite > 0)
-      text += std::string(bad.degenerate > 0 ? "," : "") + " " + show_count(bad.non_finite) +
-              " have a corner that is not finite";
-    if (bad.out_of_range > 0) {
-      text += std::string(bad.total() > bad.out_of_range ? "," : "") + " " + show_count(bad.out_of_range) +
-              " name a vertex that does not exist";
-    }
-    line("bad faces", text);
-  }
+  if (bad.total() > 0) line("bad faces", show_bad_faces(bad));
   if (report.clamped_faces > 0)
     line("weights",
          show_count(report.clamped_faces) + " faces span so many cells that their weight was limited");
@@ -248,11 +239,7 @@ void add_simplify(CLI::App& app) {
   command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")
       ->required()
       ->type_name("IN");
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "PLY, or STL where the name ends so; - is standard output")
-      ->required()
-      ->type_name("OUT");
+  command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
 
   const std::string fineness = "How fine (exactly one)";
   command
@@ -323,10 +310,7 @@ void add_simplify(CLI::App& app) {
   command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")
       ->type_name("FORMAT")
       ->group(result);
-  command->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl")
-      ->type_name("FORMAT")
-      ->group(result);
-  command->add_flag("--force", arguments->force, "Replace the output if it exists")->group(result);
+  arguments->written.add_to(*command, result);
   command->add_flag("--dry-run", arguments->dry_run, "Show passes, memory and scratch; do nothing")
       ->group("Messages");
   arguments->common.add_to(*command, true);
