@@ -14,10 +14,17 @@ enum class Positions {
   doubles    // not in STL and GLB, which hold floats
 };
 
+// How the vertices and faces of a GLB are packed. Compressing the whole file is said by the output's name.
+enum class Compression {
+  none,    // not at all: every reader of glTF 2.0 knows it
+  meshopt  // EXT_meshopt_compression: without loss, to less than half; in primitives of 32,768 faces
+};
+
 // What a format leaves open. Options that make no sense for the format are an Error(usage).
 struct Encoding {
   bool ascii = false;  // PLY and STL as text; OBJ and OFF always are
   Positions positions = Positions::as_input;
+  Compression compression = Compression::none;  // GLB
 };
 
 }  // namespace winnow

@@ -8,6 +8,7 @@
 #include "read/good_faces.hpp"
 #include "run/plain_mesh.hpp"
 #include "run/plan.hpp"
+#include "run/write_blocks.hpp"
 #include "run/write_mesh.hpp"
 #include "write/mesh_encoder.hpp"
 
@@ -42,6 +43,7 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output, options.encoding);
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   job.budget.expect(MemoryPlan::smallest_for(job.threads, quadrics));
+  const Reservation packing = reserve_block(job, *encoder);
   ByteSink sink(job, output, options.force);
   std::unique_ptr<ByteSource> source = open_source(job, input);
   source->peek(1);

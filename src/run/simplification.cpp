@@ -9,6 +9,7 @@
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
+#include "run/write_blocks.hpp"
 #include "write/mesh_encoder.hpp"
 
 #include <array>
@@ -37,6 +38,11 @@ std::uint64_t share(const Job& job, const SimplifyOptions& options) {
   return (job.budget.left() - needed) / 4;
 }
 
+Reservation room_to_pack(Job& job, const MeshEncoder& encoder, const SimplifyOptions& options) {
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
+  return reserve_block(job, encoder);
+}
+
 }  // namespace
 
 struct Simplification::State {
@@ -44,6 +50,7 @@ struct Simplification::State {
       : options(checked(asked)),
         job(context),
         encoder(make_encoder(options.to, path, options.encoding)),
+        packing(room_to_pack(job, *encoder, options)),
         sink(job, path, options.force),
         vertices(std::make_unique<Spool>(job, share(job, options))),
         faces(std::make_unique<Spool>(job, share(job, options))) {
@@ -129,6 +136,7 @@ struct Simplification::State {
   SimplifyOptions options;
   Job job;
   std::unique_ptr<MeshEncoder> encoder;
+  Reservation packing;
   ByteSink sink;
   std::unique_ptr<Spool> vertices, faces;
   std::uint64_t vertex_count = 0, face_count = 0;

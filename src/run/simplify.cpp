@@ -8,6 +8,7 @@
 #include "run/refinement.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
+#include "run/write_blocks.hpp"
 #include "run/write_mesh.hpp"
 #include "write/mesh_encoder.hpp"
 
@@ -71,8 +72,9 @@ SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output, options.encoding);
   if (options.faces) (void)encoder->header({.faces = *options.faces});  // refuses what it cannot count
   remove_stale_files(job.scratch.directory(), scratch_prefix);
-  // Compressing and decompressing take memory of their own; the rest is divided.
+  // Packing, compressing and decompressing take memory of their own; the rest is divided.
   job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
+  const Reservation packing = reserve_block(job, *encoder);
   ByteSink sink(job, output, options.force);
   return simplify_source(job, open_source(job, input), *encoder, sink, options, watch);
 }

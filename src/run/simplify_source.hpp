@@ -12,7 +12,7 @@
 
 namespace winnow {
 
-// Inside the job's arena. `watch` began with the call.
+// Inside the job's arena. `watch` began with the call; the caller holds reserve_block().
 SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source, const MeshEncoder& encoder,
                                ByteSink& sink, const SimplifyOptions& options, const Stopwatch& watch);
 

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
+#include "run/write_blocks.hpp"
 #include "write/coarse_floats.hpp"
 
 #include <algorithm>
@@ -39,14 +40,6 @@ void write_chunks(Job& job, std::uint64_t count, ByteSink& sink, Encode encode) 
       });
 }
 
-MeshVertex finished(const IndexedVertex& vertex) {
-  MeshVertex out{vertex.position, vertex.normal};
-  const auto [x, y, z] = vertex.normal;
-  const float length = std::sqrt(x * x + y * y + z * z);
-  if (length > 0) out.normal = {x / length, y / length, z / length};
-  return out;
-}
-
 Box box_of(Job& job, const VertexIndex& vertices) {
   Box box;
   vertices.records().for_each_part(sizeof(IndexedVertex), [&](std::span<const std::byte> part) {
@@ -61,6 +54,21 @@ Box box_of(Job& job, const VertexIndex& vertices) {
 }
 
 }  // namespace
+
+MeshVertex finished(const IndexedVertex& vertex) {
+  MeshVertex out{vertex.position, vertex.normal};
+  const auto [x, y, z] = vertex.normal;
+  const float length = std::sqrt(x * x + y * y + z * z);
+  if (length > 0) out.normal = {x / length, y / length, z / length};
+  return out;
+}
+
+std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t first, std::size_t count) {
+  constexpr std::size_t size = 3 * sizeof(std::uint32_t);
+  std::vector<std::uint32_t> numbers(3 * count);
+  mesh.faces->read(first * size, std::as_writable_bytes(std::span(numbers)));
+  return numbers;
+}
 
 bool writes_doubles(const Encoding& encoding, bool input) {
   return encoding.positions == Positions::as_input ? input : encoding.positions == Positions::doubles;
@@ -79,6 +87,7 @@ MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encod
 
 void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder,
                 ByteSink& sink) {
+  if (encoder.blocks() != nullptr) return write_blocks(job, mesh, shape, *encoder.blocks(), sink);
   const std::string header = encoder.header(shape);
   sink.write(std::as_bytes(std::span(header)));
   job.progress.begin("write", shape.vertices + shape.faces, "elements");
@@ -97,9 +106,7 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
                                        [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
   write_chunks(
       job, shape.faces, sink, [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-        constexpr std::size_t size = 3 * sizeof(std::uint32_t);
-        std::vector<std::uint32_t> numbers(3 * count);
-        mesh.faces->read(first * size, std::as_writable_bytes(std::span(numbers)));
+        const std::vector<std::uint32_t> numbers = faces_of(mesh, first, count);
         std::vector<MeshFace> faces(count);
         for (std::size_t i = 0; i < count; ++i)
           faces[i].vertex = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};

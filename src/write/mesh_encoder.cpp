@@ -47,6 +47,10 @@ std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path
   }
   if (format == Format::glb && encoding.ascii)
     throw Error(ErrorKind::usage, "GLB has no text form; choose PLY, STL, OBJ or OFF");
+  const bool packed = encoding.compression == Compression::meshopt;
+  if (packed && format != Format::glb)
+    throw Error(ErrorKind::usage,
+                "meshopt compression is for GLB alone; name the output .gz or .zst instead");
   switch (format) {
     case Format::stl:
       return make_stl_encoder(encoding.ascii);
@@ -55,7 +59,7 @@ std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path
     case Format::off:
       return make_off_encoder();
     case Format::glb:
-      return make_glb_encoder();
+      return packed ? make_packed_glb_encoder() : make_glb_encoder();
     default:
       return make_ply_encoder(encoding.ascii);
   }

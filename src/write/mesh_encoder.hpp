@@ -8,9 +8,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace winnow {
@@ -36,6 +38,28 @@ struct MeshFace {
 
 using Corners = std::array<std::array<double, 3>, 3>;
 
+// A part of a mesh with vertices of its own, as it is encoded.
+struct MeshBlock {
+  std::uint64_t vertices = 0, faces = 0;
+  Box box{};                                        // of the positions as they are written
+  std::uint64_t vertex_bytes = 0, index_bytes = 0;  // packed
+};
+
+// A format that is made of blocks, whose sizes its header tells. Pure, like MeshEncoder.
+class BlockEncoder {
+ public:
+  virtual ~BlockEncoder() = default;
+
+  // Appends to `out`. `corners` are numbers in `vertices`, three a face.
+  virtual MeshBlock encode(const MeshShape& shape, std::span<const MeshVertex> vertices,
+                           std::span<const std::uint32_t> corners, std::vector<std::byte>& out) const = 0;
+
+  // Hands what comes before the blocks, piece by piece, to `emit`. Throws Error(usage) where the format
+  // cannot hold so much.
+  virtual void header(const MeshShape& shape, std::span<const MeshBlock> blocks,
+                      const std::function<void(std::string_view)>& emit) const = 0;
+};
+
 // Pure: the same calls give the same bytes, from any thread. A file is header(), all vertices, all faces,
 // footer().
 class MeshEncoder {
@@ -60,6 +84,8 @@ class MeshEncoder {
   [[nodiscard]] virtual bool needs_box() const { return false; }
   // Whether positions lose no more than a part of the mesh's size by being written, wherever it is.
   [[nodiscard]] virtual bool holds_doubles() const { return true; }
+  // Where there is one, the file is its header and its blocks instead, and all of the above write nothing.
+  [[nodiscard]] virtual const BlockEncoder* blocks() const { return nullptr; }
 };
 
 // The encoder for `format`; with Format::automatic for what the name ends in (before .gz or .zst), PLY where
@@ -73,5 +99,6 @@ std::unique_ptr<MeshEncoder> make_stl_encoder(bool ascii = false);
 std::unique_ptr<MeshEncoder> make_obj_encoder();
 std::unique_ptr<MeshEncoder> make_off_encoder();
 std::unique_ptr<MeshEncoder> make_glb_encoder();
+std::unique_ptr<MeshEncoder> make_packed_glb_encoder();
 
 }  // namespace winnow

@@ -63,8 +63,13 @@ TEST_CASE("text and doubles are for formats that have them") {
   const Encoding doubles{.positions = Positions::doubles};
   CHECK(refusal(Format::glb, "-", doubles) == ErrorKind::usage);
   CHECK(refusal(Format::automatic, "a.stl", doubles) == ErrorKind::usage);
-  for (const Format format : {Format::ply, Format::obj, Format::off})
+  const Encoding packed{.compression = Compression::meshopt};
+  for (const Format format : {Format::ply, Format::obj, Format::off}) {
     CHECK_NOTHROW(make_encoder(format, "-", doubles));
+    CHECK(refusal(format, "-", packed) == ErrorKind::usage);
+  }
+  CHECK(make_encoder(Format::glb, "-", packed)->blocks() != nullptr);
+  CHECK(make_encoder(Format::glb, "-")->blocks() == nullptr);
 }
 
 }  // namespace winnow

@@ -118,12 +118,19 @@ void OutputOptions::add_to(CLI::App& command, const std::string& group) {
       ->check(CLI::IsMember({"float", "double"}))
       ->type_name("TYPE")
       ->group(group);
+  command
+      .add_option("--compress", compress,
+                  "How a GLB is packed: none (default) or meshopt (EXT_meshopt_compression, without loss)")
+      ->check(CLI::IsMember({"none", "meshopt"}))
+      ->type_name("HOW")
+      ->group(group);
   command.add_flag("--force", force, "Replace the output if it exists")->group(group);
 }
 
 Encoding OutputOptions::encoding() const {
   Encoding encoding;
   encoding.ascii = ascii;
+  if (compress == "meshopt") encoding.compression = Compression::meshopt;
   if (positions == "float") encoding.positions = Positions::floats;
   if (positions == "double") encoding.positions = Positions::doubles;
   return encoding;

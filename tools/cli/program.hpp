@@ -46,7 +46,7 @@ Format parse_output_format(const std::string& text);
 
 // How the output is written: the same options wherever a mesh is.
 struct OutputOptions {
-  std::string to, positions;
+  std::string to, positions, compress;
   bool ascii = false, force = false;
 
   void add_to(CLI::App& command, const std::string& group);

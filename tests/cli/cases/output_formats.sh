@@ -14,6 +14,7 @@ try() { local code=0; "$WINNOW" simplify none.ply --grid 10 "$@" 2>&1 || code=$?
 try -o b.glb --ascii
 try -o b.stl --positions double
 try -o b.obj --positions half
+try -o b.ply --compress meshopt
 try -o b.glb --to gltf
 "$WINNOW" simplify none.ply -o b.glb --faces 400M 2>&1 || true
 "$WINNOW" generate scan -o c.glb 2>&1 || true
