@@ -51,9 +51,9 @@ std::string zsh_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
     if (c == '\'') {
-      out += "'\\''";
+      out += R"('\'')";
     } else if (c == '[' || c == ']' || c == ':' || c == '\\') {
-      out += std::string("\\") + c;
+      out += std::string(R"(\)") + c;
     } else {
       out += c;
     }
@@ -89,7 +89,7 @@ std::string bash_completion(const std::vector<CommandTable>& all) {
   std::string text = "# bash completion for winnow\n\n";
   text += "_winnow_words() { mapfile -t COMPREPLY < <(compgen -W \"$1\" -- \"$cur\"); }\n";
   text +=
-      "_winnow_files() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- \"$cur\"); "
+      R"(_winnow_files() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- "$cur"); )"
       "}\n\n";
   text += "_winnow() {\n  local cur=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n";
   text += "  COMPREPLY=()\n";

@@ -20,7 +20,7 @@ constexpr std::array<std::pair<const char*, const char*>, 6> exit_codes{
 
 // What is the same for every command that reads meshes.
 const char* const hard_budget =
-    "The resident set, mapped pages of the input included, stays below \\fB--memory\\fR (512M unless given) "
+    R"(The resident set, mapped pages of the input included, stays below \fB--memory\fR (512M unless given) )"
     "and 32 MiB, whatever the size of input and output. A budget that is too small is refused at once, with "
     "the smallest that works.";
 
@@ -30,12 +30,12 @@ const char* memory_usage(const std::string& command) {
     return "A cell of the result takes about 190 bytes of table and a face about 40, so that 512 MiB hold a "
            "result of about two million faces. What does not fit goes to scratch: beside the output, or "
            "where "
-           "\\fB--scratch\\fR says. With \\fB--dry-run\\fR the division of the budget and the scratch are "
+           R"(\fB--scratch\fR says. With \fB--dry-run\fR the division of the budget and the scratch are )"
            "shown, "
            "and nothing is done.";
   if (command == "convert")
     return "A vertex takes 48 bytes and a face 12. What does not fit goes to scratch: beside the output, or "
-           "where \\fB--scratch\\fR says.";
+           R"(where \fB--scratch\fR says.)";
   if (command == "info")
     return "Counting edges takes memory in proportion to them; where the budget is too small they are not "
            "counted, and the report says how much would be enough.";
@@ -53,23 +53,23 @@ std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
     if (c == '\\') {
-      out += "\\e";
+      out += R"(\e)";
     } else if (c == '-') {
-      out += "\\-";
+      out += R"(\-)";
     } else {
       out += c;
     }
   }
-  if (out.starts_with(".") || out.starts_with("'")) out.insert(0, "\\&");
+  if (out.starts_with(".") || out.starts_with("'")) out.insert(0, R"(\&)");
   return out;
 }
 
 std::string bold(const std::string& text) {
-  return "\\fB" + escaped(text) + "\\fR";
+  return R"(\fB)" + escaped(text) + R"(\fR)";
 }
 
 std::string italic(const std::string& text) {
-  return "\\fI" + escaped(text) + "\\fR";
+  return R"(\fI)" + escaped(text) + R"(\fR)";
 }
 
 std::string page_name(const CommandTable& command) {
@@ -127,8 +127,8 @@ std::string man_page(const CommandTable& command, const std::vector<CommandTable
   const bool whole = command.name == "winnow";
   const std::string& description = command.description;
   std::string page =
-      ".TH " + escaped(page_name(command)) + " 1 \"\" \"winnow " WINNOW_VERSION "\" \"winnow\"\n";
-  page += ".SH NAME\n" + escaped(page_name(command)) + " \\- " +
+      ".TH " + escaped(page_name(command)) + R"( 1 "" "winnow )" WINNOW_VERSION "\" \"winnow\"\n";
+  page += ".SH NAME\n" + escaped(page_name(command)) + R"( \- )" +
           escaped(whole ? "make huge triangle meshes small, in bounded memory" : description) + "\n";
   page += ".SH SYNOPSIS\n" + synopsis(command);
   page += ".SH DESCRIPTION\n" + escaped(description) + (description.ends_with(".") ? "\n" : ".\n");
