@@ -1,11 +1,13 @@
-# Installs the library, its headers and the package files that find_package(winnow) reads.
+# Installs the program with its manual (component `program`), and the library with its headers and the files that
+# find_package(winnow) and pkg-config read (component `development`).
 include(CMakePackageConfigHelpers)
 
-install(TARGETS winnow EXPORT winnow-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY include/winnow DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES ${PROJECT_BINARY_DIR}/include/winnow/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/winnow)
+install(TARGETS winnow EXPORT winnow-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(DIRECTORY include/winnow DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(FILES ${PROJECT_BINARY_DIR}/include/winnow/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/winnow
+        COMPONENT development)
 if(WINNOW_CLI)
-  install(TARGETS winnow_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS winnow_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/winnow)
@@ -14,5 +16,11 @@ configure_package_config_file(cmake/winnow-config.cmake.in ${PROJECT_BINARY_DIR}
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/winnow-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/winnow-config.cmake ${PROJECT_BINARY_DIR}/winnow-config-version.cmake
-        DESTINATION ${package_dir})
-install(EXPORT winnow-targets NAMESPACE winnow:: DESTINATION ${package_dir})
+        DESTINATION ${package_dir} COMPONENT development)
+install(EXPORT winnow-targets NAMESPACE winnow:: DESTINATION ${package_dir} COMPONENT development)
+
+# Relative to where the file lies, so that an installation may be moved.
+file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(cmake/winnow.pc.in ${PROJECT_BINARY_DIR}/winnow.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/winnow.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT development)

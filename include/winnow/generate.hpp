@@ -20,7 +20,7 @@ struct GenerateOptions {
   Surface surface = Surface::scan;
   std::uint64_t faces = 1'000'000;        // the nearest number that the surface's grid allows is made
   std::uint32_t seed = 1;                 // another number, another surface of the same kind
-  Format to = Format::automatic;          // PLY (indexed) unless the output's name ends in .stl
+  Format to = Format::automatic;          // by the output's name, else PLY; no GLB
   bool shuffle = false;                   // faces in a scattered order instead of the scanner's
   std::array<double, 3> offset{0, 0, 0};  // added to every position; PLY is then written in double
   bool force = false;                     // replace an existing output file

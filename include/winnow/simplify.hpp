@@ -2,6 +2,7 @@
 #pragma once
 
 #include <winnow/context.hpp>
+#include <winnow/format.hpp>
 
 #include <array>
 #include <cstdint>
@@ -29,10 +30,6 @@ enum class Borders {
   weigh,  // they resist being moved sideways
   keep    // their vertices stay, all of them
 };
-
-// File formats by name; `automatic` goes by content for an input, by the name's ending for an output. Only
-// PLY and STL are written.
-enum class Format { automatic, ply, stl, obj, off, m, gltf };  // gltf: GLB too
 
 // Options that change the result. Exactly one of cell, grid, faces, ratio, error and
 // relative_error must be set.
@@ -67,6 +64,7 @@ struct SimplifyOptions {
 
   Format from = Format::automatic;
   Format to = Format::automatic;
+  Encoding encoding;  // how the output is written
 
   // Replace an existing output file. Without it an existing file is a usage error.
   bool force = false;
@@ -102,8 +100,8 @@ struct SimplifyReport {
     std::uint64_t cropped_faces = 0;  // left out for SimplifyOptions::crop; the others are `faces` less these
   } input;
   struct {
-    std::uint64_t faces = 0, vertices = 0, bytes = 0;
-    std::string name;  // as it was given
+    std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
+    std::string name;                                  // as it was given
   } output;
 
   std::optional<std::uint64_t> target_faces;  // with faces and ratio
@@ -160,9 +158,10 @@ struct SimplifyPlan {
 // asked for, writes one mesh to `output`.
 //
 // input: a file's name, or "-" for standard input, of any Format, plain or in gzip or zstd. output: a file's
-// name, or "-" for standard output. A regular file appears under its name only when it is whole; anything
-// else (a pipe, a device) is written straight. The result depends on the input's content and on `options`
-// alone: never on the context, on threads, on memory, or on whether a file or a pipe was read.
+// name, or "-" for standard output; compressed where the name ends in .gz or .zst. A regular file appears
+// under its name only when it is whole; anything else (a pipe, a device) is written straight. The result
+// depends on the input's content and on `options` alone: never on the context, on threads, on memory, or on
+// whether a file or a pipe was read.
 //
 // Throws Error: usage (options), bad_input, resources, cancelled, failed.
 SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,

@@ -83,9 +83,10 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMem
   append.flush();
   mesh.vertices->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
-    throw Error(ErrorKind::failed,
-                "the input has " + grouped(mesh.vertices->size()) +
-                    " different positions, more than can be refined without clustering; choose --detail 6");
+    throw Error(
+        ErrorKind::failed,
+        "the input has " + grouped(mesh.vertices->size()) +
+            " different positions, more than one mesh can number; winnow simplify --detail 6 clusters them");
   }
   mesh.cells = mesh.vertices->size();
 }

@@ -26,7 +26,7 @@ inline Point lowest_position(const Quadric& quadric, double pull, const Point& l
   const Point middle = 0.5 * edge;
   Point position = low + (weight > 0 ? lowest_point(quadric, pull * weight, middle) : middle);
   if (single) {
-    for (double& x : position) x = static_cast<double>(static_cast<float>(x));
+    for (double& x : position) x = nearest_float(x);
   }
   return finite(position) ? position : low;
 }

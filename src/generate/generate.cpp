@@ -6,11 +6,11 @@
 #include "generate/surface.hpp"
 #include "io/byte_sink.hpp"
 #include "io/job.hpp"
+#include "write/coarse_floats.hpp"
 #include "write/mesh_encoder.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace winnow {
 
@@ -28,17 +28,12 @@ const char* name_of(Surface surface) {
   return "";
 }
 
-// Says so where single precision would round neighbouring vertices onto each other.
-void check_precision(Job& job, const MeshShape& shape, const GenerateOptions& options) {
-  float farthest = 0;
-  for (const double value : options.offset)
-    farthest = std::max(farthest, static_cast<float>(std::abs(value)));
-  const double step = std::nextafter(farthest, std::numeric_limits<float>::infinity()) - farthest;
-  const double edge = 2 / std::sqrt(static_cast<double>(shape.faces));  // roughly
-  if (step * 16 > edge) {
-    job.note("STL holds single precision, which steps by " + shortest(step) +
-             " at this offset: vertices move, some may fall together; PLY keeps them apart");
-  }
+// Every surface is about two units across.
+Box box_about(const Point& offset) {
+  Box box;
+  box.add(offset - Point{1, 1, 1});
+  box.add(offset + Point{1, 1, 1});
+  return box;
 }
 
 }  // namespace
@@ -51,6 +46,11 @@ GenerateReport generate(Context& context, const std::string& output, const Gener
   }
   const auto surface = make_surface(options);
   const auto encoder = make_encoder(options.to, output);
+  if (encoder->needs_box()) {
+    throw Error(ErrorKind::usage,
+                "a GLB begins with its box, which is not known before the surface is made; "
+                "generate a PLY, and `winnow convert` makes a GLB of it");
+  }
   MeshShape shape;
   shape.vertices = surface->vertices();
   shape.faces = surface->faces();
@@ -59,7 +59,7 @@ GenerateReport generate(Context& context, const std::string& output, const Gener
   shape.comment = std::string("winnow generate ") + name_of(options.surface) + " --faces " +
                   std::to_string(shape.faces) + " --seed " + std::to_string(options.seed);
   const std::string header = encoder->header(shape);  // refuses what the format cannot count
-  if (encoder->needs_corners()) check_precision(job, shape, options);
+  if (!encoder->holds_doubles()) note_coarse_floats(job, box_about(options.offset), shape.faces);
 
   ByteSink sink(job, output, options.force);
   sink.write(std::as_bytes(std::span(header)));

@@ -186,6 +186,8 @@ void Streaming::run() {
 
 void stream_surface(Job& job, const SurfaceFile& file, ByteSink& sink) {
   Streaming(job, file, sink).run();
+  const std::string footer = file.encoder.footer(file.shape);
+  sink.write(std::as_bytes(std::span(footer)));
 }
 
 }  // namespace winnow

@@ -69,6 +69,7 @@ ByteSink::ByteSink(Job& job, std::string path, bool force)
     : job_(job), path_(std::move(path)), force_(force) {
   buffer_.reserve(buffer_bytes);
   if (path_.empty()) throw Error(ErrorKind::usage, "the output's name is empty");
+  compressor_ = make_compressor(job_, path_);
   if (path_ != "-") path_ = behind_links(path_);
   struct stat status {};
   if (path_ == "-") {
@@ -130,13 +131,26 @@ void ByteSink::fail(int code) const {
 void ByteSink::write(std::span<const std::byte> bytes) {
   written_ += bytes.size();
   if (buffer_.size() + bytes.size() > buffer_bytes) {
-    put(buffer_);
+    pass_on(buffer_);
     buffer_.clear();
   }
   if (bytes.size() >= buffer_bytes) {
-    put(bytes);
+    pass_on(bytes);
   } else {
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+  }
+}
+
+void ByteSink::pass_on(std::span<const std::byte> bytes) {
+  if (compressor_ == nullptr) return put(bytes);
+  // In parts, so that what is packed stays small, and cancelling is noticed.
+  while (!bytes.empty()) {
+    const std::size_t length = std::min(bytes.size(), buffer_bytes);
+    job_.progress.check_cancelled();
+    compressor_->add(bytes.first(length), packed_);
+    put(packed_);
+    packed_.clear();
+    bytes = bytes.subspan(length);
   }
 }
 
@@ -155,17 +169,24 @@ void ByteSink::put(std::span<const std::byte> bytes) {
     if (done < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (done < 0) fail(errno);
     bytes = bytes.subspan(static_cast<std::size_t>(done));
+    placed_ += static_cast<std::uint64_t>(done);
   }
   // Dirty pages go to the disk while the rest is still made, so that the fsync at the end has little to do.
-  if (!aside_.empty() && written_ - behind_ > (std::uint64_t{8} << 20)) {
+  if (!aside_.empty() && placed_ - behind_ > (std::uint64_t{8} << 20)) {
     ::sync_file_range(fd_, static_cast<off_t>(behind_), 0, SYNC_FILE_RANGE_WRITE);
-    behind_ = written_;
+    behind_ = placed_;
   }
 }
 
 void ByteSink::settle() {
-  put(buffer_);
+  pass_on(buffer_);
   buffer_.clear();
+  if (compressor_ != nullptr) {
+    compressor_->finish(packed_);
+    compressor_.reset();
+    put(packed_);
+    packed_ = {};
+  }
   job_.progress.check_cancelled();
   if (!aside_.empty() && ::fsync(fd_) != 0) fail(errno);
 }

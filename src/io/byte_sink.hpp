@@ -1,6 +1,7 @@
 // Bytes out: a file that appears whole or not at all, or a pipe.
 #pragma once
 
+#include "io/compressing.hpp"
 #include "io/job.hpp"
 
 #include <cstddef>
@@ -18,7 +19,8 @@ class ByteSink {
  public:
   // A file's name, or "-" for standard output. A regular file is written aside, in the same directory, and
   // renamed by finish(); what an earlier run that was killed left aside is removed. Anything else is written
-  // straight. An existing regular file is an Error(usage) unless `force`; at once, not at the end.
+  // straight. An existing regular file is an Error(usage) unless `force`; at once, not at the end. Where the
+  // name ends in .gz or .zst, what is written is compressed.
   ByteSink(Job& job, std::string path, bool force);
   ~ByteSink();
   ByteSink(const ByteSink&) = delete;
@@ -35,10 +37,11 @@ class ByteSink {
   // Whether the file of this name is that one.
   static bool is(const std::string& path, const std::string& identity);
 
-  [[nodiscard]] std::uint64_t written() const { return written_; }
+  [[nodiscard]] std::uint64_t written() const { return written_; }  // before compression
 
  private:
   void open_straight(bool named_pipe);
+  void pass_on(std::span<const std::byte> bytes);
   void put(std::span<const std::byte> bytes);
   [[noreturn]] void fail(int code) const;
 
@@ -48,7 +51,10 @@ class ByteSink {
   bool force_;
   bool pipe_ = false;  // may block for as long as its reader likes
   int fd_ = -1;
+  std::unique_ptr<Compressor> compressor_;
+  std::vector<std::byte> packed_;
   std::uint64_t written_ = 0;
+  std::uint64_t placed_ = 0;  // bytes in the file
   std::uint64_t behind_ = 0;  // bytes that the system was already asked to bring to the disk
   std::vector<std::byte> buffer_;
 };

@@ -28,6 +28,9 @@ struct FaceBatch {
   alignas(64) Positions<double> position;
   alignas(64) Positions<float> single_position;
   std::array<FaceStatus, capacity> status;
+  // The numbers of the corners' vertices, [corner][face], where the format has vertices; good for as long as
+  // the batch is handed on.
+  std::array<const std::uint32_t*, 3> index{};
 
   [[nodiscard]] std::array<double, 3> corner(std::size_t corner, std::size_t face) const {
     std::array<double, 3> xyz{};

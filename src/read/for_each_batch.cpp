@@ -28,6 +28,25 @@ bool run_pass(Job& job, Next next, Decode decode, const std::function<bool()>& s
   return more;
 }
 
+// The same with a third, serial step.
+template <typename Next, typename Decode>
+void run_ordered_pass(Job& job, Next next, Decode decode, const BytesTaker& take) {
+  struct Item {
+    RawBatch batch;
+    BatchBytes bytes;
+  };
+  PerSlot<FaceBatch> slices(job.threads, [] { return std::make_unique<FaceBatch>(); });
+  pipeline<Item>(
+      batches_in_flight(job.threads), [&](Item& item) { return next(item.batch); },
+      [&](Item& item) {
+        item.bytes.clear();
+        decode(item.batch, slices.local(), item.bytes);
+        job.progress.advance(item.batch.count);
+        item.batch = {};  // lets a mapped window go
+      },
+      [&](const Item& item) { take(item.bytes); });
+}
+
 // A file that shrinks can look like many other things, so it is asked about first.
 template <typename Pass>
 auto watch_the_file(const MeshReader& reader, Pass pass) {
@@ -64,6 +83,36 @@ void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& s
           [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_positions(batch, slice, sink); }, {});
     });
   } while (reader.next_part());
+}
+
+void for_each_face_batch_in_order(Job& job, MeshReader& reader,
+                                  const std::function<void(const FaceBatch&, BatchBytes&)>& encode,
+                                  const BytesTaker& take) {
+  reader.begin_faces();
+  watch_the_file(reader, [&] {
+    run_ordered_pass(
+        job, [&](RawBatch& batch) { return reader.next_faces(batch); },
+        [&](const RawBatch& batch, FaceBatch& slice, BatchBytes& bytes) {
+          reader.decode_faces(batch, slice, [&](const FaceBatch& faces) { encode(faces, bytes); });
+        },
+        take);
+    return false;
+  });
+}
+
+void for_each_position_batch_in_order(Job& job, MeshReader& reader,
+                                      const std::function<void(const PositionView&, BatchBytes&)>& encode,
+                                      const BytesTaker& take) {
+  reader.begin_positions(PassCorners::all);
+  watch_the_file(reader, [&] {
+    run_ordered_pass(
+        job, [&](RawBatch& batch) { return reader.next_positions(batch); },
+        [&](const RawBatch& batch, FaceBatch& slice, BatchBytes& bytes) {
+          reader.decode_positions(batch, slice, [&](const PositionView& view) { encode(view, bytes); });
+        },
+        take);
+    return false;
+  });
 }
 
 }  // namespace winnow

@@ -5,8 +5,11 @@
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace winnow {
 
@@ -19,6 +22,17 @@ bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
 
 void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink,
                              PassCorners corners = PassCorners::all);
+
+// The same in the input's order: what `encode`, called from several threads, appends for a batch is handed to
+// `take` batch after batch, by one thread at a time.
+using BatchBytes = std::vector<std::byte>;
+using BytesTaker = std::function<void(std::span<const std::byte>)>;
+void for_each_face_batch_in_order(Job& job, MeshReader& reader,
+                                  const std::function<void(const FaceBatch&, BatchBytes&)>& encode,
+                                  const BytesTaker& take);
+void for_each_position_batch_in_order(Job& job, MeshReader& reader,
+                                      const std::function<void(const PositionView&, BatchBytes&)>& encode,
+                                      const BytesTaker& take);
 
 // Raw batches under way at one time, for the plan.
 constexpr std::size_t batches_in_flight(unsigned threads) {

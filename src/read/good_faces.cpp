@@ -1,6 +1,15 @@
 #include "read/good_faces.hpp"
 
+#include <winnow/error.hpp>
+
+#include "base/text.hpp"
+
 namespace winnow {
+
+void refuse_bad_face(const std::string& name, const FirstBad& bad) {
+  throw Error(ErrorKind::bad_input, "'" + name + "': face " + grouped(bad.face) + " " + bad.what +
+                                        "; without --strict such faces are counted and left out");
+}
 
 GoodFaces::GoodFaces(const FaceBatch& faces) {
   for (std::size_t i = 0; i < faces.count; ++i) {

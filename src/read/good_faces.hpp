@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace winnow {
 
@@ -21,7 +22,14 @@ struct NumberedFace {
 struct FirstBad {
   std::uint64_t face = UINT64_MAX;
   const char* what = "";
+
+  void add(const FirstBad& other) {
+    if (other.face < face) *this = other;
+  }
 };
+
+// What --strict makes of it: throws Error(bad_input).
+[[noreturn]] void refuse_bad_face(const std::string& name, const FirstBad& bad);
 
 // Those whose corners exist, are finite and stand in three places; the others are counted by kind.
 class GoodFaces {

@@ -7,6 +7,7 @@ namespace winnow {
 void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index,
                     FaceBatch& slice) {
   const std::uint64_t size = vertices.size();
+  slice.index = {index[0], index[1], index[2]};
   // As signed numbers, which the plainest vector instructions compare.
   constexpr std::uint32_t sign = 1U << 31;
   std::int32_t low = INT32_MAX;

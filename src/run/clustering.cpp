@@ -7,6 +7,7 @@
 #include "cluster/welder.hpp"
 #include "read/for_each_batch.hpp"
 #include "run/simplify_options.hpp"
+#include "run/write_mesh.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -51,7 +52,7 @@ Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& opti
                        SimplifyReport& report)
     : job_(job), reader_(reader), options_(options), plan_(plan), report_(report) {
   settings_.placement = options.placement;
-  settings_.double_positions = reader.facts().double_positions;
+  settings_.double_positions = writes_doubles(options.encoding, reader.facts().double_positions);
   settings_.for_refinement = cost_of(options) != Refine::none;
   settings_.keep_quadrics = options.error || options.relative_error;
 }
@@ -175,11 +176,8 @@ void Clustering::take_counts(const ClusterCounts& counts) {
     const double side = 2 * counts.outside * settings_.grid.cell;
     refuse_cell(settings_.grid.cell, side);
   }
-  if (options_.strict && counts.first_bad.face != UINT64_MAX) {
-    throw Error(ErrorKind::bad_input, "'" + reader_.name() + "': face " + grouped(counts.first_bad.face) +
-                                          " " + counts.first_bad.what +
-                                          "; without --strict such faces are counted and left out");
-  }
+  if (options_.strict && counts.first_bad.face != UINT64_MAX)
+    refuse_bad_face(reader_.name(), counts.first_bad);
   report_.input.faces = counts.faces;
   report_.input.bad_faces = counts.bad;
   report_.input.cropped_faces = counts.cropped;

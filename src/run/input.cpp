@@ -19,6 +19,11 @@ Input::Input(Job& job, const std::vector<std::string>& names) : job_(job), names
   memory_ = job.budget.used();
 }
 
+Input::Input(Job& job, std::unique_ptr<ByteSource> source) : job_(job), source_(std::move(source)) {
+  source_->peek(1);
+  memory_ = job.budget.used();
+}
+
 std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options, const ReaderMemory& memory) {
   std::unique_ptr<MeshReader> reader =
       source_ != nullptr ? open_reader(job_, std::move(source_), options.from, access_for(options), memory)

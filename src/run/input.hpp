@@ -19,6 +19,8 @@ class Input {
   // Opens what there is, so that the memory to decompress it shows. Throws Error: usage, bad_input.
   Input(Job& job, const std::vector<std::string>& names);
 
+  explicit Input(Job& job, std::unique_ptr<ByteSource> source);
+
   // What of the budget it takes before the rest can be divided.
   [[nodiscard]] std::uint64_t memory() const { return memory_; }
 

@@ -26,12 +26,12 @@ const char* name_of(StoppedBy reason) {
 
 }  // namespace
 
-ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options,
+ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
                       CheckpointDirectory* checkpoint, SimplifyReport& report) {
   RefineSettings settings;
   settings.faces = clustered.target;
   settings.decimation.cost = collapse_cost(cost_of(options));
-  settings.decimation.single = !clustered.double_positions;
+  settings.decimation.single = !doubles;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
   settings.decimation.keep_borders = options.borders == Borders::keep;
   if (clustered.error > 0) settings.decimation.error = clustered.error;

@@ -10,8 +10,9 @@
 
 namespace winnow {
 
-// Fills report.refine, and what was resumed. `checkpoint`: null where nothing is kept.
-ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options,
+// `doubles`: positions are going to be written as such. Fills report.refine, and what was resumed.
+// `checkpoint`: null where nothing is kept.
+ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
                       CheckpointDirectory* checkpoint, SimplifyReport& report);
 
 }  // namespace winnow

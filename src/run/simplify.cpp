@@ -11,6 +11,8 @@
 #include "run/refinement.hpp"
 #include "run/simplify_checkpoint.hpp"
 #include "run/simplify_options.hpp"
+#include "run/simplify_source.hpp"
+#include "run/write_blocks.hpp"
 #include "run/write_mesh.hpp"
 #include "write/mesh_encoder.hpp"
 
@@ -24,6 +26,7 @@ namespace winnow {
 
 namespace {
 
+// What is left to be read, or to be taken from a checkpoint.
 Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const MemoryPlan& plan,
                   const Stopwatch& watch, SimplifyReport& report) {
   const std::unique_ptr<MeshReader> reader = input.reader(options, plan.reader);
@@ -35,49 +38,40 @@ Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const 
   return clustered;
 }
 
-SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, SimplifyCheckpoint& checkpoint) {
+// `input`: of a run whose mesh is not in the checkpoint.
+SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEncoder& encoder, ByteSink& sink,
+                             const SimplifyRequest& request, SimplifyCheckpoint& checkpoint,
+                             const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
-  const Stopwatch watch;
-  // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
-  if (request.inputs.size() == 1 && request.inputs.front() == "-")
-    MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
-  const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, request.output);
-  remove_stale_files(job.scratch.directory(), scratch_prefix);
-  ByteSink sink(job, request.output, options.force);
   SimplifyReport report;
   if (checkpoint.opened()) report.resumed.emplace();
-
-  // Decompressing takes memory of its own, which shows with the first bytes; the rest is divided.
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
-  std::optional<Input> input;
-  if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
   const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), input ? input->memory() : job.budget.used(),
                                              job.threads, sums_quadrics(options));
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   Clustered clustered;
-  if (checkpoint.has_mesh()) {
-    clustered = checkpoint.load(job, plan.cluster.vertices + plan.cluster.result, report);
-    report.seconds = {};
-    report.seconds.read = watch.seconds();
-  } else {
+  if (input) {
     checkpoint.begun();
     clustered = cluster(job, *input, options, plan, watch, report);
     checkpoint.save(job, clustered, report);
+  } else {
+    clustered = checkpoint.load(job, plan.cluster.vertices + plan.cluster.result, report);
+    report.seconds = {};
+    report.seconds.read = watch.seconds();
   }
   const bool normals = options.normals || clustered.normals;
-  const bool double_positions = clustered.double_positions;
+  const bool exact = clustered.double_positions;
+  const bool doubles = writes_doubles(options.encoding, exact);
   ClusteredMesh mesh;
   if (cost_of(options) == Refine::none) {
     mesh = std::move(clustered.mesh);
   } else {
-    mesh = refined(job, std::move(clustered), options, checkpoint.directory(), report);
+    mesh = refined(job, std::move(clustered), options, doubles, checkpoint.directory(), report);
     report.seconds.refine = watch.seconds() - report.seconds.read - report.seconds.cluster;
   }
 
-  const MeshShape shape{mesh.vertices->size(), mesh.face_count, normals, double_positions,
-                        "simplified by winnow"};
-  write_mesh(job, mesh, shape, *encoder, sink);
+  const MeshShape shape = shape_of(job, mesh, encoder, normals, doubles, exact, "simplified by winnow");
+  write_mesh(job, mesh, shape, encoder, sink);
   sink.settle();
 
   report.output = {mesh.face_count, mesh.vertices->size(), sink.written(), request.output};
@@ -103,6 +97,24 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
   return report;
 }
 
+SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, SimplifyCheckpoint& checkpoint) {
+  const SimplifyOptions& options = request.options;
+  const Stopwatch watch;
+  // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
+  if (request.inputs.size() == 1 && request.inputs.front() == "-")
+    MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
+  const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, request.output, options.encoding);
+  if (options.faces) (void)encoder->header({.faces = *options.faces});  // refuses what it cannot count
+  remove_stale_files(job.scratch.directory(), scratch_prefix);
+  // Packing, compressing and decompressing take memory of their own; the rest is divided.
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
+  const Reservation packing = reserve_block(job, *encoder);
+  ByteSink sink(job, request.output, options.force);
+  std::optional<Input> input;
+  if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
+  return take_the_road(job, std::move(input), *encoder, sink, request, checkpoint, watch);
+}
+
 SimplifyReport simplify_with(Job& job, const SimplifyRequest& request, SimplifyCheckpoint checkpoint) {
   try {
     return in_arena(job, [&] { return simplify_in_arena(job, request, checkpoint); });
@@ -112,6 +124,13 @@ SimplifyReport simplify_with(Job& job, const SimplifyRequest& request, SimplifyC
 }
 
 }  // namespace
+
+SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source, const std::string& output,
+                               const MeshEncoder& encoder, ByteSink& sink, const SimplifyOptions& options,
+                               const Stopwatch& watch) {
+  SimplifyCheckpoint none;
+  return take_the_road(job, Input(job, std::move(source)), encoder, sink, {{}, output, options}, none, watch);
+}
 
 SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
                         const SimplifyOptions& options) {

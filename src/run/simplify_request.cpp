@@ -87,7 +87,7 @@ class Get {
 // Every option: one that is missing here would be forgotten by resume().
 template <typename Visit, typename Options>
 void visit_options(Visit&& visit, Options& options) {
-  static_assert(sizeof(SimplifyOptions) == 216, "an option has come or gone: name it below");
+  static_assert(sizeof(SimplifyOptions) == 224, "an option has come or gone: name it below");
   visit("option.cell", options.cell);
   visit("option.grid", options.grid);
   visit("option.faces", options.faces);
@@ -104,6 +104,9 @@ void visit_options(Visit&& visit, Options& options) {
   visit("option.crop", options.crop);
   visit("option.from", options.from);
   visit("option.to", options.to);
+  visit("option.ascii", options.encoding.ascii);
+  visit("option.positions", options.encoding.positions);
+  visit("option.compression", options.encoding.compression);
   visit("option.force", options.force);
 }
 

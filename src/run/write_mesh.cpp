@@ -3,6 +3,8 @@
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "io/spool_records.hpp"
+#include "run/write_blocks.hpp"
+#include "write/coarse_floats.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +41,21 @@ void write_chunks(Job& job, std::uint64_t count, ByteSink& sink, Encode encode) 
       });
 }
 
+Box box_of(Job& job, const VertexIndex& vertices) {
+  Box box;
+  vertices.records().for_each_part(sizeof(IndexedVertex), [&](std::span<const std::byte> part) {
+    job.progress.check_cancelled();
+    for (; !part.empty(); part = part.subspan(sizeof(IndexedVertex))) {
+      IndexedVertex vertex;
+      std::memcpy(&vertex, part.data(), sizeof vertex);
+      box.add(vertex.position);
+    }
+  });
+  return box;
+}
+
+}  // namespace
+
 MeshVertex finished(const IndexedVertex& vertex) {
   MeshVertex out{vertex.position, vertex.normal};
   const auto [x, y, z] = vertex.normal;
@@ -47,10 +64,31 @@ MeshVertex finished(const IndexedVertex& vertex) {
   return out;
 }
 
-}  // namespace
+std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t first, std::size_t count) {
+  constexpr std::size_t size = 3 * sizeof(std::uint32_t);
+  std::vector<std::uint32_t> numbers(3 * count);
+  mesh.faces->read(first * size, std::as_writable_bytes(std::span(numbers)));
+  return numbers;
+}
+
+bool writes_doubles(const Encoding& encoding, bool input) {
+  return encoding.positions == Positions::as_input ? input : encoding.positions == Positions::doubles;
+}
+
+MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encoder, bool normals,
+                   bool double_positions, bool exact, std::string comment) {
+  MeshShape shape{mesh.vertices->size(), mesh.face_count, normals, double_positions, std::move(comment)};
+  const bool rounded = exact && !(double_positions && encoder.holds_doubles());
+  if (!rounded && !encoder.needs_box()) return shape;
+  const Box box = box_of(job, *mesh.vertices);
+  if (rounded) note_coarse_floats(job, box, mesh.face_count);
+  if (encoder.needs_box()) shape.box = box;
+  return shape;
+}
 
 void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder,
                 ByteSink& sink) {
+  if (encoder.blocks() != nullptr) return write_blocks(job, mesh, shape, *encoder.blocks(), sink);
   const std::string header = encoder.header(shape);
   sink.write(std::as_bytes(std::span(header)));
   job.progress.begin("write", shape.vertices + shape.faces, "elements");
@@ -68,9 +106,10 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
                                        [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
   write_chunks(
       job, shape.faces, sink, [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-        std::vector<MeshFace> faces;
-        for (const auto& numbers : read_records<std::array<std::uint32_t, 3>>(*mesh.faces, first, count))
-          faces.push_back({{numbers[0], numbers[1], numbers[2]}});
+        const std::vector<std::uint32_t> numbers = faces_of(mesh, first, count);
+        std::vector<MeshFace> faces(count);
+        for (std::size_t i = 0; i < count; ++i)
+          faces[i].vertex = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
         std::vector<Corners> corners;
         if (encoder.needs_corners()) {
           VertexIndex::Reader& reader = readers.local();
@@ -81,6 +120,8 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
         }
         encoder.faces(shape, faces, corners, bytes);
       });
+  const std::string footer = encoder.footer(shape);
+  sink.write(std::as_bytes(std::span(footer)));
 }
 
 }  // namespace winnow

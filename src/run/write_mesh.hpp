@@ -6,7 +6,25 @@
 #include "io/job.hpp"
 #include "write/mesh_encoder.hpp"
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace winnow {
+
+// How a mesh is going to be written. Notes where floats are too coarse for positions that were `exact`:
+// doubles.
+MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encoder, bool normals,
+                   bool double_positions, bool exact, std::string comment);
+
+// Whether positions are doubles where the input's are or are not.
+bool writes_doubles(const Encoding& encoding, bool input);
+
+// Numbers of the corners of `count` faces from `first` on.
+std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t first, std::size_t count);
+
+// A vertex as it is written: with a normal as long as 1.
+MeshVertex finished(const IndexedVertex& vertex);
 
 // Encodes with all threads, writes in order; does not finish() the sink.
 void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder,

@@ -2,26 +2,69 @@
 
 #include <winnow/error.hpp>
 
+#include "io/compressing.hpp"
+
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace winnow {
 
-std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path) {
-  if (format == Format::automatic) {
-    std::string ending = path.size() < 4 ? "" : path.substr(path.size() - 4);
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    format = ending == ".stl" ? Format::stl : Format::ply;
-    for (const char* other : {".obj", ".off", ".glb", ".gltf", ".3mf", ".gz", ".zst"}) {
-      if (std::filesystem::path(path).extension() != other) continue;
-      throw Error(ErrorKind::usage, "'" + path + "': " + other +
-                                        " is not written; name the output .ply or .stl, or say --to ply");
-    }
+namespace {
+
+constexpr std::array<std::pair<const char*, Format>, 5> endings{{{".ply", Format::ply},
+                                                                 {".stl", Format::stl},
+                                                                 {".obj", Format::obj},
+                                                                 {".off", Format::off},
+                                                                 {".glb", Format::gltf}}};
+
+Format format_called(const std::string& path) {
+  const std::string name = std::filesystem::path(without_compression(path)).filename().string();
+  const std::size_t dot = name.rfind('.');
+  std::string ending = dot == std::string::npos ? "" : name.substr(dot);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  for (const auto& [known, format] : endings) {
+    if (ending == known) return format;
   }
-  if (format != Format::ply && format != Format::stl)
-    throw Error(ErrorKind::usage, "this format is only read; --to takes ply or stl");
-  return format == Format::stl ? make_stl_encoder() : make_ply_encoder();
+  for (const char* other : {".gltf", ".3mf", ".m", ".dae", ".fbx", ".bz2", ".xz", ".zip"}) {
+    if (ending != other) continue;
+    throw Error(ErrorKind::usage,
+                "'" + path + "': " + other +
+                    " is not written; name the output .ply, .stl, .obj, .off or .glb, or say --to ply");
+  }
+  return Format::ply;
+}
+
+}  // namespace
+
+std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path, const Encoding& encoding) {
+  if (format == Format::automatic) format = format_called(path);
+  const bool floats = format == Format::stl || format == Format::gltf;
+  if (floats && encoding.positions == Positions::doubles) {
+    throw Error(ErrorKind::usage, std::string(format == Format::stl ? "STL" : "GLB") +
+                                      " holds floats, not doubles; choose PLY, OBJ or OFF");
+  }
+  if (format == Format::gltf && encoding.ascii)
+    throw Error(ErrorKind::usage, "GLB has no text form; choose PLY, STL, OBJ or OFF");
+  const bool packed = encoding.compression == Compression::meshopt;
+  if (packed && format != Format::gltf)
+    throw Error(ErrorKind::usage,
+                "meshopt compression is for GLB alone; name the output .gz or .zst instead");
+  switch (format) {
+    case Format::stl:
+      return make_stl_encoder(encoding.ascii);
+    case Format::obj:
+      return make_obj_encoder();
+    case Format::off:
+      return make_off_encoder();
+    case Format::gltf:
+      return packed ? make_packed_glb_encoder() : make_glb_encoder();
+    case Format::m:
+      throw Error(ErrorKind::usage, "'.m' is read, not written; choose PLY, STL, OBJ, OFF or GLB");
+    default:
+      return make_ply_encoder(encoding.ascii);
+  }
 }
 
 }  // namespace winnow

@@ -1,14 +1,18 @@
 // Vertices and faces as the bytes of a file format.
 #pragma once
 
-#include <winnow/simplify.hpp>
+#include <winnow/format.hpp>
+
+#include "base/box.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace winnow {
@@ -18,8 +22,9 @@ struct MeshShape {
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
   bool normals = false;           // vertices carry normals
-  bool double_positions = false;  // else float
-  std::string comment;            // one line; may be empty
+  bool double_positions = false;  // else every position is a float
+  std::string comment{};          // one line; may be empty
+  Box box{};                      // of all vertices; only where needs_box() asks for it
 };
 
 struct MeshVertex {
@@ -33,7 +38,30 @@ struct MeshFace {
 
 using Corners = std::array<std::array<double, 3>, 3>;
 
-// Pure: the same calls give the same bytes, from any thread. A file is header(), all vertices, all faces.
+// A part of a mesh with vertices of its own, as it is encoded.
+struct MeshBlock {
+  std::uint64_t vertices = 0, faces = 0;
+  Box box{};                                        // of the positions as they are written
+  std::uint64_t vertex_bytes = 0, index_bytes = 0;  // packed
+};
+
+// A format that is made of blocks, whose sizes its header tells. Pure, like MeshEncoder.
+class BlockEncoder {
+ public:
+  virtual ~BlockEncoder() = default;
+
+  // Appends to `out`. `corners` are numbers in `vertices`, three a face.
+  virtual MeshBlock encode(const MeshShape& shape, std::span<const MeshVertex> vertices,
+                           std::span<const std::uint32_t> corners, std::vector<std::byte>& out) const = 0;
+
+  // Hands what comes before the blocks, piece by piece, to `emit`. Throws Error(usage) where the format
+  // cannot hold so much.
+  virtual void header(const MeshShape& shape, std::span<const MeshBlock> blocks,
+                      const std::function<void(std::string_view)>& emit) const = 0;
+};
+
+// Pure: the same calls give the same bytes, from any thread. A file is header(), all vertices, all faces,
+// footer().
 class MeshEncoder {
  public:
   virtual ~MeshEncoder() = default;
@@ -49,14 +77,28 @@ class MeshEncoder {
   virtual void faces(const MeshShape& shape, std::span<const MeshFace> faces,
                      std::span<const Corners> corners, std::vector<std::byte>& out) const = 0;
 
-  [[nodiscard]] virtual bool needs_corners() const = 0;
+  [[nodiscard]] virtual std::string footer(const MeshShape& /*shape*/) const { return {}; }
+
+  [[nodiscard]] virtual bool needs_corners() const { return false; }
+  // Whether header() and vertices() look at the shape's box.
+  [[nodiscard]] virtual bool needs_box() const { return false; }
+  // Whether positions lose no more than a part of the mesh's size by being written, wherever it is.
+  [[nodiscard]] virtual bool holds_doubles() const { return true; }
+  // Where there is one, the file is its header and its blocks instead, and all of the above write nothing.
+  [[nodiscard]] virtual const BlockEncoder* blocks() const { return nullptr; }
 };
 
-// The encoder for `format`; with Format::automatic for what the name ends in, PLY where that says nothing.
-std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path);
+// The encoder for `format`; with Format::automatic for what the name ends in (before .gz or .zst), PLY where
+// that says nothing. Throws Error(usage) where `encoding` asks for what the format does not have.
+std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path,
+                                          const Encoding& encoding = {});
 
 // One function a format; a new one is a new file and a line in make_encoder.
-std::unique_ptr<MeshEncoder> make_ply_encoder();
-std::unique_ptr<MeshEncoder> make_stl_encoder();
+std::unique_ptr<MeshEncoder> make_ply_encoder(bool ascii = false);
+std::unique_ptr<MeshEncoder> make_stl_encoder(bool ascii = false);
+std::unique_ptr<MeshEncoder> make_obj_encoder();
+std::unique_ptr<MeshEncoder> make_off_encoder();
+std::unique_ptr<MeshEncoder> make_glb_encoder();
+std::unique_ptr<MeshEncoder> make_packed_glb_encoder();
 
 }  // namespace winnow

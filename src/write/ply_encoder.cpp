@@ -1,8 +1,8 @@
-// Binary little-endian PLY, by Greg Turk's description of 1994.
+// PLY, binary little-endian or ASCII, by Greg Turk's description of 1994.
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
-#include "write/append.hpp"
+#include "write/append_text.hpp"
 #include "write/mesh_encoder.hpp"
 
 #include <cstring>
@@ -33,12 +33,14 @@ void encode_vertices(const MeshShape& shape, std::span<const MeshVertex> vertice
 
 class PlyEncoder final : public MeshEncoder {
  public:
+  explicit PlyEncoder(bool ascii) : ascii_(ascii) {}
+
   [[nodiscard]] std::string header(const MeshShape& shape) const override {
     if (shape.vertices > all_indices) {
       throw Error(ErrorKind::usage, "PLY counts vertices with 32 bits, too few for " +
                                         grouped(shape.vertices) + "; ask for fewer faces, or for STL");
     }
-    std::string text = "ply\nformat binary_little_endian 1.0\n";
+    std::string text = std::string("ply\nformat ") + (ascii_ ? "ascii" : "binary_little_endian") + " 1.0\n";
     if (!shape.comment.empty()) text += "comment " + shape.comment + "\n";
     text += "element vertex " + std::to_string(shape.vertices) + "\n";
     const std::string real = shape.double_positions ? "double" : "float";
@@ -55,7 +57,9 @@ class PlyEncoder final : public MeshEncoder {
 
   void vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
                 std::vector<std::byte>& out) const override {
-    if (shape.double_positions) {
+    if (ascii_) {
+      append_lines(out, shape, vertices);
+    } else if (shape.double_positions) {
       encode_vertices<double>(shape, vertices, out);
     } else {
       encode_vertices<float>(shape, vertices, out);
@@ -64,6 +68,7 @@ class PlyEncoder final : public MeshEncoder {
 
   void faces(const MeshShape& /*shape*/, std::span<const MeshFace> faces,
              std::span<const Corners> /*corners*/, std::vector<std::byte>& out) const override {
+    if (ascii_) return append_lines(out, faces);
     constexpr std::size_t size = 13;
     std::size_t at = out.size();
     out.resize(at + size * faces.size());
@@ -77,13 +82,14 @@ class PlyEncoder final : public MeshEncoder {
     }
   }
 
-  [[nodiscard]] bool needs_corners() const override { return false; }
+ private:
+  bool ascii_;
 };
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_ply_encoder() {
-  return std::make_unique<PlyEncoder>();
+std::unique_ptr<MeshEncoder> make_ply_encoder(bool ascii) {
+  return std::make_unique<PlyEncoder>(ascii);
 }
 
 }  // namespace winnow

@@ -1,19 +1,32 @@
-// Binary STL: 80 bytes of text, a 32-bit count, 50 bytes a face.
-#include <winnow/error.hpp>
-
-#include "base/text.hpp"
-#include "write/append.hpp"
+// STL: binary (80 bytes of text, a 32-bit count, 50 bytes a face) and ASCII.
+#include "base/vector.hpp"
+#include "write/append_text.hpp"
 #include "write/mesh_encoder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace winnow {
 
 namespace {
 
-class StlEncoder final : public MeshEncoder {
+// The normal and three corners.
+using Facet = std::array<std::array<float, 3>, 4>;
+
+Facet facet_of(const Corners& face) {
+  const Triangle triangle{face[0], face[1], face[2]};
+  const Point n = doubled_area(triangle);
+  const double size = length(n);
+  Facet facet{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    facet[0][axis] = size > 0 ? static_cast<float>(n[axis] / size) : 0.0F;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      facet[1 + corner][axis] = static_cast<float>(face[corner][axis]);
+  }
+  return facet;
+}
+
+class BinaryStlEncoder final : public MeshEncoder {
  public:
   [[nodiscard]] std::string header(const MeshShape& shape) const override {
     // Not "solid": that is how the ASCII form begins.
@@ -36,31 +49,59 @@ class StlEncoder final : public MeshEncoder {
     std::size_t at = out.size();
     out.resize(at + size * corners.size());
     for (const Corners& face : corners) {
-      std::array<float, 12> numbers{};
-      const auto& [a, b, c] = face;
-      const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-      const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-      const std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                    u[0] * v[1] - u[1] * v[0]};
-      const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        numbers[axis] = length > 0 ? static_cast<float>(n[axis] / length) : 0.0F;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-          numbers[3 + 3 * corner + axis] = static_cast<float>(face[corner][axis]);
-        }
-      }
-      std::memcpy(out.data() + at, numbers.data(), sizeof numbers);
+      const Facet facet = facet_of(face);
+      std::memcpy(out.data() + at, facet.data(), sizeof facet);
       at += size;
     }
   }
 
   [[nodiscard]] bool needs_corners() const override { return true; }
+  [[nodiscard]] bool holds_doubles() const override { return false; }
+};
+
+class AsciiStlEncoder final : public MeshEncoder {
+ public:
+  [[nodiscard]] std::string header(const MeshShape& shape) const override {
+    return "solid " + name_of(shape) + "\n";
+  }
+
+  void vertices(const MeshShape& /*shape*/, std::span<const MeshVertex> /*vertices*/,
+                std::vector<std::byte>& /*out*/) const override {}
+
+  void faces(const MeshShape& /*shape*/, std::span<const MeshFace> /*faces*/,
+             std::span<const Corners> corners, std::vector<std::byte>& out) const override {
+    for (const Corners& face : corners) {
+      const Facet facet = facet_of(face);
+      append_text(out, "facet normal ");
+      append_triple(out, facet[0]);
+      append_text(out, "\n outer loop\n");
+      for (std::size_t corner = 1; corner < 4; ++corner) {
+        append_text(out, "  vertex ");
+        append_triple(out, facet[corner]);
+        append_text(out, "\n");
+      }
+      append_text(out, " endloop\nendfacet\n");
+    }
+  }
+
+  [[nodiscard]] std::string footer(const MeshShape& shape) const override {
+    return "endsolid " + name_of(shape) + "\n";
+  }
+
+  [[nodiscard]] bool needs_corners() const override { return true; }
+  [[nodiscard]] bool holds_doubles() const override { return false; }
+
+ private:
+  static std::string name_of(const MeshShape& shape) {
+    return shape.comment.empty() ? "mesh" : shape.comment;
+  }
 };
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_stl_encoder() {
-  return std::make_unique<StlEncoder>();
+std::unique_ptr<MeshEncoder> make_stl_encoder(bool ascii) {
+  if (ascii) return std::make_unique<AsciiStlEncoder>();
+  return std::make_unique<BinaryStlEncoder>();
 }
 
 }  // namespace winnow

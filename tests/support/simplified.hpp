@@ -42,11 +42,9 @@ inline Simplified simplified(const Directory& directory, const std::string& inpu
   return result;
 }
 
-// The smallest --memory that works for `input`, by the message that a smaller one gets.
-inline std::string smallest_memory(const std::string& input, const Words& options,
-                                   const std::string& too_small = "1M") {
-  const Run run =
-      run_winnow(Words{"simplify", input, "-o", "never-written.ply", "--memory", too_small} + options);
+// The smallest --memory that works for a command, by the message that a smaller one gets.
+inline std::string smallest_memory_of(const Words& command, const std::string& too_small = "1M") {
+  const Run run = run_winnow(command + Words{"-o", "never-written.ply", "--memory", too_small});
   const std::string before = "the smallest that works is --memory ";
   const std::size_t at = run.err.find(before);
   INFO(run.err);
@@ -54,6 +52,10 @@ inline std::string smallest_memory(const std::string& input, const Words& option
   REQUIRE(at != std::string::npos);
   const std::size_t begin = at + before.size();
   return run.err.substr(begin, run.err.find('M', begin) + 1 - begin);
+}
+inline std::string smallest_memory(const std::string& input, const Words& options,
+                                   const std::string& too_small = "1M") {
+  return smallest_memory_of(Words{"simplify", input} + options, too_small);
 }
 
 }  // namespace winnow::test

@@ -2,6 +2,7 @@
 #include <winnow/error.hpp>
 
 #include "read/ply_header.hpp"
+#include "support/encoding.hpp"
 #include "support/reading.hpp"
 #include "support/sources.hpp"
 #include "write/mesh_encoder.hpp"
@@ -14,59 +15,17 @@ namespace winnow {
 
 using namespace test;
 
-namespace {
-
-struct Example {
-  MeshShape shape;
-  std::vector<MeshVertex> vertices;
-  std::vector<MeshFace> faces;
-};
-
-Example example(Random& random, std::size_t vertices, std::size_t faces, bool normals, bool doubles) {
-  Example out;
-  out.shape = {vertices, faces, normals, doubles, "made for a test"};
-  out.vertices.resize(vertices);
-  for (MeshVertex& vertex : out.vertices) {
-    for (double& x : vertex.position)
-      x = doubles ? random.real(-5e6, 5e6) : static_cast<float>(random.real(-5e6, 5e6));
-    for (float& x : vertex.normal) x = static_cast<float>(random.real(-1, 1));
-  }
-  out.faces.resize(faces);
-  for (MeshFace& face : out.faces) {
-    for (std::uint64_t& index : face.vertex) index = random.below(vertices);
-  }
-  return out;
-}
-
-// In parts of any size: the same calls give the same bytes.
-std::string encoded(const MeshEncoder& encoder, const Example& mesh, Random& random) {
-  std::string text = encoder.header(mesh.shape);
-  std::vector<std::byte> bytes;
-  std::size_t at = 0;
-  for (const std::size_t part : random.parts(mesh.vertices.size(), 100)) {
-    encoder.vertices(mesh.shape, std::span(mesh.vertices).subspan(at, part), bytes);
-    at += part;
-  }
-  at = 0;
-  for (const std::size_t part : random.parts(mesh.faces.size(), 100)) {
-    encoder.faces(mesh.shape, std::span(mesh.faces).subspan(at, part), {}, bytes);
-    at += part;
-  }
-  return text + text_of(bytes);
-}
-
-}  // namespace
-
 TEST_CASE("a written PLY is read back as it was") {
   Random random(600);
-  const auto encoder = make_ply_encoder();
-  CHECK_FALSE(encoder->needs_corners());
-  for (const bool normals : {false, true}) {
-    for (const bool doubles : {false, true}) {
+  for (const bool ascii : {false, true}) {
+    const auto encoder = make_ply_encoder(ascii);
+    CHECK_FALSE(encoder->needs_corners());
+    for (const auto& [normals, doubles] :
+         {std::pair{false, false}, {false, true}, {true, false}, {true, true}}) {
       for (const std::size_t count : {1, 3, 1000}) {
-        const Example mesh = example(random, count, 2 * count, normals, doubles);
+        const EncodedExample mesh = example_mesh(random, count, 2 * count, normals, doubles, {}, 5e6);
         const std::string file = encoded(*encoder, mesh, random);
-        CAPTURE(normals, doubles, count);
+        CAPTURE(ascii, normals, doubles, count);
         CHECK(file == encoded(*encoder, mesh, random));
 
         TestJob here;
@@ -89,6 +48,18 @@ TEST_CASE("a written PLY is read back as it was") {
       }
     }
   }
+}
+
+TEST_CASE("a PLY in text is what its header says, in as few digits as say it") {
+  const auto encoder = make_ply_encoder(true);
+  const MeshShape shape{1, 1, true, false, ""};
+  CHECK(encoder->header(shape).starts_with("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"));
+  std::vector<std::byte> bytes;
+  const MeshVertex vertex{{0.1F, -2, 1e-20F}, {0, 0, 1}};
+  encoder->vertices(shape, {&vertex, 1}, bytes);
+  const MeshFace face{{0, 5, 4294967295}};
+  encoder->faces(shape, {&face, 1}, {}, bytes);
+  CHECK(text_of(bytes) == "0.1 -2 1e-20 0 0 1\n3 0 5 4294967295\n");
 }
 
 TEST_CASE("a PLY is what its header says, byte for byte") {
@@ -148,23 +119,6 @@ TEST_CASE("a header can be read by the reader up to the most vertices there can 
     CHECK(header.find("vertex")->count == vertices);
     CHECK(header.find("vertex")->smallest_size() == 36);
     CHECK(header.find("face")->smallest_size() == 1);
-  }
-}
-
-TEST_CASE("the name's ending chooses the format where nothing else does") {
-  const auto is_stl = [](Format format, const std::string& path) {
-    return make_encoder(format, path)->needs_corners();
-  };
-  for (const char* path : {"a.stl", "dir.ply/b.STL", ".stl", "x.y.Stl"})
-    CHECK(is_stl(Format::automatic, path));
-  for (const char* path : {"a.ply", "-", "", "stl", "a.stl.bak", "b.stl/c"})
-    CHECK_FALSE(is_stl(Format::automatic, path));
-  CHECK(is_stl(Format::stl, "a.ply"));
-  CHECK_FALSE(is_stl(Format::ply, "a.stl"));
-  // Nobody who names an output so means a PLY.
-  for (const char* path : {"a.obj", "a.off", "a.glb", "a.ply.gz", "a.ply.zst"}) {
-    CHECK(error_of([&] { (void)make_encoder(Format::automatic, path); }).kind() == ErrorKind::usage);
-    CHECK_NOTHROW(make_encoder(Format::ply, path));
   }
 }
 

@@ -14,8 +14,8 @@ using namespace test;
 
 namespace {
 
-std::string encoded(const std::vector<Corners>& corners, Random& random) {
-  const auto encoder = make_stl_encoder();
+std::string encoded(const std::vector<Corners>& corners, Random& random, bool ascii = false) {
+  const auto encoder = make_stl_encoder(ascii);
   const MeshShape shape{3 * corners.size(), corners.size(), true, true, "made for a test"};
   std::string text = encoder->header(shape);
   std::vector<std::byte> bytes;
@@ -27,7 +27,7 @@ std::string encoded(const std::vector<Corners>& corners, Random& random) {
     encoder->faces(shape, std::vector<MeshFace>(part), std::span(corners).subspan(at, part), bytes);
     at += part;
   }
-  return text + text_of(bytes);
+  return text + text_of(bytes) + encoder->footer(shape);
 }
 
 }  // namespace
@@ -50,6 +50,26 @@ TEST_CASE("a written STL is read back as it was, to floats") {
     CHECK(difference(read_faces(here.job, *reader), right) == "");
     CHECK(here.job.notes.empty());  // the count is right
   }
+}
+
+TEST_CASE("an STL written as text is read back as it was, to floats") {
+  Random random(612);
+  for (const std::size_t count : {1, 3, 300}) {
+    const std::vector<Triangle> faces = placed(soup(random, count, 0.3), 100, {5e6, -3, 0.1});
+    const std::string file = encoded(faces, random, true);
+    TestJob here;
+    const auto reader = open_reader(here.job, std::make_unique<MemorySource>(file), Format::automatic,
+                                    Access::once, {usual_vertex_memory, 100});
+    CHECK(reader->facts().format == "STL ASCII");
+    std::vector<SeenFace> right;
+    for (const Triangle& face : as_floats(faces)) right.push_back({FaceStatus::good, face});
+    CHECK(difference(read_faces(here.job, *reader), right) == "");
+    CHECK(here.job.notes.empty());
+  }
+  const Triangle face{Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 0.1, 0}};
+  CHECK(encoded({face}, random, true) ==
+        "solid made for a test\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n"
+        "  vertex 0 0.1 0\n endloop\nendfacet\nendsolid made for a test\n");
 }
 
 TEST_CASE("the normal of a facet is its own, of one unit, or nothing") {

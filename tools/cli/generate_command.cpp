@@ -29,7 +29,7 @@ void run(const Arguments& arguments) {
                                                      : Surface::part;
   options.faces = parse_count("--faces", arguments.faces);
   options.seed = arguments.seed;
-  options.to = parse_output_format("--to", arguments.to);
+  options.to = parse_output_format(arguments.to);
   options.shuffle = arguments.shuffle;
   options.force = arguments.force;
   for (std::size_t axis = 0; axis < arguments.offset.size(); ++axis)
@@ -69,7 +69,7 @@ void add_generate(CLI::App& app) {
       ->type_name("SURFACE");
   command
       ->add_option("-o,--output", arguments->output,
-                   "PLY, or STL where the name ends so; - is standard output")
+                   "PLY, STL, OBJ or OFF by the name's ending, also in .gz or .zst; - is standard output")
       ->required()
       ->type_name("OUT");
   const std::string result = "What the result is";
@@ -89,7 +89,8 @@ void add_generate(CLI::App& app) {
       ->expected(3)
       ->type_name("X,Y,Z")
       ->group(result);
-  command->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl")
+  command
+      ->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl, obj, off")
       ->type_name("FORMAT")
       ->group(result);
   command->add_flag("--force", arguments->force, "Replace the output if it exists")->group(result);

@@ -92,7 +92,7 @@ void run(const Arguments& arguments) {
   InfoReport report;
   {
     const ProgressBar bar(context, arguments.common);
-    report = info(context, arguments.input, parse_input_format("--from", arguments.from));
+    report = info(context, arguments.input, parse_input_format(arguments.from));
   }
   if (arguments.common.json) {
     std::cout << json_of(report).dump(2) << "\n";

@@ -1,7 +1,6 @@
 // The winnow program.
 #include <winnow/error.hpp>
 #include <winnow/mapped_guard.hpp>
-#include <winnow/version.hpp>
 
 #include "program.hpp"
 
@@ -31,18 +30,8 @@ int main(int argc, char** argv) {
   using winnow::ErrorKind;
 
   open_standard_streams();
-  CLI::App app("winnow makes huge triangle meshes small, in bounded memory.");
-  app.name("winnow");
-  app.set_version_flag("--version", "winnow " WINNOW_VERSION);
-  app.require_subcommand(1);
-  app.footer(
-      "Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow COMMAND --help' shows the "
-      "options of a command and examples.");
-  winnow::cli::add_simplify(app);
-  winnow::cli::add_resume(app);
-  winnow::cli::add_info(app);
-  winnow::cli::add_compare(app);
-  winnow::cli::add_generate(app);
+  CLI::App app;
+  winnow::cli::add_commands(app);
 
   // A reader that goes away, and a file-size limit, are write errors like any other.
   std::signal(SIGPIPE, SIG_IGN);

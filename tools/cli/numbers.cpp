@@ -134,4 +134,17 @@ std::string show_length(double length) {
   return format("%.6g", length);
 }
 
+std::string show_bad_faces(const BadFaces& bad) {
+  std::string text = show_count(bad.total()) + " left out:";
+  const char* separator = " ";
+  for (const auto& [count, what] : {std::pair{bad.degenerate, "repeat a corner"},
+                                    std::pair{bad.non_finite, "have a corner that is not finite"},
+                                    std::pair{bad.out_of_range, "name a vertex that does not exist"}}) {
+    if (count == 0) continue;
+    text += separator + show_count(count) + " " + what;
+    separator = ", ";
+  }
+  return text;
+}
+
 }  // namespace winnow::cli

@@ -1,6 +1,7 @@
 #include "program.hpp"
 
 #include <winnow/error.hpp>
+#include <winnow/version.hpp>
 
 #include "numbers.hpp"
 
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -80,26 +82,78 @@ void prepare(Context& context, const CommonOptions& options, const std::string& 
   ::sigaction(SIGTERM, &action, nullptr);
 }
 
-Format parse_input_format(const std::string& option, const std::string& text) {
-  constexpr std::array<std::pair<std::string_view, Format>, 7> formats{{{"auto", Format::automatic},
-                                                                        {"ply", Format::ply},
-                                                                        {"stl", Format::stl},
-                                                                        {"obj", Format::obj},
-                                                                        {"off", Format::off},
-                                                                        {"m", Format::m},
-                                                                        {"gltf", Format::gltf}}};
-  if (text.empty()) return Format::automatic;
-  for (const auto& [name, format] : formats) {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Format>, 7> formats{{{"ply", Format::ply},
+                                                                      {"stl", Format::stl},
+                                                                      {"obj", Format::obj},
+                                                                      {"off", Format::off},
+                                                                      {"glb", Format::gltf},
+                                                                      {"gltf", Format::gltf},
+                                                                      {"m", Format::m}}};
+constexpr std::size_t written_formats = 5;
+
+Format format_called(const std::string& text, std::size_t known, const std::string& refusal) {
+  if (text.empty() || text == "auto") return Format::automatic;
+  for (const auto& [name, format] : std::span(formats).first(known)) {
     if (text == name) return format;
   }
-  throw Error(ErrorKind::usage, option + " takes one of " + input_formats + ", not '" + text + "'");
+  throw Error(ErrorKind::usage, refusal + ", not '" + text + "'");
 }
 
-Format parse_output_format(const std::string& option, const std::string& text) {
-  if (text.empty() || text == "auto") return Format::automatic;
-  if (text == "ply") return Format::ply;
-  if (text == "stl") return Format::stl;
-  throw Error(ErrorKind::usage, option + " takes ply or stl, not '" + text + "'");
+}  // namespace
+
+Format parse_input_format(const std::string& text) {
+  return format_called(text, formats.size(), std::string("--from takes one of ") + input_formats);
+}
+
+Format parse_output_format(const std::string& text) {
+  return format_called(text, written_formats, "--to takes one of ply, stl, obj, off, glb");
+}
+
+void OutputOptions::add_to(CLI::App& command, const std::string& group) {
+  command.add_option("--to", to, "Output format, where the name does not tell: ply, stl, obj, off, glb")
+      ->type_name("FORMAT")
+      ->group(group);
+  command.add_flag("--ascii", ascii, "PLY and STL as text")->group(group);
+  command
+      .add_option("--positions", positions,
+                  "Type of positions: float or double (default: the input's; STL and GLB hold floats)")
+      ->check(CLI::IsMember({"float", "double"}))
+      ->type_name("TYPE")
+      ->group(group);
+  command
+      .add_option("--compress", compress,
+                  "How a GLB is packed: none (default) or meshopt (EXT_meshopt_compression, without loss)")
+      ->check(CLI::IsMember({"none", "meshopt"}))
+      ->type_name("HOW")
+      ->group(group);
+  command.add_flag("--force", force, "Replace the output if it exists")->group(group);
+}
+
+Encoding OutputOptions::encoding() const {
+  Encoding encoding;
+  encoding.ascii = ascii;
+  if (compress == "meshopt") encoding.compression = Compression::meshopt;
+  if (positions == "float") encoding.positions = Positions::floats;
+  if (positions == "double") encoding.positions = Positions::doubles;
+  return encoding;
+}
+
+void add_commands(CLI::App& app) {
+  app.name("winnow");
+  app.description("winnow makes huge triangle meshes small, in bounded memory.");
+  app.set_version_flag("--version", "winnow " WINNOW_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow COMMAND --help' shows the "
+      "options of a command and examples.");
+  add_simplify(app);
+  add_resume(app);
+  add_convert(app);
+  add_info(app);
+  add_compare(app);
+  add_generate(app);
 }
 
 std::ostream& report_stream(const std::string& output) {

@@ -45,8 +45,22 @@ inline constexpr const char* input_formats = "ply, stl, obj, off, m, gltf";
 inline constexpr const char* input_names =
     "PLY, STL, OBJ, OFF, .m or glTF, also in .gz or .zst; - is standard input";
 
-Format parse_input_format(const std::string& option, const std::string& text);
-Format parse_output_format(const std::string& option, const std::string& text);
+// Of a format that is read, or is written.
+Format parse_input_format(const std::string& text);
+Format parse_output_format(const std::string& text);
+
+// How the output is written: the same options wherever a mesh is.
+struct OutputOptions {
+  std::string to, positions, compress;
+  bool ascii = false, force = false;
+
+  void add_to(CLI::App& command, const std::string& group);
+  [[nodiscard]] Encoding encoding() const;
+};
+
+// What every command says of its output.
+inline constexpr const char* output_help =
+    "PLY, STL, OBJ, OFF or GLB by the name's ending, also in .gz or .zst; - is standard output";
 
 // For reports: standard output, or standard error where standard output carries the mesh.
 std::ostream& report_stream(const std::string& output);
@@ -60,5 +74,9 @@ void add_resume(CLI::App& app);
 void add_info(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_generate(CLI::App& app);
+void add_convert(CLI::App& app);
+
+// All of them: the whole command line.
+void add_commands(CLI::App& app);
 
 }  // namespace winnow::cli

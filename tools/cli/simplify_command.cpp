@@ -25,10 +25,11 @@ struct Arguments {
   std::string output, crop;
   std::string cell, grid, faces, ratio, error;
   std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
-  std::string from, to;
+  std::string from;
   std::string checkpoint;
   bool keep_checkpoint = false;
-  bool normals = false, strict = false, force = false, dry_run = false;
+  bool normals = false, strict = false, dry_run = false;
+  OutputOptions written;
   CommonOptions common;
 };
 
@@ -76,9 +77,10 @@ SimplifyOptions options_of(const Arguments& arguments) {
   if (!arguments.crop.empty()) options.crop = parse_box("--crop", arguments.crop);
   options.normals = arguments.normals;
   options.strict = arguments.strict;
-  options.force = arguments.force;
-  options.from = parse_input_format("--from", arguments.from);
-  options.to = parse_output_format("--to", arguments.to);
+  options.force = arguments.written.force;
+  options.from = parse_input_format(arguments.from);
+  options.to = parse_output_format(arguments.written.to);
+  options.encoding = arguments.written.encoding();
   return options;
 }
 
@@ -190,18 +192,7 @@ void show(const SimplifyReport& report, std::ostream& out) {
     memory += ", and " + show_bytes(report.peak_scratch_bytes) + " of scratch";
   line("memory", memory);
   const BadFaces& bad = report.input.bad_faces;
-  if (bad.total() > 0) {
-    std::string text = show_count(bad.total()) + " left out:";
-    if (bad.degenerate > 0) text += " " + show_count(bad.degenerate) + " repeat a corner";
-    if (bad.non_finite > 0)
-      text += std::string(bad.degenerate > 0 ? "," : "") + " " + show_count(bad.non_finite) +
-              " have a corner that is not finite";
-    if (bad.out_of_range > 0) {
-      text += std::string(bad.total() > bad.out_of_range ? "," : "") + " " + show_count(bad.out_of_range) +
-              " name a vertex that does not exist";
-    }
-    line("bad faces", text);
-  }
+  if (bad.total() > 0) line("bad faces", show_bad_faces(bad));
   if (report.input.cropped_faces > 0)
     line("cropped", show_count(report.input.cropped_faces) + " faces, not wholly inside of the box");
   if (report.clamped_faces > 0)
@@ -290,11 +281,7 @@ void add_simplify(CLI::App& app) {
   command->add_option("input", arguments->inputs, std::string(input_names) + "; several files are one model")
       ->required()
       ->type_name("IN");
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "PLY, or STL where the name ends so; - is standard output")
-      ->required()
-      ->type_name("OUT");
+  command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
 
   const std::string fineness = "How fine (exactly one)";
   command
@@ -372,10 +359,7 @@ void add_simplify(CLI::App& app) {
                    std::string("Input format, where the content does not tell: ") + input_formats)
       ->type_name("FORMAT")
       ->group(result);
-  command->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl")
-      ->type_name("FORMAT")
-      ->group(result);
-  command->add_flag("--force", arguments->force, "Replace the output if it exists")->group(result);
+  arguments->written.add_to(*command, result);
   const std::string killed = "Long runs";
   command
       ->add_option(

@@ -1,6 +1,6 @@
 # A PLY under the name of another format would surprise whoever opens it; with --to it is what was asked for.
 "$WINNOW" generate scan --faces 2000 -o scan.ply -q
-for name in small.obj small.off small.glb small.ply.gz small.stl.zst; do
+for name in small.gltf small.3mf small.ply.xz small.gltf.gz; do
   code=0
   "$WINNOW" simplify scan.ply -o "$name" --grid 10 -q 2>&1 || code=$?
   echo "=> $code"

@@ -1,0 +1,59 @@
+// Change the format of a triangle mesh of any size in bounded memory.
+#pragma once
+
+#include <winnow/context.hpp>
+#include <winnow/format.hpp>
+#include <winnow/simplify.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+struct ConvertOptions {
+  Format from = Format::automatic;
+  Format to = Format::automatic;
+  Encoding encoding;    // how the output is written
+  bool strict = false;  // the first bad face of the input is an error
+  bool force = false;   // replace an existing output file; without it that is a usage error
+};
+
+struct ConvertReport {
+  struct {
+    std::string format;          // as in InfoReport
+    std::uint64_t faces = 0;     // triangles read, bad ones included; polygons count as their triangles
+    std::uint64_t vertices = 0;  // vertices stored; 0 for formats without (STL)
+    std::uint64_t bytes = 0;     // after decompression
+    BadFaces bad_faces;
+  } input;
+  struct {
+    std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
+  } output;
+  bool welded = false;  // equal positions of an input without vertices became one vertex
+  std::uint64_t doubled_faces =
+      0;  // of a welded input: faces with the same three vertices as another; left out
+
+  std::uint64_t spilled_bytes = 0;       // written to scratch, all kinds together
+  std::uint64_t peak_scratch_bytes = 0;  // most scratch in use at one time
+  std::uint64_t peak_memory_bytes = 0;   // the process's largest resident set so far
+  struct {
+    double total = 0, read = 0, write = 0;
+  } seconds;
+  std::vector<std::string> notes;  // what was unusual about the input, a line each
+};
+
+// Reads `input`, writes the same mesh to `output`; names, pipes and compression as in simplify().
+//
+// An input with vertices of its own (PLY) keeps them, all of them, and its faces, in their order; polygons
+// become triangles, bad faces are left out. A vertex that is not finite, which no face can use, is written as
+// the first that is finite. An input without (STL) gets vertices: equal positions become one, in the order
+// of a space-filling curve, and its faces come in the order of their lowest vertices, each set of three once.
+// Positions alone are carried, not yet normals, colours or other properties; a note names what is left.
+//
+// The bytes depend on the input's content and on `options` alone. Throws Error: usage, bad_input (also for an
+// input without a single good face), resources, cancelled, failed.
+ConvertReport convert(Context& context, const std::string& input, const std::string& output,
+                      const ConvertOptions& options);
+
+}  // namespace winnow

@@ -1,0 +1,79 @@
+#include "run/plain_mesh.hpp"
+
+#include "base/per_slot.hpp"
+#include "base/text.hpp"
+#include "read/for_each_batch.hpp"
+#include "read/good_faces.hpp"
+#include "write/append.hpp"
+
+#include <atomic>
+#include <cstring>
+
+namespace winnow {
+
+namespace {
+
+void read_vertices(Job& job, MeshReader& reader, const Point& instead, ClusteredMesh& mesh) {
+  job.progress.begin("read vertices", reader.facts().vertices.value_or(0), "vertices");
+  std::atomic<std::uint64_t> not_finite{0};
+  std::vector<IndexedVertex> part;
+  for_each_position_batch_in_order(
+      job, reader,
+      [&](const PositionView& view, BatchBytes& bytes) {
+        for (std::size_t i = 0; i < view.count; ++i) {
+          IndexedVertex vertex;
+          vertex.key = view.first + i;
+          vertex.position = {view.axis[0][i], view.axis[1][i], view.axis[2][i]};
+          if (!finite(vertex.position)) {
+            vertex.position = instead;
+            ++not_finite;
+          }
+          append(bytes, vertex);
+        }
+      },
+      [&](std::span<const std::byte> bytes) {
+        part.resize(bytes.size() / sizeof(IndexedVertex));
+        if (!part.empty()) std::memcpy(part.data(), bytes.data(), bytes.size());
+        mesh.vertices->append(part);
+      });
+  mesh.vertices->finish();
+  if (not_finite == 0) return;
+  job.note(grouped(not_finite) + (not_finite == 1 ? " vertex is" : " vertices are") +
+           " not finite; written in its place: the first that is");
+}
+
+}  // namespace
+
+ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory, ClusterCounts& counts) {
+  ClusteredMesh mesh;
+  mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
+  mesh.faces = std::make_unique<Spool>(job, memory.faces);
+  const auto first = reader.first_finite_position();
+  if (!first) return mesh;
+  read_vertices(job, reader, *first, mesh);
+
+  job.progress.begin("read faces", reader.facts().faces.value_or(0), "faces");
+  PerSlot<ClusterCounts> workers(job.threads, [] { return std::make_unique<ClusterCounts>(); });
+  for_each_face_batch_in_order(
+      job, reader,
+      [&](const FaceBatch& batch, BatchBytes& bytes) {
+        const GoodFaces good(batch);
+        ClusterCounts here;
+        here.faces = batch.count;
+        here.bad = good.bad();
+        here.first_bad = good.first_bad();
+        workers.local().add(here);
+        for (const NumberedFace& face : good.faces()) {
+          for (const std::uint32_t* corner : batch.index) append(bytes, corner[face.number - batch.first]);
+        }
+      },
+      [&](std::span<const std::byte> bytes) {
+        mesh.faces->append(bytes);
+        mesh.face_count += bytes.size() / (3 * sizeof(std::uint32_t));
+      });
+  mesh.faces->finish();
+  for (const ClusterCounts* worker : workers.all()) counts.add(*worker);
+  return mesh;
+}
+
+}  // namespace winnow

@@ -1,0 +1,22 @@
+// An input with vertices of its own as a mesh, just as it is.
+#pragma once
+
+#include "cluster/clusterer.hpp"
+#include "io/job.hpp"
+#include "read/mesh_reader.hpp"
+
+#include <cstdint>
+
+namespace winnow {
+
+struct PlainMeshMemory {
+  std::uint64_t vertices = 0;
+  std::uint64_t faces = 0;
+};
+
+// All vertices and all good faces, in the order of the input; a vertex that is not finite stands where the
+// first that is finite does, and a note says so. Fills `counts` of the faces. The mesh's faces do not begin
+// with their lowest vertex, nor come in the order of those: it is good for write_mesh() alone.
+ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory, ClusterCounts& counts);
+
+}  // namespace winnow

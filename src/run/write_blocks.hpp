@@ -1,0 +1,21 @@
+// A mesh as a file of a format that is made of blocks, each with its own vertices.
+#pragma once
+
+#include "cluster/clusterer.hpp"
+#include "io/byte_sink.hpp"
+#include "io/job.hpp"
+#include "write/mesh_encoder.hpp"
+
+namespace winnow {
+
+// Room for one block, held from before the plan is made until all is written, so that too small a budget is
+// refused at once. Nothing where the encoder has no blocks.
+Reservation reserve_block(Job& job, const MeshEncoder& encoder);
+
+// Faces keep their order; a vertex is in every block that has a face of it, the same to the bit. Blocks wait
+// in memory or scratch until all sizes are known; does not finish() the sink.
+// The caller holds reserve_block().
+void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const BlockEncoder& encoder,
+                  ByteSink& sink);
+
+}  // namespace winnow

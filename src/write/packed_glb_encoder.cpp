@@ -1,0 +1,70 @@
+// GLB with EXT_meshopt_compression, by meshoptimizer's own encoders: nothing is rounded beyond floats, and
+// faces keep their order. Each block is a primitive of the one mesh.
+#include <winnow/error.hpp>
+
+#include "write/append.hpp"
+#include "write/glb_layout.hpp"
+
+#include <meshoptimizer.h>
+
+namespace winnow {
+
+namespace {
+
+// Makes room for `bound` bytes, lets `encode` fill them, keeps what it filled, and goes on at a whole word.
+template <typename Encode>
+std::uint64_t append_encoded(std::vector<std::byte>& out, std::size_t bound, const Encode& encode) {
+  const std::size_t begin = out.size();
+  out.resize(begin + bound);
+  const std::size_t bytes = encode(reinterpret_cast<unsigned char*>(out.data() + begin));
+  if (bytes == 0) throw Error(ErrorKind::failed, "meshoptimizer could not encode a part of the mesh");
+  out.resize(begin + bytes);
+  out.resize(begin + whole_words(bytes));
+  return bytes;
+}
+
+class PackedGlbEncoder final : public MeshEncoder, public BlockEncoder {
+ public:
+  // Blocks say it all.
+  [[nodiscard]] std::string header(const MeshShape& /*shape*/) const override { return {}; }
+  void vertices(const MeshShape& /*shape*/, std::span<const MeshVertex> /*vertices*/,
+                std::vector<std::byte>& /*out*/) const override {}
+  void faces(const MeshShape& /*shape*/, std::span<const MeshFace> /*faces*/,
+             std::span<const Corners> /*corners*/, std::vector<std::byte>& /*out*/) const override {}
+
+  [[nodiscard]] bool needs_box() const override { return true; }
+  [[nodiscard]] const BlockEncoder* blocks() const override { return this; }
+
+  MeshBlock encode(const MeshShape& shape, std::span<const MeshVertex> vertices,
+                   std::span<const std::uint32_t> corners, std::vector<std::byte>& out) const override {
+    const Point offset = glb_offset(shape);
+    MeshBlock block{vertices.size(), corners.size() / 3};
+    for (const MeshVertex& vertex : vertices) block.box.add(vertex.position);
+    block.box = written_box(block.box, offset);
+    std::vector<std::byte> plain;
+    plain.reserve(vertices.size() * glb_stride(shape));
+    append_glb_vertices(shape, offset, vertices, plain);
+    const std::size_t vertex_bound = meshopt_encodeVertexBufferBound(vertices.size(), glb_stride(shape));
+    block.vertex_bytes = append_encoded(out, vertex_bound, [&](unsigned char* into) {
+      return meshopt_encodeVertexBuffer(into, vertex_bound, plain.data(), vertices.size(), glb_stride(shape));
+    });
+    const std::size_t index_bound = meshopt_encodeIndexBufferBound(corners.size(), vertices.size());
+    block.index_bytes = append_encoded(out, index_bound, [&](unsigned char* into) {
+      return meshopt_encodeIndexBuffer(into, index_bound, corners.data(), corners.size());
+    });
+    return block;
+  }
+
+  void header(const MeshShape& shape, std::span<const MeshBlock> blocks, const Emit& emit) const override {
+    check_floats(shape.box);
+    emit_glb_head(shape, blocks, true, emit);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<MeshEncoder> make_packed_glb_encoder() {
+  return std::make_unique<PackedGlbEncoder>();
+}
+
+}  // namespace winnow

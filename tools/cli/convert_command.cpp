@@ -1,0 +1,122 @@
+#include <winnow/convert.hpp>
+#include <winnow/error.hpp>
+
+#include "numbers.hpp"
+#include "program.hpp"
+
+#include <iostream>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+namespace winnow::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  std::string input, output, from;
+  bool strict = false;
+  OutputOptions written;
+  CommonOptions common;
+};
+
+Json json_of(const ConvertReport& report) {
+  const BadFaces& bad = report.input.bad_faces;
+  return {{"input",
+           {{"format", report.input.format},
+            {"faces", report.input.faces},
+            {"vertices", report.input.vertices},
+            {"bytes", report.input.bytes},
+            {"bad_faces",
+             {{"degenerate", bad.degenerate},
+              {"non_finite", bad.non_finite},
+              {"out_of_range", bad.out_of_range}}}}},
+          {"output",
+           {{"faces", report.output.faces},
+            {"vertices", report.output.vertices},
+            {"bytes", report.output.bytes}}},
+          {"welded", report.welded},
+          {"doubled_faces", report.doubled_faces},
+          {"spilled_bytes", report.spilled_bytes},
+          {"peak_scratch_bytes", report.peak_scratch_bytes},
+          {"peak_memory_bytes", report.peak_memory_bytes},
+          {"seconds",
+           {{"total", report.seconds.total}, {"read", report.seconds.read}, {"write", report.seconds.write}}},
+          {"notes", report.notes}};
+}
+
+void show(const ConvertReport& report, std::ostream& out) {
+  const auto line = [&](const char* name, const std::string& text) {
+    out << "  " << name << std::string(10 - std::string_view(name).size(), ' ') << text << "\n";
+  };
+  line("input", report.input.format + ", " + show_bytes(report.input.bytes));
+  line("faces", show_count(report.output.faces));
+  line("vertices", show_count(report.output.vertices) + (report.welded ? "  (equal positions are one)" : ""));
+  line("file", show_bytes(report.output.bytes));
+  line("time", show_seconds(report.seconds.total) + "  (" +
+                   show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
+  line("memory",
+       show_bytes(report.peak_memory_bytes) + " at its peak" +
+           (report.peak_scratch_bytes > 0 ? ", and " + show_bytes(report.peak_scratch_bytes) + " of scratch"
+                                          : ""));
+  if (report.input.bad_faces.total() > 0) line("bad faces", show_bad_faces(report.input.bad_faces));
+  if (report.doubled_faces > 0)
+    line("doubled", show_count(report.doubled_faces) + " faces left out that another has all corners of");
+  for (const std::string& note : report.notes) line("note", note);
+}
+
+void run(const Arguments& arguments) {
+  ConvertOptions options;
+  options.from = parse_input_format(arguments.from);
+  options.to = parse_output_format(arguments.written.to);
+  options.encoding = arguments.written.encoding();
+  options.strict = arguments.strict;
+  options.force = arguments.written.force;
+  Context context;
+  prepare(context, arguments.common, arguments.output);
+  ConvertReport report;
+  {
+    const ProgressBar bar(context, arguments.common);
+    report = convert(context, arguments.input, arguments.output, options);
+  }
+  std::ostream& out = report_stream(arguments.output);
+  if (arguments.common.json) {
+    out << json_of(report).dump(2) << "\n";
+  } else if (!arguments.common.quiet) {
+    show(report, out);
+  }
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("convert", "Write a mesh of any size in another format, in bounded memory");
+  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")
+      ->required()
+      ->type_name("IN");
+  command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
+  const std::string result = "What the result is";
+  command
+      ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")
+      ->group(result);
+  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")
+      ->type_name("FORMAT")
+      ->group(result);
+  arguments->written.add_to(*command, result);
+  arguments->common.add_to(*command, true);
+  command->footer(
+      "Vertices and faces stay as they are, in their order, without the bad faces. Of an STL, which has no\n"
+      "vertices, equal positions become one, and no face comes twice.\n"
+      "Examples:\n"
+      "  winnow convert scan.ply -o scan.glb\n"
+      "  winnow convert scan.stl -o scan.ply.zst\n"
+      "  winnow convert tile.ply -o tile.obj --positions double\n"
+      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace winnow::cli

@@ -1,0 +1,129 @@
+// Completions for bash and zsh.
+#include "manual/command_table.hpp"
+
+namespace winnow::manual {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+std::vector<std::string> names_of(const CommandTable& command) {
+  std::vector<std::string> names;
+  for (const OptionLine& option : command.options)
+    names.insert(names.end(), option.names.begin(), option.names.end());
+  return names;
+}
+
+std::vector<std::string> commands_of(const std::vector<CommandTable>& all) {
+  std::vector<std::string> names;
+  for (const CommandTable& command : all) {
+    if (command.name != "winnow") names.push_back(command.name);
+  }
+  return names;
+}
+
+// What follows an option: its choices, a file, or nothing that could be completed.
+std::string bash_values(const CommandTable& command) {
+  std::string cases;
+  for (const OptionLine& option : command.options) {
+    if (option.value.empty() || option.positional()) continue;
+    std::string patterns;
+    for (const std::string& name : option.names)
+      patterns += (patterns.empty() ? "" : "|") + command.name + ":" + name;
+    cases += "    " + patterns + ")";
+    if (!option.choices.empty()) {
+      cases += " _winnow_words '" + joined(option.choices) + "'; return ;;\n";
+    } else if (option.takes_file()) {
+      cases += " _winnow_files; return ;;\n";
+    } else {
+      cases += " return ;;\n";
+    }
+  }
+  return cases;
+}
+
+// Words in single quotes of the shell, with what _arguments takes for its own escaped.
+std::string zsh_text(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '\'') {
+      out += R"('\'')";
+    } else if (c == '[' || c == ']' || c == ':' || c == '\\') {
+      out += std::string(R"(\)") + c;
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string zsh_value(const OptionLine& option) {
+  if (option.value.empty()) return "";
+  std::string action;
+  if (!option.choices.empty()) {
+    action = "(" + joined(option.choices) + ")";
+  } else if (option.takes_file()) {
+    action = option.value == "DIR" ? "_files -/" : "_files";
+  }
+  return ":" + zsh_text(option.value) + ":" + action;
+}
+
+std::string zsh_option(const OptionLine& option) {
+  if (option.positional()) return " \\\n        ':" + zsh_text(option.value) + ":_files'";
+  std::string lines;
+  for (const std::string& name : option.names) {
+    // Whichever of its names was given, the others are not offered any more.
+    lines += " \\\n        '(" + joined(option.names) + ")" + name + "[" + zsh_text(option.description) +
+             "]" + zsh_value(option) + "'";
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string bash_completion(const std::vector<CommandTable>& all) {
+  std::string text = "# bash completion for winnow\n\n";
+  text += "_winnow_words() { mapfile -t COMPREPLY < <(compgen -W \"$1\" -- \"$cur\"); }\n";
+  text +=
+      R"(_winnow_files() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- "$cur"); )"
+      "}\n\n";
+  text += "_winnow() {\n  local cur=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n";
+  text += "  COMPREPLY=()\n";
+  text += "  if ((COMP_CWORD == 1)); then\n    _winnow_words '" + joined(commands_of(all)) + " " +
+          joined(names_of(all.front())) + "'\n    return\n  fi\n";
+  text += "  case ${COMP_WORDS[1]}:$before in\n";
+  for (const CommandTable& command : all) text += bash_values(command);
+  text += "  esac\n  if [[ $cur != -* ]]; then\n    _winnow_files\n    return\n  fi\n";
+  text += "  case ${COMP_WORDS[1]} in\n";
+  for (const CommandTable& command : all) {
+    if (command.name == "winnow") continue;
+    text += "    " + command.name + ") _winnow_words '" + joined(names_of(command)) + "' ;;\n";
+  }
+  return text + "  esac\n}\n\ncomplete -F _winnow winnow\n";
+}
+
+std::string zsh_completion(const std::vector<CommandTable>& all) {
+  std::string text = "#compdef winnow\n\n_winnow() {\n  local -a commands\n  commands=(\n";
+  for (const CommandTable& command : all) {
+    if (command.name == "winnow") continue;
+    text += "    '" + command.name + ":" + zsh_text(command.description) + "'\n";
+  }
+  text += "  )\n  if ((CURRENT == 2)); then\n    _describe command commands\n";
+  text += "    _arguments";
+  for (const OptionLine& option : all.front().options) text += zsh_option(option);
+  text += "\n    return\n  fi\n";
+  text += "  local command=$words[2]\n  shift words\n  ((CURRENT--))\n  case $command in\n";
+  for (const CommandTable& command : all) {
+    if (command.name == "winnow") continue;
+    text += "    " + command.name + ")\n      _arguments";
+    for (const OptionLine& option : command.options) text += zsh_option(option);
+    text += "\n      ;;\n";
+  }
+  return text + "  esac\n}\n\n_winnow \"$@\"\n";
+}
+
+}  // namespace winnow::manual
