@@ -23,7 +23,7 @@ inline Checkpoint stopped_at(const Directory& directory, const std::string& inpu
     if (progress.stage == stage && --time == 0) context.cancel();
   };
   const Checkpoint checkpoint{directory.file("kept")};
-  const Error error = error_of([&] { simplify(context, input, output, options, checkpoint); });
+  const Error error = error_of([&] { simplify(context, std::vector{input}, output, options, checkpoint); });
   INFO(error.what());
   REQUIRE(error.kind() == ErrorKind::cancelled);
   REQUIRE(std::string(error.what()).find("winnow resume '" + checkpoint.directory + "'") !=
