@@ -27,13 +27,13 @@ struct Checkpoint {
 // Throws Error as simplify() does; usage also where the directory cannot be used or holds another run's
 // checkpoint; resources where another run works in it.
 SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
-                        const SimplifyOptions& options, const Checkpoint& checkpoint);
+                        const SimplifyOptions& options, const Checkpoint& settings);
 
-// Goes on with the run that `checkpoint.directory` is of, with the options it had; memory, threads and
+// Goes on with the run that `settings.directory` is of, with the options it had; memory, threads and
 // scratch are those of `context`. Report: of the whole run, but seconds, scratch and memory of this call.
 //
 // Throws Error as simplify() does; bad_input also where there is no checkpoint, it is damaged or of another
 // version of winnow, or the input is not what it was; resources where its run is still alive.
-SimplifyReport resume(Context& context, const Checkpoint& checkpoint);
+SimplifyReport resume(Context& context, const Checkpoint& settings);
 
 }  // namespace winnow

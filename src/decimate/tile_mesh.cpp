@@ -46,7 +46,7 @@ TileMesh::Meeting TileMesh::meeting(VertexNumber a, VertexNumber b) {
     for (const VertexNumber neighbour : {w, x}) {
       const std::uint32_t mark = mark_[neighbour];
       meeting.common += mark == of_a;
-      mark_[neighbour] = (mark == of_a) | (mark == of_both) ? of_both : of_b;
+      mark_[neighbour] = ((mark == of_a) | (mark == of_both)) != 0 ? of_both : of_b;
     }
   });
   for_each_corner(b, [&](FaceNumber, VertexNumber w, VertexNumber x) {

@@ -23,7 +23,7 @@ namespace {
 constexpr const char* lock_name = "winnow-lock";
 constexpr const char* new_manifest_name = "manifest.new";
 constexpr const char* size_key = "file-size.";
-constexpr const char* sum_key = "file-checksum.";
+constexpr const char* file_sum_key = "file-checksum.";
 
 // Whatever else is in the directory is none of ours.
 bool is_ours(const std::string& name) {
@@ -159,12 +159,12 @@ void CheckpointDirectory::save(const std::string& name, const Spool& spool) {
   });
   if (copy != nullptr) copy->finish();
   manifest_.set(size_key + name, spool.size());
-  manifest_.set(sum_key + name, sum.value());
+  manifest_.set(file_sum_key + name, sum.value());
 }
 
 void CheckpointDirectory::forget(const std::string& name) {
   manifest_.erase(size_key + name);
-  manifest_.erase(sum_key + name);
+  manifest_.erase(file_sum_key + name);
 }
 
 bool CheckpointDirectory::has(const std::string& name) const {
@@ -182,7 +182,8 @@ Spool CheckpointDirectory::load(const std::string& name, std::uint64_t memory_li
     job_.progress.check_cancelled();
     sum.add(part);
   });
-  if (sum.value() != manifest_.number(sum_key + name)) damaged_checkpoint(path, "its checksum does not fit");
+  if (sum.value() != manifest_.number(file_sum_key + name))
+    damaged_checkpoint(path, "its checksum does not fit");
   return spool;
 }
 

@@ -10,7 +10,7 @@ namespace winnow {
 namespace {
 
 constexpr std::size_t block_faces = 1024;
-constexpr double far_away = std::numeric_limits<double>::infinity();
+constexpr double not_met = std::numeric_limits<double>::infinity();
 
 std::size_t blocks_of(std::size_t count) {
   return (count + block_faces - 1) / block_faces;
@@ -40,9 +40,9 @@ NearestPoints::NearestPoints(Job& job, std::span<const NumberedFace> faces,
   reservation_ = job.budget.reserve(
       samples * sizeof(double) + vertices.size() * sizeof(double) + 4 * faces.size() * sizeof(InnerPoint),
       "distances of the simplified mesh");
-  sample_squared_.assign(samples, far_away);
-  vertex_squared_.assign(vertices.size(), far_away);
-  inner_.assign(4 * faces.size(), {far_away, std::numeric_limits<std::uint64_t>::max(), false});
+  sample_squared_.assign(samples, not_met);
+  vertex_squared_.assign(vertices.size(), not_met);
+  inner_.assign(4 * faces.size(), {not_met, std::numeric_limits<std::uint64_t>::max(), false});
 }
 
 void NearestPoints::approach(std::span<const NumberedFace> surface) {

@@ -105,7 +105,7 @@ std::span<const double> GltfElements::next() {
 }
 
 void GltfElements::change() {
-  const GltfAccessor::Sparse& sparse = *accessor_.sparse;
+  const GltfSparse& sparse = *accessor_.sparse;
   const std::uint64_t end = next_ + values_.size() / components_;
   for (; changed_ < sparse.count; ++changed_) {
     if (changed_ >= changes_from_ + change_indices_.size()) {

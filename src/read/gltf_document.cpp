@@ -250,7 +250,7 @@ class Parser {
     if (!find(json, "bufferView").is_null()) accessor.base = slice(json);
     const Json& sparse = member(json, "sparse");
     if (sparse.is_object()) {
-      GltfAccessor::Sparse& changes = accessor.sparse.emplace();
+      GltfSparse& changes = accessor.sparse.emplace();
       changes.count = required(sparse, "count");
       changes.indices = slice(member(sparse, "indices"));
       changes.index_type = type(member(sparse, "indices"));

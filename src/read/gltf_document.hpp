@@ -42,18 +42,20 @@ struct GltfSlice {
   std::uint64_t offset = 0;
 };
 
+// What differs from an accessor's base.
+struct GltfSparse {
+  std::uint64_t count = 0;
+  GltfSlice indices, values;
+  GltfType index_type{};
+};
+
 struct GltfAccessor {
   std::optional<GltfSlice> base;  // none: zeros
   GltfType type{};
   unsigned components = 0;  // 1: scalars; 3: points; 0: something else
   bool normalized = false;
   std::uint64_t count = 0;
-  struct Sparse {
-    std::uint64_t count = 0;
-    GltfSlice indices, values;
-    GltfType index_type{};
-  };
-  std::optional<Sparse> sparse;
+  std::optional<GltfSparse> sparse;
 };
 
 struct GltfPrimitive {

@@ -14,7 +14,7 @@ std::int64_t integer(std::string_view word, LineWords& words, const ParsedLines&
   return *value;
 }
 
-void parse_lines(const TextBlock& block, ParsedLines& lines) {
+void parse_m_lines(const TextBlock& block, ParsedLines& lines) {
   TextLines each(block.text());
   for (std::string_view line; each.next(line);) {
     LineWords words(line);
@@ -38,7 +38,7 @@ void parse_lines(const TextBlock& block, ParsedLines& lines) {
 
 void parse_m(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
   TextBlocks blocks(source, text_block_bytes(batch_faces));
-  parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_lines}, mesh);
+  parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_m_lines}, mesh);
 }
 
 }  // namespace

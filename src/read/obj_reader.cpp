@@ -26,7 +26,7 @@ void add_corner(std::string_view word, ParsedLines& lines) {
   lines.add_corner(lines.vertices() + number, true);
 }
 
-void parse_lines(const TextBlock& block, ParsedLines& lines) {
+void parse_obj_lines(const TextBlock& block, ParsedLines& lines) {
   TextLines each(block.text());
   for (std::string_view line; each.next(line);) {
     LineWords words(line);
@@ -42,7 +42,7 @@ void parse_lines(const TextBlock& block, ParsedLines& lines) {
 
 void parse_obj(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
   TextBlocks blocks(source, text_block_bytes(batch_faces));
-  parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_lines}, mesh);
+  parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_obj_lines}, mesh);
 }
 
 // What may stand before the first vertex or face.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20;
 
-constexpr bool is_blank(char c) {
+constexpr bool parts_words(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r') || c == '\\';
 }
 
@@ -64,9 +64,9 @@ bool TextLines::next(std::string_view& line) {
 
 std::string_view LineWords::next() {
   std::size_t begin = 0;
-  while (begin < rest_.size() && is_blank(rest_[begin])) ++begin;
+  while (begin < rest_.size() && parts_words(rest_[begin])) ++begin;
   std::size_t end = begin;
-  while (end < rest_.size() && !is_blank(rest_[end]) && rest_[end] != '#') ++end;
+  while (end < rest_.size() && !parts_words(rest_[end]) && rest_[end] != '#') ++end;
   const std::string_view word = rest_.substr(begin, end - begin);
   rest_.remove_prefix(end);
   if (word.empty()) rest_ = rest_.substr(rest_.size());

@@ -213,28 +213,26 @@ bool inputs_are_files(const Manifest& manifest) {
 }
 
 void check_inputs(const Manifest& manifest, bool read, const std::string& directory) {
-  const std::string way_out = "; remove '" + directory + "' and run winnow simplify again";
   const std::vector<std::string> inputs = inputs_in(manifest);
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ErrorKind::bad_input, what + "; remove '" + directory + "' and run winnow simplify again");
+  };
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const std::string key = input_key(i);
     if (!manifest.has(key + ".size")) {
       if (read) continue;
-      throw Error(ErrorKind::bad_input,
-                  "the run in '" + directory +
-                      "' was killed before it had read all of its input, which was a pipe " +
-                      "and cannot be read again" + way_out);
+      refuse("the run in '" + directory +
+             "' was killed before it had read all of its input, which was a pipe and cannot be read again");
     }
     const std::optional<Identity> now = identity_of(inputs[i]);
     if (!now) {
       if (read) continue;
-      throw Error(ErrorKind::bad_input, "'" + inputs[i] + "', the input of the run in '" + directory +
-                                            "', is not there or cannot be read any more" + way_out);
+      refuse("'" + inputs[i] + "', the input of the run in '" + directory +
+             "', is not there or cannot be read any more");
     }
     if (now->size != manifest.number(key + ".size") || now->modified != manifest.number(key + ".modified") ||
-        now->ends != manifest.number(key + ".ends")) {
-      throw Error(ErrorKind::bad_input, "'" + inputs[i] + "' has changed since the run in '" + directory +
-                                            "' began with it" + way_out);
-    }
+        now->ends != manifest.number(key + ".ends"))
+      refuse("'" + inputs[i] + "' has changed since the run in '" + directory + "' began with it");
   }
 }
 

@@ -87,7 +87,8 @@ TEST_CASE("a checkpoint that is kept writes the output again", "[faults]") {
   Case test;
   Context context;
   const Checkpoint checkpoint{test.directory.file("kept"), true};
-  const SimplifyReport first = simplify(context, std::vector{test.input}, test.output, test.options, checkpoint);
+  const SimplifyReport first =
+      simplify(context, std::vector{test.input}, test.output, test.options, checkpoint);
   const std::string want = hash_of_file(test.output);
   CHECK_FALSE(first.resumed);
   const SimplifyReport done = resume(context, checkpoint);
