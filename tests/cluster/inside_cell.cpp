@@ -70,7 +70,8 @@ TEST_CASE("vertices on the walls of cells lie inside of one of them") {
   }
 }
 
-TEST_CASE("georeferenced vertices lie inside of their cells, though a float steps by half a unit there") {
+TEST_CASE("georeferenced vertices lie inside of their cells, though a float steps by half a unit there",
+          "[long]") {
   for (const Point& offset :
        {Point{5e6, 5e6, 100}, Point{-5e6, 5e6, 0}, Point{456'789.5, 5'432'100.25, 312}}) {
     for (const double cell : {0.3, 1.0, 17.0}) {

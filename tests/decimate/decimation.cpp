@@ -104,7 +104,7 @@ TEST_CASE("prices never fall, faces add up, and no face turns beyond the bound",
   }
 }
 
-TEST_CASE("the unit of length changes nothing") {
+TEST_CASE("the unit of length changes nothing", "[long]") {
   const PlainMesh plain = plain_mesh(whale());
   const std::uint64_t wanted = plain.faces.size() / 20;
   const CollapseLimits limits{wanted, std::numeric_limits<double>::infinity()};

@@ -39,7 +39,7 @@ void check_same_faces(const GlbFile& packed, const GlbFile& plain) {
 
 }  // namespace
 
-TEST_CASE("a packed GLB holds the faces of a plain one in their order") {
+TEST_CASE("a packed GLB holds the faces of a plain one in their order", "[long]") {
   const Directory directory;
   const std::string scan = directory.file("scan.ply");
   GenerateOptions away;

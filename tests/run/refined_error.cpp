@@ -45,7 +45,7 @@ void check_errors(const std::string& input) {
 
 }  // namespace
 
-TEST_CASE("a cranium stays within its error") {
+TEST_CASE("a cranium stays within its error", "[long]") {
   check_errors(whale());
 }
 TEST_CASE("an elevation tile stays within its error") {

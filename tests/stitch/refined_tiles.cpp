@@ -34,7 +34,7 @@ void check_closed(const PlainMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("tiles meet the count and leave a closed surface closed") {
+TEST_CASE("tiles meet the count and leave a closed surface closed", "[long]") {
   const Directory directory;
   const std::string scan = directory.file("scan.ply");
   generate("scan", 60'000, scan);
