@@ -21,7 +21,7 @@ class Stopped {
     generate("scan", 20'000, input);
     SimplifyOptions options;
     options.faces = 1'000;
-    kept = stopped_at(directory, input, output, options, stage).directory;
+    kept = stopped_at(directory, {input}, output, options, stage).directory;
   }
 
   [[nodiscard]] std::string file(const std::string& name) const { return kept + "/" + name; }

@@ -44,7 +44,7 @@ TEST_CASE("a run goes on where it was stopped", "[faults]") {
   } places[] = {{"weld", 1, false, 0}, {"refine", 1, true, 0}, {"refine", 2, true, 0}, {"write", 1, true, 2}};
   for (const auto& place : places) {
     const Checkpoint checkpoint =
-        stopped_at(test.directory, test.input, test.output, test.options, place.stage, place.time);
+        stopped_at(test.directory, {test.input}, test.output, test.options, place.stage, place.time);
     // Where the input was read it is needed no more.
     const std::string away = test.directory.file("away.ply");
     if (place.clustered) std::filesystem::rename(test.input, away);
@@ -65,6 +65,29 @@ TEST_CASE("a run goes on where it was stopped", "[faults]") {
   }
 }
 
+TEST_CASE("several files, cropped and written packed, go on to the same bytes", "[faults]") {
+  const Directory directory;
+  const std::vector<std::string> inputs{directory.file("scan.ply"), directory.file("terrain.stl")};
+  generate("scan", 60'000, inputs[0]);
+  generate("terrain", 40'000, inputs[1]);
+  const std::string output = directory.file("out.glb");
+  SimplifyOptions options = to_faces(4'000);
+  options.crop = {{{-0.5, -0.5, -10}, {10, 10, 10}}};
+  options.encoding.compression = Compression::meshopt;
+  Context context;
+  const SimplifyReport right = simplify(context, inputs, output, options);
+  CHECK(right.input.cropped_faces > 1'000);
+  const std::string want = hash_of_file(output);
+  ::unlink(output.c_str());
+  for (const char* stage : {"weld", "refine"}) {
+    const SimplifyReport report = resumed(stopped_at(directory, inputs, output, options, stage));
+    INFO(stage);
+    CHECK(report.input.cropped_faces == right.input.cropped_faces);
+    CHECK(hash_of_file(output) == want);
+    ::unlink(output.c_str());
+  }
+}
+
 TEST_CASE("tiles that were tried are not tried again", "[faults]") {
   Case test;
   const std::string want = test.undisturbed();
@@ -72,7 +95,7 @@ TEST_CASE("tiles that were tried are not tried again", "[faults]") {
   Checkpoint checkpoint;
   std::uint64_t tiles = 0;
   for (int time = 2; tiles == 0 && time < 5; ++time) {
-    checkpoint = stopped_at(test.directory, test.input, test.output, test.options, "refine", time);
+    checkpoint = stopped_at(test.directory, {test.input}, test.output, test.options, "refine", time);
     tiles = exists(test.directory.file("kept/round-1.attempt-0"))
                 ? size_of_file(test.directory.file("kept/round-1.attempt-0"))
                 : 0;

@@ -8,6 +8,7 @@
 #include "support/job.hpp"
 
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -15,15 +16,16 @@ namespace winnow::test {
 
 // Simplifies until the `time`th progress line that names `stage`, and is stopped there. Two threads; the
 // directory "kept" in `directory` is what is left.
-inline Checkpoint stopped_at(const Directory& directory, const std::string& input, const std::string& output,
-                             const SimplifyOptions& options, const std::string& stage, int time = 1) {
+inline Checkpoint stopped_at(const Directory& directory, const std::vector<std::string>& inputs,
+                             const std::string& output, const SimplifyOptions& options,
+                             const std::string& stage, int time = 1) {
   Context context;
   context.threads = 2;
   context.progress = [&](const Progress& progress) {
     if (progress.stage == stage && --time == 0) context.cancel();
   };
   const Checkpoint checkpoint{directory.file("kept")};
-  const Error error = error_of([&] { simplify(context, std::vector{input}, output, options, checkpoint); });
+  const Error error = error_of([&] { simplify(context, inputs, output, options, checkpoint); });
   INFO(error.what());
   REQUIRE(error.kind() == ErrorKind::cancelled);
   REQUIRE(std::string(error.what()).find("winnow resume '" + checkpoint.directory + "'") !=
