@@ -8,6 +8,8 @@
 //   otherwise, or
 //                                      makes their offers stale
 // and may have
+//   double closer_price(now, price)    what place() found, looked at more closely: `price` or more; asked
+//                                      before every collapse, of one that is legal
 //   void gave_up(v, offers)            told when everything that `v` proposes was refused
 #pragma once
 
@@ -19,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace winnow {
@@ -45,10 +48,10 @@ struct PricedCollapse {
 class Offers {
  public:
   explicit Offers(VertexNumber vertices)
-      : queue_(vertices), partner_(vertices, no_number), stale_(vertices, 0) {}
+      : queue_(vertices), partner_(vertices, no_number), stale_(vertices, 0), postponed_(vertices) {}
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
-    return PriceQueue::memory(vertices) + vertices * (sizeof(VertexNumber) + 1);
+    return PriceQueue::memory(vertices) + vertices * (sizeof(VertexNumber) + 1 + sizeof(Candidate));
   }
 
   void append(VertexNumber v, const Candidate& candidate) {
@@ -58,14 +61,20 @@ class Offers {
   }
   void order() { queue_.order(); }
 
+  // All anew.
   void set(VertexNumber v, const Candidate& candidate) {
-    stale_[v] = 0;
-    partner_[v] = candidate.partner;
-    if (candidate.exists()) {
-      queue_.set(v, candidate.price);
-    } else {
-      queue_.remove(v);
-    }
+    postponed_[v] = {};
+    replace(v, candidate);
+  }
+
+  // An edge that turned out to be dearer gets its turn at its price, at the latest when no other is left.
+  void postpone(VertexNumber v, const Candidate& candidate) {
+    if (candidate.before(postponed_[v])) postponed_[v] = candidate;
+  }
+
+  // What follows after an edge that was refused or postponed.
+  void go_on(VertexNumber v, const Candidate& next) {
+    replace(v, postponed_[v].before(next) ? std::exchange(postponed_[v], {}) : next);
   }
 
   // The offer is made anew when its turn comes: prices mostly rise, so that it keeps its turn until then. A
@@ -84,9 +93,20 @@ class Offers {
   [[nodiscard]] VertexNumber cheapest() const { return queue_.top().vertex; }
 
  private:
+  void replace(VertexNumber v, const Candidate& candidate) {
+    stale_[v] = 0;
+    partner_[v] = candidate.partner;
+    if (candidate.exists()) {
+      queue_.set(v, candidate.price);
+    } else {
+      queue_.remove(v);
+    }
+  }
+
   PriceQueue queue_;
   std::vector<VertexNumber> partner_;
   std::vector<std::uint8_t> stale_;
+  std::vector<Candidate> postponed_;
 };
 
 // How far to go: down to so many faces, or up to this price, whichever comes first.
@@ -132,12 +152,19 @@ class Collapser {
       const Collapse& edge = now.edge;
       if (!legality_.keeps_surface(edge.kept, edge.removed) || !legality_.keeps_faces(edge)) {
         // It waits until a collapse beside it makes the vertex offer anew.
-        const Candidate next = cost_.best(v, candidate);
-        offers_.set(v, next);
+        offers_.go_on(v, cost_.best(v, candidate));
         if constexpr (requires { cost_.gave_up(v, offers_); }) {
-          if (!next.exists()) cost_.gave_up(v, offers_);
+          if (!offers_.of(v).exists()) cost_.gave_up(v, offers_);
         }
         continue;
+      }
+      if constexpr (requires { cost_.closer_price(now, candidate.price); }) {
+        const double price = cost_.closer_price(now, candidate.price);
+        if (price > candidate.price) {
+          offers_.postpone(v, {price, candidate.partner});
+          offers_.go_on(v, cost_.best(v, candidate));
+          continue;
+        }
       }
       highest_ = std::max(highest_, candidate.price);
       cost_.collapsing(now);

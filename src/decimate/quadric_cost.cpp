@@ -7,36 +7,10 @@
 
 namespace winnow {
 
-namespace {
-
-void add(VertexPlanes& planes, const Point& along, double weight) {
-  planes.xx += weight * along[0] * along[0];
-  planes.xy += weight * along[0] * along[1];
-  planes.xz += weight * along[0] * along[2];
-  planes.yy += weight * along[1] * along[1];
-  planes.yz += weight * along[1] * along[2];
-  planes.zz += weight * along[2] * along[2];
-}
-
-void add(VertexPlanes& planes, const VertexPlanes& more) {
-  planes.xx += more.xx;
-  planes.xy += more.xy;
-  planes.xz += more.xz;
-  planes.yy += more.yy;
-  planes.yz += more.yz;
-  planes.zz += more.zz;
-  for (std::size_t axis = 0; axis < 3; ++axis) planes.normal[axis] += more.normal[axis];
-}
-
-double weight_of(const VertexPlanes& planes) {
-  return planes.xx + planes.yy + planes.zz;
-}
-
-}  // namespace
-
 QuadricCost::QuadricCost(TileMesh& mesh, bool single)
     : mesh_(mesh),
       planes_(mesh.vertex_count()),
+      farthest_(mesh),
       at_border_(mesh.vertex_count(), 0),
       price_edges_(best_kernel(edge_kernel_baseline, edge_kernel_avx2, edge_kernel_avx512)),
       single_(single) {
@@ -55,7 +29,6 @@ VertexPlanes QuadricCost::planes_of(FaceNumber f, double sign) const {
   VertexPlanes planes;
   if (!(square > 0)) return planes;
   add(planes, doubled, sign / (6 * std::sqrt(square)));
-  for (std::size_t axis = 0; axis < 3; ++axis) planes.normal[axis] = sign / 6 * doubled[axis];
   return planes;
 }
 
@@ -77,45 +50,24 @@ void QuadricCost::add_border(FaceNumber f, double sign) {
   }
 }
 
-void QuadricCost::begin_edges(VertexNumber low) {
-  const Point& from = mesh_.position(low);
-  std::copy(from.begin(), from.end(), batch_.low);
-  batch_.low_planes = planes_[low];
-  batch_.low_wears = wears(low);
-}
-
-void QuadricCost::set_edge(std::size_t i, VertexNumber high) {
-  const Point& to = mesh_.position(high);
-  const VertexPlanes& planes = planes_[high];
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    batch_.high[axis][i] = to[axis];
-    batch_.normal[axis][i] = planes.normal[axis];
-  }
-  batch_.xx[i] = planes.xx;
-  batch_.xy[i] = planes.xy;
-  batch_.xz[i] = planes.xz;
-  batch_.yy[i] = planes.yy;
-  batch_.yz[i] = planes.yz;
-  batch_.zz[i] = planes.zz;
-  batch_.wears[i] = wears(high);
-}
-
 PricedCollapse QuadricCost::place(VertexNumber low, VertexNumber high) {
-  begin_edges(low);
-  set_edge(0, high);
+  set_low(batch_, mesh_.position(low), planes_[low]);
+  set_high(batch_, 0, mesh_.position(high), planes_[high]);
   price_edges_(batch_, 1, single_);
-  const Point position{batch_.position[0][0], batch_.position[1][0], batch_.position[2][0]};
-  return {{low, high, position}, batch_.price[0]};
+  return {{low, high, position_of(batch_, 0)}, batch_.price[0]};
 }
 
 Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
   Candidate cheapest;
   if (mesh_.locked(v)) return cheapest;
-  begin_edges(v);
+  set_low(batch_, mesh_.position(v), planes_[v]);
   const std::span<const VertexNumber> ends = owned_edges(mesh_, v, ends_);
   for (std::size_t first = 0; first < ends.size(); first += EdgeBatch::capacity) {
     const std::size_t count = std::min(EdgeBatch::capacity, ends.size() - first);
-    for (std::size_t i = 0; i < count; ++i) set_edge(i, ends[first + i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const VertexNumber high = ends[first + i];
+      set_high(batch_, i, mesh_.position(high), planes_[high]);
+    }
     price_edges_(batch_, count, single_);
     for (std::size_t i = 0; i < count; ++i) {
       const Candidate candidate{batch_.price[i], ends[first + i]};
@@ -128,6 +80,7 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
 void QuadricCost::collapsing(const PricedCollapse& now) {
   const VertexNumber kept = now.edge.kept;
   const VertexNumber removed = now.edge.removed;
+  farthest_.collapsing(now.edge);
   const double weight = weight_of(planes_[kept]) + weight_of(planes_[removed]);
   if (weight > 0) largest_square_ = std::max(largest_square_, now.price / weight);
   // Of the faces that go or move, the planes at the vertices around.

@@ -3,7 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/box.hpp"
-#include "measure/closest_point.hpp"
+#include "base/closest_point.hpp"
 
 #include <algorithm>
 #include <cmath>

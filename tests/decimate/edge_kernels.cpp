@@ -1,7 +1,7 @@
 // What edges cost: the same bits from the kernels of every instruction set, and what the formulas say.
 #include "base/instruction_set.hpp"
 #include "base/quadric.hpp"
-#include "decimate/kernel/edge_kernel.hpp"
+#include "decimate/edge_batch.hpp"
 #include "support/surfaces.hpp"
 
 #include <cmath>
@@ -34,37 +34,13 @@ VertexPlanes some_planes(Random& random, double scale) {
   for (std::size_t i = 0; i < faces; ++i) {
     const Point n = unit({random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)});
     const double area = scale * scale * random.real(0, 1);
-    planes.xx += area * n[0] * n[0];
-    planes.xy += area * n[0] * n[1];
-    planes.xz += area * n[0] * n[2];
-    planes.yy += area * n[1] * n[1];
-    planes.yz += area * n[1] * n[2];
-    planes.zz += area * n[2] * n[2];
-    for (std::size_t axis = 0; axis < 3; ++axis) planes.normal[axis] += area * n[axis];
+    add(planes, n, area);
   }
   return planes;
 }
 
-void set(EdgeBatch& batch, std::size_t i, const Point& high, const VertexPlanes& planes, double wears) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    batch.high[axis][i] = high[axis];
-    batch.normal[axis][i] = planes.normal[axis];
-  }
-  batch.xx[i] = planes.xx;
-  batch.xy[i] = planes.xy;
-  batch.xz[i] = planes.xz;
-  batch.yy[i] = planes.yy;
-  batch.yz[i] = planes.yz;
-  batch.zz[i] = planes.zz;
-  batch.wears[i] = wears;
-}
-
 Quadric quadric_of(const VertexPlanes& p) {
   return {p.xx, p.xy, p.xz, p.yy, p.yz, p.zz, {}, 0};
-}
-
-Point position_of(const EdgeBatch& batch, std::size_t i) {
-  return {batch.position[0][i], batch.position[1][i], batch.position[2][i]};
 }
 
 }  // namespace
@@ -75,15 +51,14 @@ TEST_CASE("edges have the same prices and places by every instruction set") {
   for (int round = 0; round < 3000; ++round) {
     const double scale = std::pow(10, random.real(-30, 30));
     auto given = std::make_unique<EdgeBatch>();
-    for (double& x : given->low) x = scale * random.real(-1, 1);
-    given->low_planes = some_planes(random, scale);
-    given->low_wears = static_cast<double>(random.below(2));
+    const Point low{scale * random.real(-1, 1), scale * random.real(-1, 1), scale * random.real(-1, 1)};
+    set_low(*given, low, some_planes(random, scale));
     const std::size_t count = 1 + random.below(EdgeBatch::capacity);
     for (std::size_t i = 0; i < count; ++i) {
       Point high{scale * random.real(-1, 1), scale * random.real(-1, 1), scale * random.real(-1, 1)};
-      if (random.below(20) == 0) high = {given->low[0], given->low[1], given->low[2]};
+      if (random.below(20) == 0) high = low;
       if (random.below(50) == 0) high[random.below(3)] = std::numeric_limits<double>::max();
-      set(*given, i, high, some_planes(random, scale), static_cast<double>(random.below(2)));
+      set_high(*given, i, high, some_planes(random, scale));
     }
     const bool single = random.below(2) == 0;
     const EdgeBatch before = *given;
@@ -104,10 +79,9 @@ TEST_CASE("an edge goes to the lowest point of its planes, at the error there") 
     EdgeBatch batch{};
     const Point low{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
     const Point high{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
-    std::copy(low.begin(), low.end(), batch.low);
-    batch.low_planes = some_planes(random, 1);
+    set_low(batch, low, some_planes(random, 1));
     const VertexPlanes high_planes = some_planes(random, 1);
-    set(batch, 0, high, high_planes, 0);
+    set_high(batch, 0, high, high_planes);
     edge_kernel_baseline(batch, 1, false);
 
     const Quadric at_low = quadric_of(batch.low_planes);
@@ -131,28 +105,11 @@ TEST_CASE("an edge goes to the lowest point of its planes, at the error there") 
   }
 }
 
-TEST_CASE("moving a vertex whose normals cancel each other costs besides, unless it is at a border") {
-  // A fin: the same plane from both sides.
-  VertexPlanes fin;
-  fin.zz = 2;
-  for (const double wears : {0.0, 1.0}) {
-    EdgeBatch batch{};
-    batch.low_planes = fin;
-    batch.low_wears = wears;
-    set(batch, 0, {1, 0, 0}, fin, wears);
-    edge_kernel_baseline(batch, 1, false);
-    // Half of the edge for each end, all of the weight.
-    CHECK(batch.price[0] == Approx(1e-6 * 4 + wears * (2 * 0.25 + 2 * 0.25)));
-    CHECK(position_of(batch, 0) == Point{0.5, 0, 0});
-  }
-}
-
 TEST_CASE("single precision gives places that floats have") {
   Random random(33);
   EdgeBatch batch{};
-  batch.low[0] = 431000.1;
-  batch.low_planes = some_planes(random, 1);
-  set(batch, 0, {431000.3, 0.1, 0.7}, some_planes(random, 1), 1);
+  set_low(batch, {431000.1, 0, 0}, some_planes(random, 1));
+  set_high(batch, 0, {431000.3, 0.1, 0.7}, some_planes(random, 1));
   edge_kernel_baseline(batch, 1, true);
   for (const double x : position_of(batch, 0)) CHECK(static_cast<double>(static_cast<float>(x)) == x);
 }

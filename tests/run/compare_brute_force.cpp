@@ -1,7 +1,7 @@
 // A comparison is what looking at every face for every point gives.
 #include <winnow/compare.hpp>
 
-#include "measure/closest_point.hpp"
+#include "base/closest_point.hpp"
 #include "measure/surface_sampler.hpp"
 #include "support/files.hpp"
 #include "support/random.hpp"

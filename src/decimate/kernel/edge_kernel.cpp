@@ -14,18 +14,6 @@ constexpr double pull = 1e-4;
 // Where planes cost nothing, as on flat parts, short edges go first; as in quadric_placement.hpp, which
 // defines functions.
 constexpr double edge_length_share = 1e-6;
-// Normals cancel each other where their mean is shorter than 1 by more than this: at needles and fins, not
-// along edges and at corners of solids.
-constexpr double cancelling = 0.3;
-
-// What moving a vertex by a length costs besides, with the square of that.
-inline double wear(double weight, double x, double y, double z, double wears) {
-  const double enough = (1 - cancelling) * weight;
-  const double square = x * x + y * y + z * z;
-  const double beyond = 1 - __builtin_sqrt(square) / enough;
-  const bool worn = (weight > 0) & (beyond > 0);
-  return worn ? wears * (weight * beyond * beyond) : 0;
-}
 
 // The lowest point of the planes of both ends, pulled to the middle of the edge: as lowest_point() of
 // base/quadric.hpp.
@@ -72,7 +60,6 @@ void round_to_floats(EdgeBatch& batch, std::size_t end) {
 void price(EdgeBatch& batch, std::size_t end) {
   const double lx = batch.low[0], ly = batch.low[1], lz = batch.low[2];
   const VertexPlanes p = batch.low_planes;
-  const double low_wear = wear(p.xx + p.yy + p.zz, p.normal[0], p.normal[1], p.normal[2], batch.low_wears);
   for (std::size_t i = 0; i < end; ++i) {
     const double ex = batch.high[0][i] - lx, ey = batch.high[1][i] - ly, ez = batch.high[2][i] - lz;
     const double tx = batch.position[0][i] - lx;
@@ -88,12 +75,8 @@ void price(EdgeBatch& batch, std::size_t end) {
     const double high_error = ux * (qxx * ux + qxy * uy + qxz * uz) + uy * (qxy * ux + qyy * uy + qyz * uz) +
                               uz * (qxz * ux + qyz * uy + qzz * uz);
     const double error = low_error + high_error;
-    const double high_weight = qxx + qyy + qzz;
-    const double high_wear =
-        wear(high_weight, batch.normal[0][i], batch.normal[1][i], batch.normal[2][i], batch.wears[i]);
-    const double worn = low_wear * (tx * tx + ty * ty + tz * tz) + high_wear * (ux * ux + uy * uy + uz * uz);
-    batch.price[i] = (error > 0 ? error : 0) + worn +
-                     edge_length_share * (p.xx + p.yy + p.zz + high_weight) * (ex * ex + ey * ey + ez * ez);
+    const double weight = p.xx + p.yy + p.zz + (qxx + qyy + qzz);
+    batch.price[i] = (error > 0 ? error : 0) + edge_length_share * weight * (ex * ex + ey * ey + ez * ez);
   }
 }
 

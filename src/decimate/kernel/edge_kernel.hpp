@@ -7,10 +7,9 @@
 
 namespace winnow {
 
-// The sum of weight * n n' over planes through one vertex, and, of its faces, the sum of weight * n.
+// The sum of weight * n n' over planes through one vertex.
 struct VertexPlanes {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  double normal[3] = {0, 0, 0};
 };
 
 // Edges from `low`, one array for each number of their other ends.
@@ -19,12 +18,9 @@ struct EdgeBatch {
 
   double low[3];
   VertexPlanes low_planes;
-  double low_wears;  // 1, or 0 at a border
 
   double high[3][capacity];
   double xx[capacity], xy[capacity], xz[capacity], yy[capacity], yz[capacity], zz[capacity];
-  double normal[3][capacity];
-  double wears[capacity];
 
   // Results.
   double price[capacity];

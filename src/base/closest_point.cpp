@@ -1,4 +1,4 @@
-#include "measure/closest_point.hpp"
+#include "base/closest_point.hpp"
 
 namespace winnow {
 

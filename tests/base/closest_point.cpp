@@ -1,5 +1,5 @@
 // The nearest point of a triangle is in it, and no other point of it is nearer.
-#include "measure/closest_point.hpp"
+#include "base/closest_point.hpp"
 
 #include "support/random.hpp"
 

@@ -1,0 +1,55 @@
+#include "decimate/farthest_points.hpp"
+
+#include "base/closest_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winnow {
+
+namespace {
+
+// The planes' price is an area times the square of a distance. A point counts as a square as large as its
+// distance: next to nothing where the surface is as near as it is elsewhere, much where the distance comes
+// near the length of the edges. With less than this, tips are lost; with more, the error in the mean grows
+// (bench/RESULTS.md).
+constexpr double weight = 5;
+
+double square_between(const Point& a, const Point& b) {
+  return dot(a - b, a - b);
+}
+
+}  // namespace
+
+FarthestPoints::FarthestPoints(const TileMesh& mesh) : mesh_(mesh), point_(mesh.vertex_count()) {
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) point_[v] = mesh.position(v);
+}
+
+double FarthestPoints::price(const Collapse& edge, double price) {
+  // As soon as both are this near, no more needs to be known.
+  const double near = std::sqrt(price / weight);
+  const Point& to = edge.position;
+  const Point& of_kept = point_[edge.kept];
+  const Point& of_removed = point_[edge.removed];
+  double kept_square = square_between(of_kept, to);
+  double removed_square = square_between(of_removed, to);
+  const auto approach = [&](VertexNumber moving, VertexNumber other) {
+    mesh_.for_each_corner(moving, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+      if (w == other || x == other) return;
+      const auto nearer = [&](double& square, const Point& point) {
+        if (square <= near) return;
+        const Triangle face{to, mesh_.position(w), mesh_.position(x)};
+        square = std::min(square, square_between(point, closest_point(point, face)));
+      };
+      nearer(kept_square, of_kept);
+      nearer(removed_square, of_removed);
+    });
+  };
+  approach(edge.kept, edge.removed);
+  approach(edge.removed, edge.kept);
+  const double square = std::max(kept_square, removed_square);
+  next_ = kept_square >= removed_square ? of_kept : of_removed;
+  return std::max(price, weight * square * square);
+}
+
+}  // namespace winnow

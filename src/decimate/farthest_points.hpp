@@ -1,0 +1,33 @@
+// What planes do not notice: a needle, a fin or a tip is worn down from its end, collapse by collapse, while
+// its faces stay in their planes. So every vertex keeps one point of the surface that was collapsed into it,
+// one that was far from what took its place. (Klein, Liebich and Strasser 1996 keep all of them.)
+#pragma once
+
+#include "decimate/tile_mesh.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace winnow {
+
+class FarthestPoints {
+ public:
+  explicit FarthestPoints(const TileMesh& mesh);
+
+  static constexpr std::uint64_t memory(std::uint64_t vertices) { return vertices * sizeof(Point); }
+
+  // What it costs that the points of both ends would be so far from the faces left around the collapsed edge:
+  // a multiple of the fourth power of the larger distance; `price` where that is not above it.
+  double price(const Collapse& edge, double price);
+
+  // To be told of the collapse that price() was asked about last, before it is done.
+  void collapsing(const Collapse& edge) { point_[edge.kept] = next_; }
+
+ private:
+  const TileMesh& mesh_;
+  std::vector<Point> point_;
+  Point next_{};
+};
+
+}  // namespace winnow
