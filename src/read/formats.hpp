@@ -5,9 +5,9 @@
 
 namespace winnow {
 
-std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory);
-InputOutlook look_at_ply(ByteSource& source);
+std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     const AttributeWish& wish);
+InputOutlook look_at_ply(ByteSource& source, const AttributeWish& wish);
 
 // STL, binary or ASCII, by content.
 std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source,

@@ -26,16 +26,20 @@ bool needs_copy(const ByteSource& source, Format format, Access access) {
 }  // namespace
 
 std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format,
-                                        Access access, const ReaderMemory& memory) {
+                                        Access access, const ReaderMemory& memory,
+                                        const AttributeWish& wish) {
   format = format_of(*source, format);
   if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
-  return format == Format::ply ? open_ply(job, std::move(source), memory)
-                               : open_stl(job, std::move(source), memory);
+  if (format == Format::ply) return open_ply(job, std::move(source), memory, wish);
+  choose_attributes(wish, {}, source->name());  // for its checks: there are none
+  return open_stl(job, std::move(source), memory);
 }
 
-InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access access) {
+InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access access,
+                     const AttributeWish& wish) {
   format = format_of(source, format);
-  InputOutlook outlook = format == Format::ply ? look_at_ply(source) : look_at_stl(source);
+  if (format != Format::ply) choose_attributes(wish, {}, source.name());
+  InputOutlook outlook = format == Format::ply ? look_at_ply(source, wish) : look_at_stl(source);
   outlook.bytes = source.size();
   outlook.copied_first = needs_copy(source, format, access);
   outlook.compression = source.compression();

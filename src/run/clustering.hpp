@@ -14,8 +14,8 @@ namespace winnow {
 
 class Clustering {
  public:
-  Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options, const MemoryPlan& plan,
-             SimplifyReport& report);
+  Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options, CarriedAttributes attributes,
+             const MemoryPlan& plan, SimplifyReport& report);
 
   // The mesh that is written, or, if it is going to be refined, what that starts from.
   ClusteredMesh run();

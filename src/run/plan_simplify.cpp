@@ -1,6 +1,7 @@
 #include <winnow/simplify.hpp>
 
 #include "io/arena.hpp"
+#include "run/attributes.hpp"
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
 
@@ -35,16 +36,18 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
 
 }  // namespace
 
-SimplifyPlan plan_simplify(Context& context, const std::string& input, const std::string& /*output*/,
+SimplifyPlan plan_simplify(Context& context, const std::string& input, const std::string& output,
                            const SimplifyOptions& options) {
   check(options);
   Job job(context);
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
   const std::unique_ptr<ByteSource> source = open_source(job, input);
   source->peek(1);
-  const MemoryPlan plan =
-      MemoryPlan::divide(context.memory, job.budget.used(), job.threads, sums_quadrics(options));
-  const InputOutlook outlook = look_at(job, *source, options.from, access_for(options));
+  const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output);
+  const InputOutlook outlook =
+      look_at(job, *source, options.from, access_for(options), wish_for(options, *encoder));
+  const CellNeeds needs = needs_of(options, outlook.facts.choice);
+  const MemoryPlan plan = MemoryPlan::divide(context.memory, job.budget.used(), job.threads, needs);
   SimplifyPlan out;
   out.memory = plan.parts();
   out.smallest_memory = plan.smallest + job.budget.used();
@@ -53,10 +56,12 @@ SimplifyPlan plan_simplify(Context& context, const std::string& input, const std
   out.vertices = outlook.facts.vertices;
   if (out.faces) {
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
-    if (outlook.vertices_kept) kept += out.vertices.value_or(0) * (outlook.facts.double_positions ? 24 : 12);
+    std::uint64_t vertex = outlook.facts.double_positions ? 24 : 12;
+    for (const Attribute& attribute : outlook.facts.choice.carried) vertex += size_of(attribute.type);
+    if (outlook.vertices_kept) kept += out.vertices.value_or(0) * vertex;
     if (outlook.faces_kept) kept += *out.faces * 16;
-    out.scratch_worst = worst_scratch(*out.faces, sums_quadrics(options)) + kept;
-    out.scratch_expected = expected_scratch(*out.faces, plan, sums_quadrics(options)) + kept;
+    out.scratch_worst = worst_scratch(*out.faces, needs) + kept;
+    out.scratch_expected = expected_scratch(*out.faces, plan, needs) + kept;
     // A rate measured once for one thread (bench/RESULTS.md), for want of knowing the machine.
     out.seconds_expected = static_cast<double>(*out.faces) / (2.2e7 * job.threads);
   }

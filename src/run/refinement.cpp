@@ -27,9 +27,11 @@ const char* name_of(StoppedBy reason) {
 }  // namespace
 
 ClusteredMesh refined(Job& job, ClusteredMesh mesh, const SimplifyOptions& options,
-                      const Clustering& clustering, bool single, SimplifyReport& report) {
+                      const Clustering& clustering, bool single, std::size_t attributes,
+                      SimplifyReport& report) {
   RefineSettings settings;
   settings.faces = clustering.target();
+  settings.attributes = attributes;
   settings.decimation.cost = collapse_cost(cost_of(options));
   settings.decimation.single = single;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);

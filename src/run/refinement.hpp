@@ -9,8 +9,9 @@
 
 namespace winnow {
 
-// Fills report.refine. `single`: positions are floats.
+// Fills report.refine. `single`: positions are floats. `attributes`: how many numbers vertices carry.
 ClusteredMesh refined(Job& job, ClusteredMesh mesh, const SimplifyOptions& options,
-                      const Clustering& clustering, bool single, SimplifyReport& report);
+                      const Clustering& clustering, bool single, std::size_t attributes,
+                      SimplifyReport& report);
 
 }  // namespace winnow

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
+#include "run/attributes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,17 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
                                                  std::as_writable_bytes(std::span(indexed)));
                    std::vector<MeshVertex> vertices(count);
                    std::transform(indexed.begin(), indexed.end(), vertices.begin(), finished);
+                   const std::size_t carried = shape.attributes.size();
+                   std::vector<double> attributes(carried * count);
+                   if (carried > 0) {
+                     mesh.attributes->read(first * carried * sizeof(double),
+                                           std::as_writable_bytes(std::span(attributes)));
+                   }
+                   for (std::size_t i = 0; i < count && carried > 0; ++i) {
+                     const std::span<double> values = std::span(attributes).subspan(i * carried, carried);
+                     finish_attributes(shape.attributes, vertices[i].normal, values);
+                     vertices[i].attributes = values;
+                   }
                    encoder.vertices(shape, vertices, bytes);
                  });
   }

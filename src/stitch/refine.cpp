@@ -68,7 +68,8 @@ class Refiner {
         break;
       }
       const bool back = report_.rounds % 2 == 0;
-      whole = reorder(job_, std::move(whole), back, state_size(), memory_.lists, memory_.mesh);
+      whole = reorder(job_, std::move(whole), back, state_size(), settings_.attributes, memory_.lists,
+                      memory_.mesh);
     }
     return std::move(whole.mesh);
   }
@@ -87,18 +88,20 @@ class Refiner {
     const IncomingFaces incoming(job_, whole.mesh, tiling, memory_.lists);
     if (whole.mesh.face_count <= settings_.faces) {
       // Nothing goes but vertices without a face; the others get their normals.
-      return make_smaller(whole, tiling, incoming, [](std::size_t, Decimation&) {});
+      return make_smaller(whole, tiling, incoming, [](std::size_t, Decimation&, CarriedValues&) {});
     }
     if (tiling.tiles() == 1 || settings_.faces == 0) {
-      return make_smaller(whole, tiling, incoming, [&](std::size_t, Decimation& decimation) {
-        Steps steps(job_.progress);
-        std::uint64_t collapses = 0;
-        decimation.run({settings_.faces, no_limit}, [&](const DoneCollapse& done) {
-          ++collapses;
-          steps.add(done.faces);
-        });
-        tell(collapses, decimation.largest_error());
-      });
+      return make_smaller(whole, tiling, incoming,
+                          [&](std::size_t, Decimation& decimation, CarriedValues& values) {
+                            Steps steps(job_.progress);
+                            std::uint64_t collapses = 0;
+                            decimation.run({settings_.faces, no_limit}, [&](const DoneCollapse& done) {
+                              ++collapses;
+                              values.collapsed(done.edge);
+                              steps.add(done.faces);
+                            });
+                            tell(collapses, decimation.largest_error());
+                          });
     }
     const bool first = report_.rounds == 1;
     double more = more_headroom;
@@ -112,11 +115,15 @@ class Refiner {
       if (log.removed() < wanted && highest < no_limit) continue;
       dearest_ = log.price_of(std::min(wanted, log.removed()));
       const std::vector<std::uint64_t> counts = log.cut(wanted);
-      return make_smaller(whole, tiling, incoming, [&](std::size_t tile, Decimation& decimation) {
-        for (const Collapse& edge : log.edges(tile, counts[tile])) decimation.repeat(edge);
-        job_.progress.check_cancelled();
-        tell(counts[tile], log.error(tile, counts[tile]));
-      });
+      return make_smaller(whole, tiling, incoming,
+                          [&](std::size_t tile, Decimation& decimation, CarriedValues& values) {
+                            for (const Collapse& edge : log.edges(tile, counts[tile])) {
+                              decimation.repeat(edge);
+                              values.collapsed(edge);
+                            }
+                            job_.progress.check_cancelled();
+                            tell(counts[tile], log.error(tile, counts[tile]));
+                          });
     }
   }
 
@@ -175,7 +182,7 @@ class Refiner {
         [&](std::size_t number, Tried& tried) {
           tried.edges.clear();
           tried.prices.clear();
-          Tile tile = load_tile(whole, tiling, incoming, number, state_size());
+          Tile tile = load_tile(whole, tiling, incoming, number, state_size(), 0);
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
           std::uint64_t still = 0;
           for (FaceNumber f = 0; f < tile.own_faces; ++f) {
@@ -211,16 +218,17 @@ class Refiner {
   template <typename Shrink>
   RefinedMesh make_smaller(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                            const Shrink& shrink) {
-    SmallerMesh smaller(job_, state_size(), memory_.mesh);
+    SmallerMesh smaller(job_, state_size(), settings_.attributes, memory_.mesh);
     for_each_tile<TileRest>(
         tiling, incoming,
         [&](std::size_t number, TileRest& rest) {
-          Tile tile = load_tile(whole, tiling, incoming, number, state_size());
+          Tile tile = load_tile(whole, tiling, incoming, number, state_size(), settings_.attributes);
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
-          shrink(number, *decimation);
-          rest = rest_of(tile, mesh, *decimation, state_size());
+          CarriedValues values = carried_values(tile, settings_.attributes);
+          shrink(number, *decimation, values);
+          rest = rest_of(tile, mesh, *decimation, values, state_size());
         },
         [&](std::size_t, TileRest& rest) { smaller.append(std::move(rest)); });
     RefinedMesh out = smaller.finish(tiling);
@@ -240,9 +248,10 @@ class Refiner {
                                    std::uint64_t faces) {
     const std::size_t state_size = Decimation::state_size(settings.decimation);
     const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
-    const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size);
+    const std::size_t attributes = settings.attributes * sizeof(double);
+    const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size + attributes);
     return Tile::memory(vertices, faces, state_size) + Decimation::memory(settings.decimation, vertices) +
-           std::max(log, rest);
+           CarriedValues::memory(vertices, settings.attributes) + std::max(log, rest);
   }
 };
 

@@ -66,17 +66,24 @@ class Appender {
 
 }  // namespace
 
-RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size, std::uint64_t list_memory,
-                    std::uint64_t mesh_memory) {
+RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size, std::size_t attributes,
+                    std::uint64_t list_memory, std::uint64_t mesh_memory) {
   const Reservation reserved = job.budget.reserve(list_memory, "sorting");
   const std::uint64_t vertices = whole.mesh.vertices->size();
+  const std::size_t bytes = attributes * sizeof(double);
   RefinedMesh out;
   out.mesh.cells = whole.mesh.cells;
   out.mesh.fused = whole.mesh.fused;
   out.mesh.turned = whole.mesh.turned;
   out.mesh.face_count = whole.mesh.face_count;
   out.mesh.vertices = std::make_unique<VertexIndex>(job, mesh_memory / 3);
-  if (whole.state != nullptr) out.state = std::make_unique<Spool>(job, mesh_memory / 3);
+  std::uint64_t left = mesh_memory / 3;
+  if (attributes > 0) {
+    const std::uint64_t share = left / (state_size + bytes) * bytes;
+    out.mesh.attributes = std::make_unique<Spool>(job, share);
+    left -= share;
+  }
+  if (whole.state != nullptr) out.state = std::make_unique<Spool>(job, left);
   out.mesh.faces = std::make_unique<Spool>(job, mesh_memory / 3);
   Spool numbers(job, list_memory / 2);  // the new number of each vertex
   {
@@ -91,11 +98,19 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
       MergedCursor<Moved> merged = merge<Moved>({&list}, runs);
       std::vector<IndexedVertex> chunk;
       std::vector<std::byte> states;
+      std::vector<std::byte> carried;
+      const auto copy = [](const Spool& from, std::uint64_t number, std::size_t size,
+                           std::vector<std::byte>& to) {
+        to.resize(to.size() + size);
+        from.read(number * size, std::span(to).last(size));
+      };
       std::uint32_t number = 0;
       const auto flush = [&] {
         job.progress.check_cancelled();
         out.mesh.vertices->append(chunk);
         if (out.state != nullptr) out.state->append(states);
+        if (attributes > 0) out.mesh.attributes->append(carried);
+        carried.clear();
         chunk.clear();
         states.clear();
       };
@@ -103,10 +118,8 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
         renumbered.add({moved.old_number, number});
         chunk.push_back(reader.at(moved.old_number));
         chunk.back().key = moved.key;
-        if (out.state != nullptr) {
-          states.resize(states.size() + state_size);
-          whole.state->read(moved.old_number * std::uint64_t{state_size}, std::span(states).last(state_size));
-        }
+        if (out.state != nullptr) copy(*whole.state, moved.old_number, state_size, states);
+        if (attributes > 0) copy(*whole.mesh.attributes, moved.old_number, bytes, carried);
         if (chunk.size() == chunk_records) flush();
       }
       flush();
@@ -120,7 +133,9 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
   }
   out.mesh.vertices->finish();
   if (out.state != nullptr) out.state->finish();
+  if (attributes > 0) out.mesh.attributes->finish();
   whole.mesh.vertices.reset();
+  whole.mesh.attributes.reset();
   whole.state.reset();
 
   SortedRuns<OrderedFace> runs(job);

@@ -3,6 +3,8 @@
 
 #include <winnow/simplify.hpp>
 
+#include "base/attribute.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -17,14 +19,16 @@ namespace winnow {
 struct MeshShape {
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
-  bool normals = false;           // vertices carry normals
-  bool double_positions = false;  // else float
-  std::string comment;            // one line; may be empty
+  bool normals = false;                 // vertices carry normals
+  bool double_positions = false;        // else float
+  std::string comment;                  // one line; may be empty
+  std::vector<Attribute> attributes{};  // that vertices carry
 };
 
 struct MeshVertex {
   std::array<double, 3> position{};
   std::array<float, 3> normal{};
+  std::span<const double> attributes{};  // as many as the shape says; to be rounded to their types
 };
 
 struct MeshFace {
@@ -50,6 +54,11 @@ class MeshEncoder {
                      std::span<const Corners> corners, std::vector<std::byte>& out) const = 0;
 
   [[nodiscard]] virtual bool needs_corners() const = 0;
+
+  // Why the format cannot hold an attribute, in words that its name follows; empty where it can.
+  [[nodiscard]] virtual std::string attribute_refusal(const Attribute& /*attribute*/) const {
+    return "the output's format holds no attributes:";
+  }
 };
 
 // The encoder for `format`; with Format::automatic for what the name ends in, PLY where that says nothing.

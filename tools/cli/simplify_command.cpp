@@ -22,7 +22,7 @@ struct Arguments {
   std::string input, output;
   std::string cell, grid, faces, ratio, error;
   std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
-  std::string from, to;
+  std::string attributes = "auto", from, to;
   bool normals = false, strict = false, force = false, dry_run = false;
   CommonOptions common;
 };
@@ -69,6 +69,11 @@ SimplifyOptions options_of(const Arguments& arguments) {
                                                 "an angle like 60, in degrees");
   options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
   options.normals = arguments.normals;
+  if (arguments.attributes == "none") {
+    options.attributes.emplace();
+  } else if (arguments.attributes != "auto") {
+    options.attributes = CLI::detail::split(arguments.attributes, ',');
+  }
   options.strict = arguments.strict;
   options.force = arguments.force;
   options.from = parse_format("--from", arguments.from);
@@ -98,6 +103,10 @@ Json json_of(const SimplifyReport& report) {
         {"collapses", report.refine.collapses},
         {"max_error", report.refine.max_error},
         {"stopped_by", report.refine.stopped_by.empty() ? Json(nullptr) : Json(report.refine.stopped_by)}}},
+      {"attributes",
+       {{"carried", report.attributes.carried},
+        {"dropped", report.attributes.dropped},
+        {"ignored_values", report.attributes.ignored}}},
       {"cell_size", report.cell_size},
       {"cells", report.cells},
       {"turned_faces", report.turned_faces},
@@ -152,6 +161,11 @@ void show(const SimplifyReport& report, std::ostream& out) {
     line("refined", show_count(report.refine.collapses) + " edges collapsed by " +
                         name_of(report.refine.cost) + ", " + show_count(report.refine.tiles) +
                         (report.refine.tiles == 1 ? " tile" : " tiles"));
+  }
+  if (!report.attributes.carried.empty()) {
+    std::string names;
+    for (const std::string& name : report.attributes.carried) names += (names.empty() ? "" : ", ") + name;
+    line("carried", names);
   }
   line("time", show_seconds(report.seconds.total) + "  (" +
                    show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
@@ -315,7 +329,15 @@ void add_simplify(CLI::App& app) {
       ->group(result);
   command
       ->add_flag("--normals", arguments->normals,
-                 "Write vertex normals (done anyway where the input has them)")
+                 "Write vertex normals, computed from the result; those of the input are not carried then")
+      ->group(result);
+  command
+      ->add_option(
+          "--attributes", arguments->attributes,
+          "What vertices carry besides: auto (default: normals, colours and all other numbers that the "
+          "input has and the output can hold), none, or properties by name: red,green,blue,quality, "
+          "or normals, colors")
+      ->type_name("LIST")
       ->group(result);
   command
       ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")

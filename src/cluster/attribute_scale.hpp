@@ -1,0 +1,37 @@
+// From numbers in a file to whole numbers that can be added up in any order, and back.
+#pragma once
+
+#include "base/attribute.hpp"
+#include "base/wide.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace winnow {
+
+// Of one attribute: what its means are taken of, times a power of two at which the largest number of the
+// input takes 62 bits. So floats of 2^-38 of the largest are still exact, and what is lost of any number is
+// below 2^-61 of the largest.
+class AttributeScale {
+ public:
+  // `largest`: the largest size of a finite number in the input.
+  AttributeScale(const Attribute& attribute, double largest);
+
+  static constexpr std::int64_t not_finite = INT64_MIN;
+
+  [[nodiscard]] std::int64_t fixed(double stored) const;
+
+  // The mean of fixed numbers whose weighted sum this is; `weight` is not 0.
+  [[nodiscard]] double mean(Int128 sum, std::uint64_t weight) const;
+
+ private:
+  [[nodiscard]] std::int64_t computed(double stored) const;
+
+  Attribute attribute_;
+  double up_ = 1, down_ = 1;         // the power of two, and one by it
+  std::vector<std::int64_t> table_;  // of all numbers there are, where colours are whole
+};
+
+std::vector<AttributeScale> scales_of(const CarriedAttributes& carried);
+
+}  // namespace winnow
