@@ -1,31 +1,34 @@
 #include "cluster/attribute_scale.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace winnow {
 
 namespace {
 
 constexpr int bits = 62;
-// Beyond, the power of two or its inverse would not be a normal number.
-constexpr int most_shift = 1000;
 
 }  // namespace
 
 AttributeScale::AttributeScale(const Attribute& attribute, double largest) : attribute_(attribute) {
   int exponent = 0;
-  std::frexp(std::min(mean_of_stored(attribute, largest), 0x1p1000), &exponent);
-  const int shift = std::min(bits - exponent, most_shift);
-  up_ = std::ldexp(1, shift);
-  down_ = std::ldexp(1, -shift);
+  std::frexp(std::min(mean_of_stored(attribute, largest), std::numeric_limits<double>::max()), &exponent);
+  const int shift = bits - exponent;
+  const std::array<int, 2> half{shift / 2, shift - shift / 2};
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    up_[i] = std::ldexp(1, half[i]);
+    down_[i] = std::ldexp(1, -half[i]);
+  }
   if (attribute.kind != AttributeKind::color || !is_integer(attribute.type)) return;
   table_.resize(std::size_t{1} << (8 * size_of(attribute.type)));
   for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = computed(static_cast<double>(i));
 }
 
 std::int64_t AttributeScale::computed(double stored) const {
-  const double scaled = mean_of_stored(attribute_, stored) * up_;
+  const double scaled = mean_of_stored(attribute_, stored) * up_[0] * up_[1];
   return std::abs(scaled) <= 0x1p62 ? static_cast<std::int64_t>(scaled) : not_finite;
 }
 
@@ -37,7 +40,7 @@ double AttributeScale::mean(Int128 sum, std::uint64_t weight) const {
   // Divided as whole numbers, so that the mean of equal numbers is that number.
   const auto divisor = static_cast<Int128>(weight);
   const Int128 half = sum < 0 ? -divisor / 2 : divisor / 2;
-  return static_cast<double>(static_cast<std::int64_t>((sum + half) / divisor)) * down_;
+  return static_cast<double>(static_cast<std::int64_t>((sum + half) / divisor)) * down_[0] * down_[1];
 }
 
 std::vector<AttributeScale> scales_of(const CarriedAttributes& carried) {

@@ -4,6 +4,7 @@
 #include "base/attribute.hpp"
 #include "base/wide.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,7 +29,8 @@ class AttributeScale {
   [[nodiscard]] std::int64_t computed(double stored) const;
 
   Attribute attribute_;
-  double up_ = 1, down_ = 1;         // the power of two, and one by it
+  // The power of two, and one by it, as products of two: of tiny numbers it is more than a double holds.
+  std::array<double, 2> up_{}, down_{};
   std::vector<std::int64_t> table_;  // of all numbers there are, where colours are whole
 };
 

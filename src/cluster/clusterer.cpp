@@ -134,7 +134,7 @@ class ClustererOf final : public Clusterer {
     return table_.nearly_full() || (attributes_ != nullptr && attributes_->wants_to_spill());
   }
   void spill() override {
-    if (table_.nearly_full()) table_.spill();
+    if (attributes_ == nullptr || table_.nearly_full()) table_.spill();
     if (attributes_ != nullptr && attributes_->wants_to_spill()) attributes_->spill();
   }
 

@@ -65,7 +65,7 @@ struct ClusterSettings {
   // direction.
   bool for_refinement = false;
   bool keep_quadrics = false;  // of the cells; with Placement::quadric
-  CarriedAttributes attributes;
+  CarriedAttributes attributes{};
 };
 
 class Clusterer {

@@ -23,8 +23,8 @@ class CarriedValues {
     return attributes == 0 ? 0 : vertices * (sizeof(Point) + attributes * sizeof(double));
   }
 
-  // To be told of every collapse. The vertex that is kept gets what is interpolated along the edge, at the
-  // place nearest to where it goes.
+  // To be told of every collapse. The vertex that is kept gets what is interpolated along the edge, between
+  // its middle and the place nearest to where the vertex goes.
   void collapsed(const Collapse& edge);
 
   [[nodiscard]] std::span<const double> of(VertexNumber v) const {

@@ -12,7 +12,14 @@ namespace winnow {
 namespace {
 
 constexpr std::array<std::string_view, 3> normal_names{"nx", "ny", "nz"};
-constexpr std::array<std::string_view, 4> color_names{"red", "green", "blue", "alpha"};
+constexpr std::array<std::string_view, 6> component_names{"red",         "green",         "blue",
+                                                          "diffuse_red", "diffuse_green", "diffuse_blue"};
+// These only all three together.
+constexpr std::array<std::string_view, 3> short_names{"r", "g", "b"};
+// What "colors" stands for.
+constexpr std::array<std::string_view, 12> color_names{
+    "red",          "green",         "blue", "alpha", "diffuse_red", "diffuse_green",
+    "diffuse_blue", "diffuse_alpha", "r",    "g",     "b",           "a"};
 // Of both sides of a seam in a texture, whose mean is somewhere else in the picture.
 constexpr std::array<std::string_view, 10> texture_names{
     "s", "t", "u", "v", "texture_u", "texture_v", "texture_s", "texture_t", "tex_u", "tex_v"};
@@ -37,7 +44,9 @@ AttributeKind kind_of(const Attribute& attribute, const std::vector<Attribute>& 
       std::all_of(normal_names.begin(), normal_names.end(), offered)) {
     return AttributeKind::normal;
   }
-  const bool component = attribute.name == "red" || attribute.name == "green" || attribute.name == "blue";
+  const bool component =
+      among(component_names, attribute.name) ||
+      (among(short_names, attribute.name) && std::all_of(short_names.begin(), short_names.end(), offered));
   const bool light = !is_integer(attribute.type) || attribute.type == ScalarType::uint8 ||
                      attribute.type == ScalarType::uint16;
   return component && light ? AttributeKind::color : AttributeKind::value;

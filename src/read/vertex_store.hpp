@@ -31,7 +31,7 @@ struct VertexLayout {
     std::size_t offset;
     ScalarType type;
   };
-  std::vector<Number> attributes;
+  std::vector<Number> attributes{};
 };
 
 struct VertexRange {

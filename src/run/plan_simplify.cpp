@@ -5,6 +5,8 @@
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
 
+#include <algorithm>
+
 namespace winnow {
 
 namespace {
@@ -15,6 +17,9 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   if (outlook.faces_kept) passes.emplace_back("keep the faces in scratch until the vertices are read");
   if (outlook.vertices_kept)
     passes.emplace_back("read the vertices into memory, or scratch where they do not fit");
+  if (std::any_of(outlook.facts.choice.carried.begin(), outlook.facts.choice.carried.end(),
+                  [](const Attribute& attribute) { return !is_integer(attribute.type); }))
+    passes.emplace_back("find the largest numbers that the vertices carry");
   const std::string positions = outlook.facts.vertices ? "vertices" : "corners of all faces";
   if (options.grid) passes.push_back("measure the box of the " + positions);
   if (options.error || options.relative_error) passes.push_back("measure the box of the " + positions);

@@ -54,8 +54,8 @@ SimplifyReport simplify_in_arena(Job& job, const std::string& input, const std::
   }
 
   // Where the input's normals are no attributes of the output, its own stand in for them.
-  const bool normals =
-      options.normals || (reader->facts().normals && !wish.none() && !carries_normals(attributes.attributes));
+  const bool normals = options.normals || (reader->facts().normals && !options.attributes &&
+                                           !carries_normals(attributes.attributes));
   const MeshShape shape{
       mesh.vertices->size(),  mesh.face_count,      normals, reader->facts().double_positions,
       "simplified by winnow", attributes.attributes};

@@ -329,14 +329,13 @@ void add_simplify(CLI::App& app) {
       ->group(result);
   command
       ->add_flag("--normals", arguments->normals,
-                 "Write vertex normals, computed from the result; those of the input are not carried then")
+                 "Write vertex normals computed from the result, instead of those of the input")
       ->group(result);
   command
       ->add_option(
           "--attributes", arguments->attributes,
-          "What vertices carry besides: auto (default: normals, colours and all other numbers that the "
-          "input has and the output can hold), none, or properties by name: red,green,blue,quality, "
-          "or normals, colors")
+          "What vertices carry along: auto (default: all numbers that have a mean and the output can hold), "
+          "none, or a list: normals,colors,quality")
       ->type_name("LIST")
       ->group(result);
   command
