@@ -184,9 +184,11 @@ class PlyReader final : public MeshReader {
       }
     }
     if (real.empty()) return ranges;
+    job_.progress.begin("measure attributes", vertices_.size(), "vertices");
     vertices_.wake();
     const VertexLayout& layout = vertices_.layout();
     vertices_.for_each_stretch([&](const std::byte* record, std::size_t count) {
+      job_.progress.advance(count);
       for (std::size_t i = 0; i < count; ++i, record += layout.stride) {
         for (const std::size_t k : real) {
           const auto [offset, type] = layout.attributes[k];

@@ -1,6 +1,7 @@
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
+#include "json_text.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
 
@@ -9,8 +10,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-
-#include <nlohmann/json.hpp>
 
 namespace winnow::cli {
 
@@ -235,7 +234,7 @@ void run(const Arguments& arguments) {
   if (arguments.dry_run) {
     const SimplifyPlan plan = plan_simplify(context, arguments.input, arguments.output, options);
     if (arguments.common.json) {
-      std::cout << json_of(plan).dump(2) << "\n";
+      std::cout << text_of(json_of(plan)) << "\n";
     } else {
       show(plan, std::cout);
     }
@@ -248,7 +247,7 @@ void run(const Arguments& arguments) {
   }
   std::ostream& out = report_stream(arguments.output);
   if (arguments.common.json) {
-    out << json_of(report).dump(2) << "\n";
+    out << text_of(json_of(report)) << "\n";
   } else if (!arguments.common.quiet) {
     show(report, out);
   }

@@ -43,3 +43,8 @@ for list in colour vertex_indices ''; do
   echo "=> $code"
 done
 "$WINNOW" info in.ply | grep also
+# A name may be any bytes.
+sed 's/ quality/ caf\xe9/' in.ply >bytes.ply
+"$WINNOW" simplify bytes.ply -o bytes_small.ply --faces 6 --json | grep 'caf'
+"$WINNOW" info bytes.ply --json | grep -c 'caf'
+head -n 12 bytes_small.ply | grep -ac $'property double caf\xe9'
