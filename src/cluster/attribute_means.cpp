@@ -72,16 +72,20 @@ class AttributeMeansOf final : public AttributeMeans {
       const std::int64_t kind = corners.kind[i];
       if (faces.status[i] != FaceStatus::good || kind > close_corners) continue;
       if (kind == close_corners && faces.repeats_a_corner(i)) continue;
-      for (std::size_t c = 0; c < 3; ++c) {
-        add_corner(worker, faces, c, i, static_cast<PackedCell>(corners.cell[c][i]),
-                   static_cast<std::uint64_t>(corners.weight[c][i]));
+      Weights weight;
+      for (std::size_t c = 0; c < 3; ++c) weight[c] = static_cast<std::uint64_t>(corners.weight[c][i]);
+      if (kind == one_cell) {
+        add_corners(worker, faces, i, static_cast<PackedCell>(corners.cell[0][i]), weight, 0, 3);
+        continue;
       }
+      for (std::size_t c = 0; c < 3; ++c)
+        add_corners(worker, faces, i, static_cast<PackedCell>(corners.cell[c][i]), weight, c, c + 1);
     }
   }
 
   void add(const FaceBatch& faces, std::size_t face, const std::array<std::uint64_t, 3>& numbers) override {
     Worker& worker = workers_.local();
-    for (std::size_t c = 0; c < 3; ++c) add_corner(worker, faces, c, face, numbers[c], 1);
+    for (std::size_t c = 0; c < 3; ++c) add_corners(worker, faces, face, numbers[c], {1, 1, 1}, c, c + 1);
   }
 
   [[nodiscard]] bool wants_to_spill() const override { return table_.nearly_full(); }
@@ -100,6 +104,8 @@ class AttributeMeansOf final : public AttributeMeans {
   }
 
  private:
+  using Weights = std::array<std::uint64_t, 3>;
+
   struct Worker {
     Worker() { pending.reserve(pending_entries); }
 
@@ -107,17 +113,24 @@ class AttributeMeansOf final : public AttributeMeans {
     std::vector<Sum> pending;  // entries that gave way, on their way to the table
   };
 
-  void add_corner(Worker& worker, const FaceBatch& faces, std::size_t corner, std::size_t face,
-                  std::uint64_t key, std::uint64_t weight) {
-    Sum& sum = worker.cache.entry(key, weight, [&](const Sum& line) { give_way(worker, line); });
-    sum.weight += weight;
+  // Corners `from` to `to` of a face, which have one key.
+  void add_corners(Worker& worker, const FaceBatch& faces, std::size_t face, std::uint64_t key,
+                   const Weights& weight, std::size_t from, std::size_t to) {
+    std::uint64_t total = 0;
+    for (std::size_t c = from; c < to; ++c) total += weight[c];
+    Sum& sum = worker.cache.entry(key, total, [&](const Sum& line) { give_way(worker, line); });
+    sum.weight += total;
     for (std::size_t k = 0; k < scales_.size(); ++k) {
-      const std::int64_t number = scales_[k].fixed(faces.attribute(k, corner, face));
-      if (number == AttributeScale::not_finite) {
-        sum.absent[k] += weight;
-      } else {
-        sum.sum[k] += static_cast<Int128>(number) * static_cast<std::int64_t>(weight);
+      Int128 more = 0;
+      for (std::size_t c = from; c < to; ++c) {
+        const std::int64_t number = scales_[k].fixed(faces.attribute(k, c, face));
+        if (number == AttributeScale::not_finite) {
+          sum.absent[k] += weight[c];
+        } else {
+          more += static_cast<Int128>(number) * static_cast<std::int64_t>(weight[c]);
+        }
       }
+      sum.sum[k] += more;
     }
   }
 

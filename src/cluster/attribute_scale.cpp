@@ -24,16 +24,8 @@ AttributeScale::AttributeScale(const Attribute& attribute, double largest) : att
   }
   if (attribute.kind != AttributeKind::color || !is_integer(attribute.type)) return;
   table_.resize(std::size_t{1} << (8 * size_of(attribute.type)));
-  for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = computed(static_cast<double>(i));
-}
-
-std::int64_t AttributeScale::computed(double stored) const {
-  const double scaled = mean_of_stored(attribute_, stored) * up_[0] * up_[1];
-  return std::abs(scaled) <= 0x1p62 ? static_cast<std::int64_t>(scaled) : not_finite;
-}
-
-std::int64_t AttributeScale::fixed(double stored) const {
-  return table_.empty() ? computed(stored) : table_[static_cast<std::size_t>(stored)];
+  for (std::size_t i = 0; i < table_.size(); ++i)
+    table_[i] = scaled(mean_of_stored(attribute, static_cast<double>(i)));
 }
 
 double AttributeScale::mean(Int128 sum, std::uint64_t weight) const {

@@ -5,6 +5,8 @@
 #include "base/wide.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,13 +22,19 @@ class AttributeScale {
 
   static constexpr std::int64_t not_finite = INT64_MIN;
 
-  [[nodiscard]] std::int64_t fixed(double stored) const;
+  [[nodiscard]] std::int64_t fixed(double stored) const {
+    if (!table_.empty()) return table_[static_cast<std::size_t>(stored)];
+    return scaled(attribute_.kind == AttributeKind::color ? mean_of_stored(attribute_, stored) : stored);
+  }
 
   // The mean of fixed numbers whose weighted sum this is; `weight` is not 0.
   [[nodiscard]] double mean(Int128 sum, std::uint64_t weight) const;
 
  private:
-  [[nodiscard]] std::int64_t computed(double stored) const;
+  [[nodiscard]] std::int64_t scaled(double mean) const {
+    const double number = mean * up_[0] * up_[1];
+    return std::abs(number) <= 0x1p62 ? static_cast<std::int64_t>(number) : not_finite;
+  }
 
   Attribute attribute_;
   // The power of two, and one by it, as products of two: of tiny numbers it is more than a double holds.
