@@ -72,6 +72,17 @@ class Dropped {
   std::vector<std::pair<std::string, std::vector<std::string>>> reasons_;
 };
 
+[[noreturn]] void refuse_name(const std::string& name, const AttributeOffer& offer,
+                              const std::string& input) {
+  std::vector<std::string> all;
+  for (const Attribute& attribute : offer.scalars) all.push_back(attribute.name);
+  std::string message = "'" + input + "': '" + name + "' is ";
+  message += among(offer.lists, name) ? "a list at each vertex, which cannot be averaged"
+                                      : "no attribute of its vertices";
+  message += all.empty() ? "; they have none: leave --attributes out" : "; they have " + joined(all);
+  throw Error(ErrorKind::usage, message);
+}
+
 // The names asked for, groups taken apart. Of a group those that are offered, but at least one.
 std::vector<std::string> wanted_names(const std::vector<std::string>& names, const AttributeOffer& offer,
                                       const std::string& input) {
@@ -90,14 +101,7 @@ std::vector<std::string> wanted_names(const std::vector<std::string>& names, con
       std::for_each(normal_names.begin(), normal_names.end(), add);
     if (wanted.size() == before && name == "colors")
       std::for_each(color_names.begin(), color_names.end(), add);
-    if (wanted.size() > before) continue;
-    std::vector<std::string> all;
-    for (const Attribute& attribute : offer.scalars) all.push_back(attribute.name);
-    const std::string what = among(offer.lists, name) ? "a list at each vertex, which cannot be averaged"
-                                                      : "no attribute of its vertices";
-    throw Error(ErrorKind::usage,
-                "'" + input + "': '" + name + "' is " + what + "; " +
-                    (all.empty() ? "they have none: leave --attributes out" : "they have " + joined(all)));
+    if (wanted.size() == before) refuse_name(name, offer, input);
   }
   return wanted;
 }

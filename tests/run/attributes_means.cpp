@@ -15,9 +15,9 @@ namespace {
 const std::vector<Words>& ways() {
   static const std::vector<Words> ways{{"--grid", "40"},
                                        {"--grid", "40", "--placement", "mean"},
-                                       {"--faces", "9k"},
-                                       {"--faces", "9k", "--refine", "importance"},
-                                       {"--faces", "9k", "--detail", "4"},
+                                       {"--faces", "5k"},
+                                       {"--faces", "5k", "--refine", "importance"},
+                                       {"--faces", "5k", "--detail", "4"},
                                        {"--error", "1%"}};
   return ways;
 }
@@ -50,7 +50,7 @@ TEST_CASE("a constant attribute stays what it is") {
       constant("green", ScalarType::uint16, 54321),      constant("blue", ScalarType::float32, 0.7F),
       constant("label", ScalarType::uint32, 4000000001), constant("small", ScalarType::float64, 1.1e-300),
       constant("large", ScalarType::float64, -1.7e308)};
-  write_attributed(in, generated(directory.path(), 150'000), columns);
+  write_attributed(in, generated(directory.path(), 80'000), columns);
   for (const Words& way : ways()) {
     const AttributedMesh mesh = simplified_mesh(directory, in, way);
     for (const Column& column : columns) {
@@ -65,7 +65,7 @@ TEST_CASE("a linear attribute stays near its line") {
   const std::string in = directory.file("in.ply");
   const auto line = [](const Point& p) { return 3 * p[0] - 2 * p[1] + p[2]; };
   const double slope = std::sqrt(14.0);
-  write_attributed(in, generated(directory.path(), 150'000), {{"line", ScalarType::float64, line}});
+  write_attributed(in, generated(directory.path(), 80'000), {{"line", ScalarType::float64, line}});
   const AttributedMesh whole = read_attributed(in);
   for (const Words& way : ways()) {
     INFO(joined(way));
@@ -90,7 +90,7 @@ TEST_CASE("the mean of the light is kept") {
   const auto grain = [](const Point& p) {
     return std::sin(2000 * p[0]) * std::sin(3000 * p[1] + 2500 * p[2]) > 0 ? 255.0 : 0.0;
   };
-  write_attributed(in, generated(directory.path(), 150'000), {{"red", ScalarType::uint8, grain}});
+  write_attributed(in, generated(directory.path(), 80'000), {{"red", ScalarType::uint8, grain}});
   const auto light = [](double x) { return light_of_component(x / 255); };
   const double before = mean_over_surface(read_attributed(in), "red", light);
   CHECK(before == Approx(0.5).margin(0.05));
@@ -104,7 +104,7 @@ TEST_CASE("the mean of the light is kept") {
 TEST_CASE("numbers that are not finite are counted and left out of means") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
-  const AttributedMesh mesh = generated(directory.path(), 150'000);
+  const AttributedMesh mesh = generated(directory.path(), 80'000);
   std::uint64_t count = 0;
   const auto spoilt = [&](const Point& p) {
     if (std::sin(5000 * p[0]) < 0.9) return 5.0;
@@ -130,7 +130,7 @@ TEST_CASE("numbers that are not finite are counted and left out of means") {
 TEST_CASE("attributes change no vertex and no face") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
-  const AttributedMesh plain = generated(directory.path(), 150'000);
+  const AttributedMesh plain = generated(directory.path(), 80'000);
   for (const Words& way : ways()) {
     INFO(joined(way));
     write_attributed(in, plain, {});
