@@ -5,6 +5,8 @@
 #include "base/text.hpp"
 #include "read/slices.hpp"
 
+#include <algorithm>
+
 namespace winnow {
 
 void KeptMesh::add_vertices(std::span<const double> xyz, bool single) {
@@ -25,9 +27,14 @@ void KeptMesh::add_polygon(std::span<const std::uint32_t> corners) {
   faces_.add(fan_);
 }
 
+void KeptMesh::pass_over(const std::string& what) {
+  if (std::find(passed_over_.begin(), passed_over_.end(), what) == passed_over_.end())
+    passed_over_.push_back(what);
+}
+
 // On a coherent mesh the vertices, in doubles, take as much as the faces.
 KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                       const std::string& format, const Parse& parse)
+                       const AttributeWish& wish, const std::string& format, const Parse& parse)
     : IndexedReader(job, std::move(source), memory, memory.vertices / 2),
       faces_(job, memory.vertices * 3 / 8),
       numbers_(job, memory.vertices / 8) {
@@ -44,6 +51,9 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   facts_.vertices = vertices_.size();
   facts_.faces = faces_.size();
   facts_.double_positions = !mesh.single();
+  facts_.attributes = mesh.passed_over();
+  facts_.offer.unread = mesh.passed_over();
+  facts_.choice = choose_attributes(wish, facts_.offer, source_->name());
 }
 
 void KeptReader::begin_faces() {

@@ -32,6 +32,10 @@ class KeptMesh {
   void add_polygon(std::span<const std::uint32_t> corners);
   void add_triangles(std::span<const std::uint32_t> corners) { faces_.add(corners); }  // three each
 
+  // What the parser comes across and does not read, in words, each once.
+  void pass_over(const std::string& what);
+  [[nodiscard]] const std::vector<std::string>& passed_over() const { return passed_over_; }
+
   [[nodiscard]] std::uint64_t vertices() const { return vertices_.size(); }
   [[nodiscard]] bool single() const { return single_; }
   [[nodiscard]] Job& job() const { return job_; }
@@ -45,6 +49,7 @@ class KeptMesh {
   std::string name_;
   bool single_ = true;
   std::vector<std::uint32_t> fan_;
+  std::vector<std::string> passed_over_;
 };
 
 class KeptReader : public IndexedReader {
@@ -53,7 +58,7 @@ class KeptReader : public IndexedReader {
   using Parse = std::function<void(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh)>;
 
   KeptReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-             const std::string& format, const Parse& parse);
+             const AttributeWish& wish, const std::string& format, const Parse& parse);
 
   void begin_faces() override;
   bool next_faces(RawBatch& batch) override;

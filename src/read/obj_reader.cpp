@@ -33,9 +33,17 @@ void parse_obj_lines(const TextBlock& block, ParsedLines& lines) {
     const std::string_view keyword = words.next();
     if (keyword == "v") {
       lines.add_position(words);
+      // A weight, or a colour.
+      if (!words.next().empty() && !words.next().empty()) lines.pass_over("colours");
     } else if (keyword == "f") {
       for (std::string_view word = words.next(); !word.empty(); word = words.next()) add_corner(word, lines);
       lines.end_face();
+    } else if (keyword == "vn") {
+      lines.pass_over("normals");
+    } else if (keyword == "vt") {
+      lines.pass_over("texture coordinates");
+    } else if (keyword == "usemtl") {
+      lines.pass_over("materials");
     }
   }
 }
@@ -66,9 +74,9 @@ bool is_obj(std::string_view head) {
   return false;
 }
 
-std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory) {
-  return std::make_unique<KeptReader>(job, std::move(source), memory, "OBJ", parse_obj);
+std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     const AttributeWish& wish) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OBJ", parse_obj);
 }
 
 }  // namespace winnow

@@ -118,6 +118,9 @@ class OffParser {
     }
     left_ = counts[0];
     faces_ = counts[1];
+    if (keyword->prefix.find("ST") != std::string_view::npos) mesh_.pass_over("texture coordinates");
+    if (keyword->prefix.find('C') != std::string_view::npos) mesh_.pass_over("colours");
+    if (keyword->prefix.find('N') != std::string_view::npos) mesh_.pass_over("normals");
   }
 
   void check_prefix(const TextBlock& block, const Keyword& keyword) const {
@@ -178,6 +181,7 @@ class OffParser {
       lines.add_corner(vertex < 0 ? -1 : vertex, false);
     }
     lines.end_face();
+    if (!words.next().empty()) lines.pass_over("colours of faces");
   }
 
   // A pipe's writer must not be cut off.
@@ -203,9 +207,9 @@ bool is_off(std::string_view head) {
   return keyword_of(first_word(head)).has_value();
 }
 
-std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory) {
-  return std::make_unique<KeptReader>(job, std::move(source), memory, "OFF", parse_off);
+std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     const AttributeWish& wish) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OFF", parse_off);
 }
 
 }  // namespace winnow

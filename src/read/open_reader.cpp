@@ -18,7 +18,7 @@ struct KeptFormat {
   const char* name;
   bool (*is)(std::string_view head);
   std::unique_ptr<MeshReader> (*open)(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory);
+                                      const ReaderMemory& memory, const AttributeWish& wish);
 };
 constexpr std::array<KeptFormat, 4> kept_formats{{{Format::gltf, "glTF", is_gltf, open_gltf},
                                                   {Format::off, "OFF", is_off, open_off},
@@ -62,22 +62,30 @@ bool needs_copy(const ByteSource& source, Format format, Access access) {
 }  // namespace
 
 std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format,
-                                        Access access, const ReaderMemory& memory) {
+                                        Access access, const ReaderMemory& memory,
+                                        const AttributeWish& wish) {
   format = format_of(*source, format);
   if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
-  if (const KeptFormat* text = kept_format(format)) return text->open(job, std::move(source), memory);
-  return format == Format::ply ? open_ply(job, std::move(source), memory)
-                               : open_stl(job, std::move(source), memory);
+  if (format == Format::ply) return open_ply(job, std::move(source), memory, wish);
+  if (const KeptFormat* kept = kept_format(format)) return kept->open(job, std::move(source), memory, wish);
+  choose_attributes(wish, {}, source->name());  // for its checks: there are none
+  return open_stl(job, std::move(source), memory);
 }
 
-InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access access) {
+InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access access,
+                     const AttributeWish& wish) {
   format = format_of(source, format);
   InputOutlook outlook;
-  if (const KeptFormat* text = kept_format(format)) {
-    outlook.facts.format = text->name;
-    outlook.taken_in = true;
+  if (format == Format::ply) {
+    outlook = look_at_ply(source, wish);
   } else {
-    outlook = format == Format::ply ? look_at_ply(source) : look_at_stl(source);
+    choose_attributes(wish, {}, source.name());
+    if (const KeptFormat* kept = kept_format(format)) {
+      outlook.facts.format = kept->name;
+      outlook.taken_in = true;
+    } else {
+      outlook = look_at_stl(source);
+    }
   }
   outlook.bytes = source.size();
   outlook.copied_first = needs_copy(source, format, access);

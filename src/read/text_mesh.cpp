@@ -33,6 +33,11 @@ void ParsedLines::end_face() {
   open_ = 0;
 }
 
+void ParsedLines::pass_over(const char* what) {
+  if (std::find(passed_over_.begin(), passed_over_.end(), what) == passed_over_.end())
+    passed_over_.push_back(what);
+}
+
 void ParsedLines::fail(std::string_view place, const std::string& what) const {
   throw Error(ErrorKind::bad_input, "'" + name_ + "', line " + grouped(block_.line_of(place)) + ": " + what);
 }
@@ -46,6 +51,7 @@ void ParsedLines::hand_over(KeptMesh& mesh) const {
   const auto base = static_cast<std::int64_t>(mesh.vertices());
   mesh.add_vertices(xyz_, single_);
   mesh.add_numbers(numbers_);
+  for (const char* what : passed_over_) mesh.pass_over(what);
   std::vector<std::uint32_t> polygon;
   std::size_t at = 0;
   for (const std::uint32_t size : sizes_) {

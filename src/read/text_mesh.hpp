@@ -29,6 +29,9 @@ class ParsedLines {
   void add_corner(std::int64_t vertex, bool relative);
   void end_face();
 
+  // As KeptMesh has it; `what` is a constant.
+  void pass_over(const char* what);
+
   [[nodiscard]] std::int64_t vertices() const { return static_cast<std::int64_t>(xyz_.size() / 3); }
 
   // Throws Error(bad_input) naming the line that `place` stands in.
@@ -47,6 +50,7 @@ class ParsedLines {
   std::vector<std::int64_t> corners_;  // twice the number, plus one where it is relative
   std::vector<std::uint32_t> sizes_;   // corners of each face
   std::uint32_t open_ = 0;             // of the face at work
+  std::vector<const char*> passed_over_;
 };
 
 // Cuts blocks off, parses them in parallel and hands them over in their order. `parse` takes a block apart.

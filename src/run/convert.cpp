@@ -23,7 +23,8 @@ namespace {
 ClusteredMesh mesh_of(Job& job, MeshReader& reader, const MemoryPlan& plan, ClusterCounts& counts) {
   if (reader.facts().vertices)
     return plain_mesh(job, reader, {plan.cluster.table, plan.cluster.result}, counts);
-  return weld(job, reader, {plan.cluster.table, plan.cluster.vertices, plan.cluster.result}, counts);
+  return weld(job, reader, {}, {plan.cluster.table, plan.cluster.vertices, plan.cluster.result, {}, 0},
+              counts);
 }
 
 void note_what_is_left(Job& job, const InputFacts& facts) {
@@ -37,17 +38,17 @@ void note_what_is_left(Job& job, const InputFacts& facts) {
 ConvertReport convert_in_arena(Job& job, const std::string& input, const std::string& output,
                                const ConvertOptions& options) {
   const Stopwatch watch;
-  constexpr bool quadrics = false;
+  const CellNeeds nothing;
   // Before a pipe is waited for.
-  if (input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, quadrics);
+  if (input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, nothing);
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output, options.encoding);
   remove_stale_files(job.scratch.directory(), scratch_prefix);
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, quadrics));
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, nothing));
   const Reservation packing = reserve_block(job, *encoder);
   ByteSink sink(job, output, options.force);
   std::unique_ptr<ByteSource> source = open_source(job, input);
   source->peek(1);
-  const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, quadrics);
+  const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, nothing);
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   const std::unique_ptr<MeshReader> reader =

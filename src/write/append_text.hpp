@@ -43,6 +43,9 @@ inline void append_position(std::vector<std::byte>& out, const std::array<double
                                 static_cast<float>(position[2])});
 }
 
+// A number as it is in a binary file of that type.
+void append_rounded(std::vector<std::byte>& out, double value, ScalarType type);
+
 // The lines that PLY and OFF have in common.
 inline void append_lines(std::vector<std::byte>& out, const MeshShape& shape,
                          std::span<const MeshVertex> vertices) {
@@ -51,6 +54,10 @@ inline void append_lines(std::vector<std::byte>& out, const MeshShape& shape,
     if (shape.normals) {
       append_text(out, " ");
       append_triple(out, vertex.normal);
+    }
+    for (std::size_t i = 0; i < shape.attributes.size(); ++i) {
+      append_text(out, " ");
+      append_rounded(out, vertex.attributes[i], shape.attributes[i].type);
     }
     append_text(out, "\n");
   }

@@ -1,0 +1,25 @@
+// What vertices carry besides their positions, as the options ask for it.
+#pragma once
+
+#include <winnow/simplify.hpp>
+
+#include "base/attribute.hpp"
+#include "io/job.hpp"
+#include "read/mesh_reader.hpp"
+#include "write/mesh_encoder.hpp"
+
+namespace winnow {
+
+// `encoder` must live as long as the wish.
+AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encoder);
+
+// What the reader carries; fills report.attributes and notes what is not carried. To be called before any
+// faces are read.
+CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report);
+
+// From means to what is written, in place: light to colours, normals as long as 1. Where normals cancel out
+// `normal` stands in for their mean.
+void finish_attributes(std::span<const Attribute> attributes, const std::array<float, 3>& normal,
+                       std::span<double> values);
+
+}  // namespace winnow
