@@ -4,24 +4,19 @@
 
 namespace winnow {
 
-namespace {
-
-// The number that stands for full light.
-double full(ScalarType type) {
+double full_component(ScalarType type) {
   if (type == ScalarType::uint8) return 255;
   return type == ScalarType::uint16 ? 65535 : 1;
 }
 
-}  // namespace
-
 double mean_of_stored(const Attribute& attribute, double stored) {
   if (attribute.kind != AttributeKind::color) return stored;
-  return light_of_component(stored / full(attribute.type));
+  return light_of_component(stored / full_component(attribute.type));
 }
 
 double stored_of_mean(const Attribute& attribute, double mean) {
   if (attribute.kind != AttributeKind::color) return mean;
-  return component_of_light(mean) * full(attribute.type);
+  return component_of_light(mean) * full_component(attribute.type);
 }
 
 std::string described(const Attribute& attribute) {

@@ -43,6 +43,9 @@ inline bool carries_normals(std::span<const Attribute> attributes) {
                      [](const Attribute& a) { return a.kind == AttributeKind::normal; });
 }
 
+// The number that stands for all of a colour's component.
+double full_component(ScalarType type);
+
 // From the number in a file to that whose means are taken, and back; back, it is still to be rounded.
 double mean_of_stored(const Attribute& attribute, double stored);
 double stored_of_mean(const Attribute& attribute, double mean);

@@ -144,11 +144,16 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
   if (wish.none()) return choice;
   std::vector<std::string> wanted;
   if (wish.names) wanted = wanted_names(*wish.names, offer, input);
+  // Two of three components are no normal.
+  const bool whole_normals =
+      !wish.names || std::all_of(normal_names.begin(), normal_names.end(),
+                                 [&](std::string_view name) { return among(wanted, name); });
   Dropped dropped;
   for (std::size_t i = 0; i < offer.scalars.size(); ++i) {
     Attribute attribute = offer.scalars[i];
     if (wish.names && !among(wanted, attribute.name)) continue;
     attribute.kind = kind_of(attribute, offer.scalars);
+    if (attribute.kind == AttributeKind::normal && !whole_normals) attribute.kind = AttributeKind::value;
     std::string refusal;
     if (wish.refusal) refusal = wish.refusal(attribute);
     if (refusal.empty() && !wish.names && among(texture_names, attribute.name))
@@ -167,7 +172,7 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
     choice.carried.push_back(std::move(attribute));
     choice.scalar.push_back(i);
   }
-  // Two of three components are no normal.
+  // Nor where one was too many.
   const auto normals = std::count_if(choice.carried.begin(), choice.carried.end(),
                                      [](const Attribute& a) { return a.kind == AttributeKind::normal; });
   for (Attribute& attribute : choice.carried) {

@@ -16,10 +16,16 @@ namespace winnow {
 // What one block of lines holds.
 class ParsedLines {
  public:
-  ParsedLines(const TextBlock& block, const std::string& name) : block_(block), name_(name) {}
+  // `carried`: as KeptMesh has it, and as long-lived as this.
+  ParsedLines(const TextBlock& block, const std::string& name, const std::vector<bool>& carried)
+      : block_(block), name_(name), carried_(carried) {}
 
   // Three coordinates, the next words of a line.
   void add_position(LineWords& words);
+
+  // Of the last position's vertex the next words of its line, as many as attributes are offered. Words that
+  // are missing are no numbers, or, if they are `required`, an error.
+  void add_attributes(LineWords& words, bool required);
 
   // What the next position's vertex is called; for all vertices or for none. Corners then name vertices so.
   void add_number(std::uint32_t number) { numbers_.push_back(number); }
@@ -44,7 +50,9 @@ class ParsedLines {
  private:
   const TextBlock& block_;
   const std::string& name_;
+  const std::vector<bool>& carried_;
   std::vector<double> xyz_;
+  std::vector<double> attributes_;
   std::vector<std::uint32_t> numbers_;
   bool single_ = true;
   std::vector<std::int64_t> corners_;  // twice the number, plus one where it is relative

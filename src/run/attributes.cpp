@@ -47,20 +47,22 @@ CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& 
   return carried;
 }
 
-void finish_attributes(std::span<const Attribute> attributes, const std::array<float, 3>& normal,
-                       std::span<double> values) {
+void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVertex& vertex) {
+  const std::vector<Attribute>& attributes = shape.attributes;
+  vertex.attributes = values;
   double square = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (attributes[i].kind == AttributeKind::normal) square += values[i] * values[i];
     values[i] = stored_of_mean(attributes[i], values[i]);
   }
   const double length = std::sqrt(square);
-  if (std::abs(length - 1) <= unit_tolerance) return;
+  const bool unit = std::abs(length - 1) <= unit_tolerance;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (attributes[i].kind != AttributeKind::normal) continue;
     // nx, ny or nz
-    const auto axis = static_cast<std::size_t>(attributes[i].name[1] - 'x');
-    values[i] = length > 0 ? values[i] / length : double{normal.at(axis)};
+    float& along = vertex.normal.at(static_cast<std::size_t>(attributes[i].name[1] - 'x'));
+    if (!unit) values[i] = length > 0 ? values[i] / length : double{along};
+    if (shape.normals) along = static_cast<float>(values[i]);
   }
 }
 

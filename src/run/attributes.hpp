@@ -17,9 +17,9 @@ AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encode
 // faces are read.
 CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report);
 
-// From means to what is written, in place: light to colours, normals as long as 1. Where normals cancel out
-// `normal` stands in for their mean.
-void finish_attributes(std::span<const Attribute> attributes, const std::array<float, 3>& normal,
-                       std::span<double> values);
+// From means to what is written, in place: light to colours, normals as long as 1; these become the vertex's
+// normal where the shape has one besides. Where they cancel out the vertex's normal stands in for their mean.
+// The vertex holds `values` from now on.
+void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVertex& vertex);
 
 }  // namespace winnow

@@ -67,7 +67,8 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
   const std::vector<Attribute> attributes = clustered.attributes;
   // Where the input's normals are no attributes of the output, its own stand in for them.
   const bool normals =
-      options.normals || (clustered.normals && !options.attributes && !carries_normals(attributes));
+      options.normals ||
+      (carries_normals(attributes) ? encoder.normals_apart() : clustered.normals && !options.attributes);
   const bool exact = clustered.double_positions;
   const bool doubles = writes_doubles(options.encoding, exact);
   ClusteredMesh mesh;
@@ -117,7 +118,7 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   // Packing, compressing and decompressing take memory of their own; the rest is divided.
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
-  const Reservation packing = reserve_block(job, *encoder);
+  const Reservation packing = reserve_block(job, *encoder, !wish_for(options, *encoder).none());
   ByteSink sink(job, request.output, options.force);
   std::optional<Input> input;
   if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);

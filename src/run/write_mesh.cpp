@@ -107,9 +107,8 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
                                            std::as_writable_bytes(std::span(attributes)));
                    }
                    for (std::size_t i = 0; i < count && carried > 0; ++i) {
-                     const std::span<double> values = std::span(attributes).subspan(i * carried, carried);
-                     finish_attributes(shape.attributes, vertices[i].normal, values);
-                     vertices[i].attributes = values;
+                     finish_attributes(shape, std::span(attributes).subspan(i * carried, carried),
+                                       vertices[i]);
                    }
                    encoder.vertices(shape, vertices, bytes);
                  });

@@ -38,4 +38,11 @@ void append_rounded(std::vector<std::byte>& out, double value, ScalarType type) 
   }
 }
 
+void append_real(std::vector<std::byte>& out, double value) {
+  std::array<char, 512> text;  // a double takes up to 309 digits before the point
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 6).ptr;
+  append_text(out, {text.data(), end});
+}
+
 }  // namespace winnow

@@ -87,6 +87,9 @@ class MeshEncoder {
     return "the output's format holds no attributes:";
   }
 
+  // Whether normals that are carried are written where others are, as MeshVertex::normal, not as attributes.
+  [[nodiscard]] virtual bool normals_apart() const { return false; }
+
   [[nodiscard]] virtual bool needs_corners() const { return false; }
   // Whether header() and vertices() look at the shape's box.
   [[nodiscard]] virtual bool needs_box() const { return false; }

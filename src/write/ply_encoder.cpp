@@ -38,6 +38,18 @@ void encode_vertices(const MeshShape& shape, std::span<const MeshVertex> vertice
   }
 }
 
+void append_text_vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
+                          std::vector<std::byte>& out) {
+  for (const MeshVertex& vertex : vertices) {
+    append_geometry(out, shape, vertex);
+    for (std::size_t i = 0; i < shape.attributes.size(); ++i) {
+      append_text(out, " ");
+      append_rounded(out, vertex.attributes[i], shape.attributes[i].type);
+    }
+    append_text(out, "\n");
+  }
+}
+
 class PlyEncoder final : public MeshEncoder {
  public:
   explicit PlyEncoder(bool ascii) : ascii_(ascii) {}
@@ -67,7 +79,7 @@ class PlyEncoder final : public MeshEncoder {
   void vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
                 std::vector<std::byte>& out) const override {
     if (ascii_) {
-      append_lines(out, shape, vertices);
+      append_text_vertices(shape, vertices, out);
     } else if (shape.double_positions) {
       encode_vertices<double>(shape, vertices, out);
     } else {
