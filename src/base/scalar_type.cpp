@@ -27,8 +27,12 @@ template <typename Number>
 void store(double value, std::byte* at) {
   constexpr auto low = static_cast<double>(std::numeric_limits<Number>::lowest());
   constexpr auto high = static_cast<double>(std::numeric_limits<Number>::max());
-  if constexpr (std::numeric_limits<Number>::is_integer) value = std::nearbyint(value);
-  const auto number = static_cast<Number>(std::clamp(value, low, high));
+  Number number{};
+  if constexpr (std::numeric_limits<Number>::is_integer) {
+    if (!std::isnan(value)) number = static_cast<Number>(std::clamp(std::nearbyint(value), low, high));
+  } else {
+    number = static_cast<Number>(std::isfinite(value) ? std::clamp(value, low, high) : value);
+  }
   std::memcpy(at, &number, sizeof number);
 }
 

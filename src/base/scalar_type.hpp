@@ -13,7 +13,7 @@ bool is_integer(ScalarType type);
 const char* name_of(ScalarType type);  // "uchar", "float": as PLY calls it
 
 // Writes the number of the type that is nearest to `value`, and so the lowest or the highest one where that
-// is beyond; `value` must be a number.
+// is beyond. Of what is not finite a real type keeps what it is; no number is 0 as a whole one.
 void store_rounded(double value, ScalarType type, std::byte* at);
 
 }  // namespace winnow

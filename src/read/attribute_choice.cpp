@@ -156,7 +156,7 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
     if (attribute.kind == AttributeKind::normal && !whole_normals) attribute.kind = AttributeKind::value;
     std::string refusal;
     if (wish.refusal) refusal = wish.refusal(attribute);
-    if (refusal.empty() && !wish.names && among(texture_names, attribute.name))
+    if (refusal.empty() && wish.averaged && !wish.names && among(texture_names, attribute.name))
       refusal = "texture coordinates, which have seams:";
     if (refusal.empty() && choice.carried.size() == most_attributes) {
       refusal = "more than " + std::to_string(most_attributes) + " attributes:";

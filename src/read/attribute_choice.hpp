@@ -20,6 +20,9 @@ struct AttributeWish {
   // unset.
   std::function<std::string(const Attribute&)> refusal;
 
+  // Whether their means are taken; where not, texture coordinates are as good as others.
+  bool averaged = true;
+
   [[nodiscard]] bool none() const { return names && names->empty(); }
 };
 

@@ -19,6 +19,9 @@ class IndexedReader : public MeshReader {
   void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override;
   std::optional<std::array<double, 3>> first_finite_position() override;
   std::vector<AttributeRange> attribute_ranges() override;
+  void read_attributes(const PositionView& view, std::vector<double>& out) const override {
+    vertices_.read_attributes(view.first, view.count, out);
+  }
 
   void rest() override { vertices_.rest(); }
   void check_whole() const override { source_->check_whole(); }

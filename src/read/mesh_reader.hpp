@@ -87,6 +87,10 @@ class MeshReader {
   };
   virtual std::vector<AttributeRange> attribute_ranges() { return {}; }
 
+  // Appends what the vertices of a PositionView carry, as it is stored, vertex by vertex; from any thread,
+  // while the view is there. Readers of a single input have it.
+  virtual void read_attributes(const PositionView& /*view*/, std::vector<double>& /*out*/) const {}
+
   // Gives back memory that only a pass needs; the next begin_...() takes it again.
   virtual void rest() {}
 

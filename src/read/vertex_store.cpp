@@ -269,6 +269,14 @@ void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<
   }
 }
 
+void VertexStore::read_attributes(std::uint64_t first, std::size_t count, std::vector<double>& out) const {
+  const std::byte* record = stretch(first, count);
+  for (std::size_t i = 0; i < count; ++i, record += layout_.stride) {
+    for (const VertexLayout::Number& number : layout_.attributes)
+      out.push_back(load_real(record + number.offset, number.type, layout_.swapped));
+  }
+}
+
 void VertexStore::rest() {
   if (window_ == nullptr) return;
   window_->drop_pages();

@@ -69,6 +69,9 @@ class VertexStore {
   // Positions in their order: `count` from `first` on, side by side into `out`.
   void read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const;
 
+  // Appends the attributes of these, vertex by vertex.
+  void read_attributes(std::uint64_t first, std::size_t count, std::vector<double>& out) const;
+
   // Calls each(record, count) with all records in their order, stretch by stretch.
   void for_each_stretch(const std::function<void(const std::byte*, std::size_t)>& each) const;
   [[nodiscard]] const VertexLayout& layout() const { return layout_; }

@@ -12,6 +12,17 @@ namespace {
 // Vectors nearer to this length are left as they are, so that equal normals stay what they were.
 constexpr double unit_tolerance = 1e-6;
 
+// From the attributes, where the shape has a normal besides and they have one.
+void take_normal(const MeshShape& shape, MeshVertex& vertex) {
+  for (std::size_t i = 0; i < shape.attributes.size() && shape.normals; ++i) {
+    const Attribute& attribute = shape.attributes[i];
+    if (attribute.kind != AttributeKind::normal) continue;
+    // nx, ny or nz
+    const auto along = static_cast<float>(vertex.attributes[i]);
+    vertex.normal.at(static_cast<std::size_t>(attribute.name[1] - 'x')) = std::isfinite(along) ? along : 0;
+  }
+}
+
 }  // namespace
 
 AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encoder) {
@@ -25,6 +36,18 @@ AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encode
   return wish;
 }
 
+std::vector<std::string> descriptions(const AttributeChoice& choice) {
+  std::vector<std::string> lines;
+  for (const Attribute& attribute : choice.carried) lines.push_back(described(attribute));
+  return lines;
+}
+
+void note_dropped(Job& job, const AttributeChoice& choice) {
+  std::string line;
+  for (const std::string& what : choice.dropped) line += (line.empty() ? "not carried: " : "; ") + what;
+  if (!line.empty()) job.note(line);
+}
+
 CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report) {
   const AttributeChoice& choice = reader.facts().choice;
   CarriedAttributes carried{choice.carried, {}};
@@ -32,14 +55,9 @@ CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& 
     carried.largest.push_back(range.largest);
     report.attributes.ignored += range.not_finite;
   }
-  for (const Attribute& attribute : carried.attributes)
-    report.attributes.carried.push_back(described(attribute));
+  report.attributes.carried = descriptions(choice);
   report.attributes.dropped = choice.dropped;
-  if (!choice.dropped.empty()) {
-    std::string line;
-    for (const std::string& what : choice.dropped) line += (line.empty() ? "not carried: " : "; ") + what;
-    job.note(line);
-  }
+  note_dropped(job, choice);
   if (report.attributes.ignored > 0) {
     job.note(grouped(report.attributes.ignored) +
              " numbers of carried attributes are not finite; the means leave them out");
@@ -50,6 +68,7 @@ CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& 
 void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVertex& vertex) {
   const std::vector<Attribute>& attributes = shape.attributes;
   vertex.attributes = values;
+  if (shape.as_stored) return take_normal(shape, vertex);
   double square = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (attributes[i].kind == AttributeKind::normal) square += values[i] * values[i];
@@ -60,10 +79,10 @@ void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVer
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (attributes[i].kind != AttributeKind::normal) continue;
     // nx, ny or nz
-    float& along = vertex.normal.at(static_cast<std::size_t>(attributes[i].name[1] - 'x'));
-    if (!unit) values[i] = length > 0 ? values[i] / length : double{along};
-    if (shape.normals) along = static_cast<float>(values[i]);
+    const auto axis = static_cast<std::size_t>(attributes[i].name[1] - 'x');
+    if (!unit) values[i] = length > 0 ? values[i] / length : double{vertex.normal.at(axis)};
   }
+  take_normal(shape, vertex);
 }
 
 }  // namespace winnow

@@ -13,6 +13,12 @@ namespace winnow {
 // `encoder` must live as long as the wish.
 AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encoder);
 
+// "red (uchar)", of each that is carried.
+std::vector<std::string> descriptions(const AttributeChoice& choice);
+
+// Notes what is not carried.
+void note_dropped(Job& job, const AttributeChoice& choice);
+
 // What the reader carries; fills report.attributes and notes what is not carried. To be called before any
 // faces are read.
 CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report);

@@ -27,6 +27,7 @@ struct MeshShape {
   std::string comment{};                // one line; may be empty
   Box box{};                            // of all vertices; only where needs_box() asks for it
   std::vector<Attribute> attributes{};  // that vertices carry
+  bool as_stored = false;               // these are the numbers of the input, not means of them
 };
 
 struct MeshVertex {

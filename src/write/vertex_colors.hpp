@@ -4,6 +4,7 @@
 #include "write/mesh_encoder.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -21,10 +22,12 @@ class VertexColors {
   // Whether all components are whole numbers from 0 to 255.
   [[nodiscard]] bool bytes() const { return bytes_; }
 
-  // Red, green, blue or alpha, from 0 to 1, as sRGB has it. What is missing is 0, alpha 1.
+  // Red, green, blue or alpha, from 0 to 1, as sRGB has it. What is missing is 0, alpha 1; what is not finite
+  // is 0.
   [[nodiscard]] double component(const MeshVertex& vertex, std::size_t number) const {
     if (!place_[number]) return number == 3 ? 1 : 0;
-    return vertex.attributes[*place_[number]] / full_[number];
+    const double stored = vertex.attributes[*place_[number]];
+    return std::isfinite(stored) ? stored / full_[number] : 0;
   }
 
  private:

@@ -46,10 +46,16 @@ TEST_CASE("whole numbers are rounded to the nearest and end at their type's ends
   check_whole<std::uint32_t>(ScalarType::uint32);
 }
 
-TEST_CASE("real numbers are rounded to the nearest and stay finite") {
+TEST_CASE("real numbers are rounded to the nearest and stay finite, or what they are") {
   CHECK(stored<float>(0.1, ScalarType::float32) == 0.1F);
   CHECK(stored<float>(1e300, ScalarType::float32) == std::numeric_limits<float>::max());
   CHECK(stored<double>(0.1, ScalarType::float64) == 0.1);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  CHECK(stored<float>(-infinity, ScalarType::float32) == -std::numeric_limits<float>::infinity());
+  CHECK(stored<double>(infinity, ScalarType::float64) == infinity);
+  CHECK(std::isnan(stored<float>(std::nan(""), ScalarType::float32)));
+  CHECK(stored<std::int16_t>(std::nan(""), ScalarType::int16) == 0);
+  CHECK(stored<std::int16_t>(infinity, ScalarType::int16) == 32767);
 }
 
 }  // namespace winnow

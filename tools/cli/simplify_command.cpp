@@ -193,11 +193,7 @@ void show(const SimplifyReport& report, std::ostream& out) {
                         name_of(report.refine.cost) + ", " + show_count(report.refine.tiles) +
                         (report.refine.tiles == 1 ? " tile" : " tiles"));
   }
-  if (!report.attributes.carried.empty()) {
-    std::string names;
-    for (const std::string& name : report.attributes.carried) names += (names.empty() ? "" : ", ") + name;
-    line("carried", names);
-  }
+  if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
   if (report.resumed) line("resumed", describe(*report.resumed));
   line("time", show_seconds(report.seconds.total) + "  (" +
                    show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
