@@ -1,5 +1,6 @@
 #include "write/append_text.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace winnow {
@@ -39,10 +40,11 @@ void append_rounded(std::vector<std::byte>& out, double value, ScalarType type) 
 }
 
 void append_real(std::vector<std::byte>& out, double value) {
-  std::array<char, 512> text;  // a double takes up to 309 digits before the point
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 6).ptr;
-  append_text(out, {text.data(), end});
+  const std::size_t begin = out.size();
+  append_number(out, static_cast<float>(value));
+  const bool whole = std::all_of(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
+                                 [](std::byte b) { return b != std::byte{'.'} && b != std::byte{'e'}; });
+  if (whole) append_text(out, ".0");
 }
 
 }  // namespace winnow
