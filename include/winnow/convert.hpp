@@ -30,6 +30,10 @@ struct ConvertReport {
   struct {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
   } output;
+  struct {
+    std::vector<std::string> carried;  // "red (uchar)", in the order of the output
+    std::vector<std::string> dropped;  // what was not carried, and why: "properties of faces: flags"
+  } attributes;
   bool welded = false;  // equal positions of an input without vertices became one vertex
   std::uint64_t doubled_faces =
       0;  // of a welded input: faces with the same three vertices as another; left out
@@ -49,7 +53,8 @@ struct ConvertReport {
 // become triangles, bad faces are left out. A vertex that is not finite, which no face can use, is written as
 // the first that is finite. An input without (STL) gets vertices: equal positions become one, in the order
 // of a space-filling curve, and its faces come in the order of their lowest vertices, each set of three once.
-// Positions alone are carried, not yet normals, colours or other properties; a note names what is left.
+// Vertices keep what they carry (normals, colours, texture coordinates, any number; at most 16), as far as
+// the output's format holds it; a note names what is left.
 //
 // The bytes depend on the input's content and on `options` alone. Throws Error: usage, bad_input (also for an
 // input without a single good face), resources, cancelled, failed.

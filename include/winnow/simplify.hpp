@@ -53,8 +53,16 @@ struct SimplifyOptions {
   double max_normal_deviation = 45;  // by which one collapse may turn a face, in degrees; in (0, 90]
 
   Placement placement = Placement::quadric;  // where in its cell the vertex goes
-  bool normals = false;                      // write vertex normals (also done when the input has them)
-  bool strict = false;                       // the first bad face of the input is an error
+  bool normals =
+      false;  // write vertex normals, computed from the result; those of the input are not carried then
+  // What vertices carry besides: properties of the input by name, at most 16; "normals" stands for nx, ny and
+  // nz, "colors" for red, green, blue and alpha. Nothing: all whose means say something and that the output's
+  // format can hold (the report tells which not). Empty: none. Names and types stay; means are weighted by
+  // area, colours (as sRGB has them) averaged in linear light. A PLY may have any; an OBJ has red, green and
+  // blue (float, from 0 to 1), an OFF also alpha and normals, its colours uchar or float. PLY holds all, OBJ,
+  // OFF and GLB normals and colours, STL none. Of several inputs: what all have, of one type.
+  std::optional<std::vector<std::string>> attributes;
+  bool strict = false;  // the first bad face of the input is an error
 
   // Only the faces all of whose corners lie in this box (its sides included), in model units: its low and its
   // high corner. The others are counted, and neither they nor vertices outside have any influence. The
@@ -114,6 +122,12 @@ struct SimplifyReport {
     double max_error = 0;
     std::string stopped_by;  // "count", "error" or "topology"; empty without refinement
   } refine;
+
+  struct {
+    std::vector<std::string> carried;  // "red (uchar)", in the order of the output
+    std::vector<std::string> dropped;  // what was not carried, and why: "properties of faces: flags"
+    std::uint64_t ignored = 0;         // numbers that are not finite; the means leave them out
+  } attributes;
 
   double cell_size = 0;             // edge of a cell, in the units of the model; 0 where none was clustered
   std::uint64_t cells = 0;          // cells that any corner fell into

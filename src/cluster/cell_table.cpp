@@ -170,5 +170,8 @@ void CellTable<Sum>::release() {
 
 template class CellTable<CellSum>;
 template class CellTable<QuadricCellSum>;
+template class CellTable<AttributeSum<4>>;
+template class CellTable<AttributeSum<8>>;
+template class CellTable<AttributeSum<16>>;
 
 }  // namespace winnow

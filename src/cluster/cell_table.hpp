@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/pages.hpp"
+#include "cluster/attribute_sum.hpp"
 #include "cluster/cell_sum.hpp"
 #include "io/job.hpp"
 #include "io/sorted_runs.hpp"
@@ -62,5 +63,8 @@ class CellTable {
 
 extern template class CellTable<CellSum>;
 extern template class CellTable<QuadricCellSum>;
+extern template class CellTable<AttributeSum<4>>;
+extern template class CellTable<AttributeSum<8>>;
+extern template class CellTable<AttributeSum<16>>;
 
 }  // namespace winnow

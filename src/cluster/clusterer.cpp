@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
+#include "cluster/attribute_means.hpp"
 #include "cluster/cell_table.hpp"
 #include "cluster/face_list.hpp"
 #include "cluster/front_cache.hpp"
@@ -64,7 +65,11 @@ class ClustererOf final : public Clusterer {
         face_runs_(job),
         workers_(job.threads, [this] {
           return std::make_unique<Worker>(job_, memory_.faces / job_.threads, face_runs_);
-        }) {}
+        }) {
+    if (settings.attributes.empty()) return;
+    attributes_ = AttributeMeans::make(job, settings.attributes, AttributeMeans::Keys::cells,
+                                       {memory.attributes, memory.table_parts});
+  }
 
   void add(const FaceBatch& faces) override {
     Worker& worker = workers_.local();
@@ -115,17 +120,23 @@ class ClustererOf final : public Clusterer {
     for (std::size_t k = 0; k < bad; ++k) {
       const std::size_t i = worker.bad[k];
       if (worker.corners.kind[i] == close_corners && faces.status[i] == FaceStatus::good &&
-          !repeats_a_corner(faces, i)) {
+          !faces.repeats_a_corner(i)) {
         add_corners(worker, i, give_way);
       } else {
         count_bad(worker, faces, i);
       }
     }
     if (worker.corners.clamped) count_clamped(worker, faces);
+    if (attributes_ != nullptr) attributes_->add(faces, worker.corners);
   }
 
-  [[nodiscard]] bool wants_to_spill() const override { return table_.nearly_full(); }
-  void spill() override { table_.spill(); }
+  [[nodiscard]] bool wants_to_spill() const override {
+    return table_.nearly_full() || (attributes_ != nullptr && attributes_->wants_to_spill());
+  }
+  void spill() override {
+    if (attributes_ == nullptr || table_.nearly_full()) table_.spill();
+    if (attributes_ != nullptr && attributes_->wants_to_spill()) attributes_->spill();
+  }
 
   ClusterCounts counts() override {
     ClusterCounts sum;
@@ -145,8 +156,11 @@ class ClustererOf final : public Clusterer {
     ClusteredMesh mesh;
     {
       const std::unique_ptr<RecordCursor<Sum>> cells = table_.finish();
-      collect_vertices(job_, *cells, settings_, memory_.vertices, mesh);
+      std::unique_ptr<AttributeCursor> attributes;
+      if (attributes_ != nullptr) attributes = attributes_->finish();
+      collect_vertices(job_, *cells, attributes.get(), settings_, memory_.vertices, mesh);
     }
+    attributes_.reset();
     table_.release();
     table_memory_.release();
     std::vector<std::unique_ptr<RecordCursor<CellFace>>> faces;
@@ -215,13 +229,6 @@ class ClustererOf final : public Clusterer {
     if (kept) worker.faces.add(cell_face(morton_key(a), morton_key(b), morton_key(c)));
   }
 
-  static bool repeats_a_corner(const FaceBatch& faces, std::size_t i) {
-    const std::array<double, 3> a = faces.corner(0, i);
-    const std::array<double, 3> b = faces.corner(1, i);
-    const std::array<double, 3> c = faces.corner(2, i);
-    return a == b || a == c || b == c;
-  }
-
   void count_bad(Worker& worker, const FaceBatch& faces, std::size_t i) {
     const char* what = nullptr;
     if (faces.status[i] == FaceStatus::cropped) {
@@ -270,6 +277,7 @@ class ClustererOf final : public Clusterer {
   CornerKernel kernel_;
   Reservation table_memory_, face_memory_;
   CellTable<Sum> table_;
+  std::unique_ptr<AttributeMeans> attributes_;  // none where none are carried
   SortedRuns<CellFace> face_runs_;
   PerSlot<Worker> workers_;
 };

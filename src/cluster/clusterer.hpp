@@ -3,6 +3,7 @@
 
 #include <winnow/simplify.hpp>
 
+#include "base/attribute.hpp"
 #include "cluster/grid.hpp"
 #include "cluster/vertex_index.hpp"
 #include "io/job.hpp"
@@ -23,6 +24,7 @@ struct ClusterMemory {
   std::uint64_t vertices = 0;  // vertices of the result
   std::uint64_t result = 0;    // faces of the result
   std::size_t table_parts = 16;
+  std::uint64_t attributes = 0;  // of cells, or of welded vertices
 
   // What one thread needs besides, whatever the budget.
   static std::uint64_t per_thread(bool quadrics);
@@ -47,7 +49,9 @@ struct ClusterCounts {
 struct ClusteredMesh {
   std::unique_ptr<VertexIndex> vertices;
   std::unique_ptr<Spool> quadrics;  // of each vertex the Quadric of its cell; only for refinement
-  std::unique_ptr<Spool> faces;     // three uint32 a face, the lowest first; in ascending order of that
+  std::unique_ptr<Spool>
+      attributes;                // of each vertex the mean of each, a double; only where some are carried
+  std::unique_ptr<Spool> faces;  // three uint32 a face, the lowest first; in ascending order of that
   std::uint64_t face_count = 0;
   std::uint64_t cells = 0;
   std::uint64_t turned = 0;
@@ -62,6 +66,7 @@ struct ClusterSettings {
   // direction.
   bool for_refinement = false;
   bool keep_quadrics = false;  // of the cells; with Placement::quadric
+  CarriedAttributes attributes{};
 };
 
 class Clusterer {

@@ -94,9 +94,17 @@ bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
 }  // namespace
 
 template <typename Sum>
-void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings& settings,
-                      std::uint64_t memory, ClusteredMesh& mesh) {
+void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attributes,
+                      const ClusterSettings& settings, std::uint64_t memory, ClusteredMesh& mesh) {
   const bool quadrics = settings.keep_quadrics && settings.placement == Placement::quadric;
+  const std::size_t carried = settings.attributes.attributes.size();
+  if (attributes != nullptr) {
+    const std::uint64_t bytes = settings.attributes.bytes();
+    const std::uint64_t share =
+        memory / (bytes + sizeof(IndexedVertex) + (quadrics ? sizeof(Quadric) : 0)) * bytes;
+    mesh.attributes = std::make_unique<Spool>(job, share);
+    memory -= share;
+  }
   mesh.vertices = std::make_unique<VertexIndex>(job, quadrics ? memory / 2 : memory);
   if (quadrics) mesh.quadrics = std::make_unique<Spool>(job, memory / 2);
   Sum next{};
@@ -105,16 +113,22 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings&
     std::vector<WholeCell> cells;
     std::vector<IndexedVertex> vertices;
     std::vector<Quadric> quadrics;
+    std::vector<double> attributes;
   };
   pipeline<Chunk>(
       2 * std::size_t{job.threads},
       [&](Chunk& chunk) {
         chunk.cells.clear();
+        chunk.attributes.clear();
         while (more && chunk.cells.size() < chunk_cells) {
           WholeCell cell(next.key);
           for (; more && next.key == cell.key(); more = cells.next(next)) cell.add(next);
           ++mesh.cells;
-          if (cell.used()) chunk.cells.push_back(cell);
+          if (!cell.used()) continue;
+          chunk.cells.push_back(cell);
+          if (attributes == nullptr) continue;
+          chunk.attributes.resize(chunk.attributes.size() + carried);
+          attributes->find(cell.key(), std::span(chunk.attributes).last(carried));
         }
         job.progress.check_cancelled();
         return more || !chunk.cells.empty();
@@ -130,9 +144,11 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings&
       [&](const Chunk& chunk) {
         mesh.vertices->append(chunk.vertices);
         if (quadrics) mesh.quadrics->append(std::as_bytes(std::span(chunk.quadrics)));
+        if (attributes != nullptr) mesh.attributes->append(std::as_bytes(std::span(chunk.attributes)));
       });
   mesh.vertices->finish();
   if (quadrics) mesh.quadrics->finish();
+  if (attributes != nullptr) mesh.attributes->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(ErrorKind::failed,
                 "the result has " + grouped(mesh.vertices->size()) +
@@ -140,10 +156,10 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, const ClusterSettings&
   }
 }
 
-template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, const ClusterSettings&, std::uint64_t,
-                                        ClusteredMesh&);
-template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&, const ClusterSettings&,
-                                               std::uint64_t, ClusteredMesh&);
+template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, AttributeCursor*,
+                                        const ClusterSettings&, std::uint64_t, ClusteredMesh&);
+template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&, AttributeCursor*,
+                                               const ClusterSettings&, std::uint64_t, ClusteredMesh&);
 
 void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
                    ClusteredMesh& mesh) {

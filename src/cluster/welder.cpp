@@ -91,9 +91,29 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMem
   mesh.cells = mesh.vertices->size();
 }
 
+std::unique_ptr<Spool> collect_attributes(Job& job, AttributeMeans& means,
+                                          const CarriedAttributes& attributes, std::uint64_t memory,
+                                          std::uint64_t vertices) {
+  auto spool = std::make_unique<Spool>(job, memory);
+  const std::unique_ptr<AttributeCursor> cursor = means.finish();
+  const std::size_t carried = attributes.attributes.size();
+  std::vector<double> chunk;
+  for (std::uint64_t v = 0; v < vertices; ++v) {
+    chunk.resize(chunk.size() + carried);
+    cursor->find(v, std::span(chunk).last(carried));
+    if (chunk.size() < carried * chunk_records && v + 1 < vertices) continue;
+    spool->append(std::as_bytes(std::span(chunk)));
+    chunk.clear();
+    job.progress.check_cancelled();
+  }
+  spool->finish();
+  return spool;
+}
+
 }  // namespace
 
-ClusteredMesh weld(Job& job, MeshReader& reader, const WeldMemory& memory, ClusterCounts& counts) {
+ClusteredMesh weld(Job& job, MeshReader& reader, const CarriedAttributes& attributes,
+                   const WeldMemory& memory, ClusterCounts& counts) {
   ClusteredMesh mesh;
   const Box box = measure_box(job, reader);
   if (box.empty) return mesh;
@@ -102,6 +122,9 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldMemory& memory, Clust
 
   job.progress.begin("join faces", reader.facts().faces.value_or(0), "faces");
   Lists<CellFace> faces(job, memory.lists);
+  std::unique_ptr<AttributeMeans> means;
+  if (!attributes.empty())
+    means = AttributeMeans::make(job, attributes, AttributeMeans::Keys::numbers, memory.attributes);
   struct Worker {
     explicit Worker(const VertexIndex& index) : vertices(index) {}
     VertexIndex::Reader vertices;
@@ -109,7 +132,8 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldMemory& memory, Clust
   };
   PerSlot<Worker> workers(job.threads, [&] { return std::make_unique<Worker>(*mesh.vertices); });
   reader.begin_faces();
-  for_each_face_batch(
+  const auto stop = [&] { return means != nullptr && means->wants_to_spill(); };
+  while (for_each_face_batch(
       job, reader,
       [&](const FaceBatch& batch) {
         Worker& worker = workers.local();
@@ -128,12 +152,17 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldMemory& memory, Clust
             number[i] = worker.vertices.find(key_of(grid, p), p);
           }
           list.add(cell_face(number[0], number[1], number[2]));
+          if (means != nullptr) means->add(batch, face.number - batch.first, number);
         }
       },
-      [] { return false; });
+      stop)) {
+    means->spill();
+  }
   for (const Worker* worker : workers.all()) counts.add(worker->counts);
   MergedCursor<CellFace> merged = faces.merged();
   collect_numbered_faces(job, merged, memory.faces, mesh);
+  if (means != nullptr)
+    mesh.attributes = collect_attributes(job, *means, attributes, memory.means, mesh.vertices->size());
   return mesh;
 }
 

@@ -1,6 +1,7 @@
 // The other way from faces to a mesh: nothing is clustered, only equal positions are welded.
 #pragma once
 
+#include "cluster/attribute_means.hpp"
 #include "cluster/clusterer.hpp"
 #include "read/mesh_reader.hpp"
 
@@ -10,11 +11,16 @@ struct WeldMemory {
   std::uint64_t lists = 0;     // for sorting, all threads together
   std::uint64_t vertices = 0;  // of the result
   std::uint64_t faces = 0;
+  AttributeMemory attributes;  // while they are summed up
+  std::uint64_t means = 0;     // of the result
 };
 
 // Vertices in the order of their keys on a lattice over the box, those of one key by position; -0 is 0. Fills
 // `counts` of the faces. Reads the positions twice and then the faces. The mesh may have vertices that no
 // face uses.
-ClusteredMesh weld(Job& job, MeshReader& reader, const WeldMemory& memory, ClusterCounts& counts);
+// Attributes at equal positions are averaged, those of each corner of a face alike: so a seam, where they
+// differ, has their mean. Those of vertices that no face uses are 0.
+ClusteredMesh weld(Job& job, MeshReader& reader, const CarriedAttributes& attributes,
+                   const WeldMemory& memory, ClusterCounts& counts);
 
 }  // namespace winnow

@@ -55,6 +55,8 @@ class CroppedReader final : public MeshReader {
     return reader_->first_finite_position() ? std::optional(box_.low) : std::nullopt;
   }
 
+  std::vector<AttributeRange> attribute_ranges() override { return reader_->attribute_ranges(); }
+
   void rest() override { reader_->rest(); }
   void check_whole() const override { reader_->check_whole(); }
   [[nodiscard]] std::uint64_t bytes() const override { return reader_->bytes(); }

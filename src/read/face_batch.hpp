@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace winnow {
 
@@ -31,6 +32,8 @@ struct FaceBatch {
   // The numbers of the corners' vertices, [corner][face], where the format has vertices; good for as long as
   // the batch is handed on.
   std::array<const std::uint32_t*, 3> index{};
+  // Of the attributes that the reader carries: [attribute][corner][face]. Empty where it carries none.
+  std::vector<double> attributes;
 
   [[nodiscard]] std::array<double, 3> corner(std::size_t corner, std::size_t face) const {
     std::array<double, 3> xyz{};
@@ -38,6 +41,17 @@ struct FaceBatch {
       xyz[axis] = single ? double{single_position[corner][axis][face]} : position[corner][axis][face];
     }
     return xyz;
+  }
+
+  [[nodiscard]] double attribute(std::size_t number, std::size_t corner, std::size_t face) const {
+    return attributes[(3 * number + corner) * capacity + face];
+  }
+
+  [[nodiscard]] bool repeats_a_corner(std::size_t face) const {
+    const std::array<double, 3> a = corner(0, face);
+    const std::array<double, 3> b = corner(1, face);
+    const std::array<double, 3> c = corner(2, face);
+    return a == b || a == c || b == c;
   }
 };
 

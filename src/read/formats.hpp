@@ -7,28 +7,33 @@
 
 namespace winnow {
 
-std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory);
-InputOutlook look_at_ply(ByteSource& source);
+std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     const AttributeWish& wish);
+InputOutlook look_at_ply(ByteSource& source, const AttributeWish& wish);
 
-// OBJ. Here and below, is_...() says whether a text begins like one, as far as `head` shows.
+// OBJ. Here and below, is_...() says whether a text begins like one, as far as `head` shows, and
+// offer_of_...() what its vertices carry.
 bool is_obj(std::string_view head);
-std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory);
+AttributeOffer offer_of_obj(std::string_view head);
+std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     const AttributeWish& wish, const AttributeOffer& offer);
 
 // OFF as text, with or without colours, normals and the like.
 bool is_off(std::string_view head);
-std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory);
+AttributeOffer offer_of_off(std::string_view head);
+std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     const AttributeWish& wish, const AttributeOffer& offer);
 
 // .m, vertices and faces with numbers of their own.
 bool is_m(std::string_view head);
-std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory);
+std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                   const AttributeWish& wish, const AttributeOffer& offer);
 
 // glTF 2.0, as GLB or as JSON. The source must be seekable.
 bool is_gltf(std::string_view head);
 std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory);
+                                      const ReaderMemory& memory, const AttributeWish& wish,
+                                      const AttributeOffer& offer);
 
 // STL, binary or ASCII, by content.
 std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source,

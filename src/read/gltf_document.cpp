@@ -275,12 +275,28 @@ class Parser {
         ++document_.other_primitives;
         continue;
       }
+      note_unread(primitive);
       GltfPrimitive& added = mesh.emplace_back();
       added.mode = static_cast<GltfPrimitive::Mode>(mode - 4);
       added.positions = index_into(positions, "POSITION", document_.accessors.size());
       const Json& indices = find(primitive, "indices");
       if (!indices.is_null()) added.indices = index_into(indices, "indices", document_.accessors.size());
     }
+  }
+
+  void note_unread(const Json& primitive) {
+    const auto note = [&](const char* what) {
+      if (std::find(document_.unread.begin(), document_.unread.end(), what) == document_.unread.end())
+        document_.unread.emplace_back(what);
+    };
+    for (const auto& [name, accessor] : member(primitive, "attributes").items()) {
+      if (name == "POSITION") continue;
+      note(name == "NORMAL"                ? "normals"
+           : name.starts_with("COLOR_")    ? "colours"
+           : name.starts_with("TEXCOORD_") ? "texture coordinates"
+                                           : "other attributes");
+    }
+    if (!find(primitive, "material").is_null()) note("materials");
   }
 
   template <std::size_t Size>

@@ -83,6 +83,7 @@ struct GltfDocument {
   std::vector<std::vector<GltfPrimitive>> meshes;
   std::vector<GltfPlacedMesh> placed;  // in the default scene, in its order
   std::uint64_t other_primitives = 0;  // points, lines and what has no positions, left out of `meshes`
+  std::vector<std::string> unread;     // what primitives have besides, in words
 };
 
 // Throws Error(bad_input), beginning with `name`, where the text is no such JSON, where it names what is not

@@ -115,6 +115,7 @@ class GltfParser {
       first_vertex_.clear();
       for (const GltfPrimitive& primitive : document_.meshes[placed.mesh]) add(primitive, placed.to_world);
     }
+    for (const std::string& what : document_.unread) mesh_.pass_over(what);
     if (document_.other_primitives > 0) {
       mesh_.job().note(grouped(document_.other_primitives) +
                        (document_.other_primitives == 1 ? " primitive" : " primitives") +
@@ -216,10 +217,11 @@ bool is_gltf(std::string_view head) {
 }
 
 std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory) {
+                                      const ReaderMemory& memory, const AttributeWish& wish,
+                                      const AttributeOffer& offer) {
   const bool binary = source->peek(4).bytes.size() == 4 &&
                       load<std::uint32_t>(source->peek(4).bytes.data(), false) == 0x46546C67;
-  return std::make_unique<KeptReader>(job, std::move(source), memory, binary ? "GLB" : "glTF",
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, binary ? "GLB" : "glTF", offer,
                                       parse_gltf_file);
 }
 

@@ -6,7 +6,8 @@
 
 namespace winnow {
 
-// Positions are those of a VertexStore, which the derived class fills before anything is asked.
+// Positions and attributes are those of a VertexStore, which the derived class fills before anything is
+// asked.
 class IndexedReader : public MeshReader {
  public:
   IndexedReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
@@ -17,12 +18,19 @@ class IndexedReader : public MeshReader {
   bool next_positions(RawBatch& batch) override;
   void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override;
   std::optional<std::array<double, 3>> first_finite_position() override;
+  std::vector<AttributeRange> attribute_ranges() override;
+  void read_attributes(const PositionView& view, std::vector<double>& out) const override {
+    vertices_.read_attributes(view.first, view.count, out);
+  }
 
   void rest() override { vertices_.rest(); }
   void check_whole() const override { source_->check_whole(); }
   [[nodiscard]] const std::string& name() const override { return source_->name(); }
 
  protected:
+  // Of facts_.choice.
+  [[nodiscard]] std::vector<ScalarType> carried_types() const;
+
   Job& job_;
   std::unique_ptr<ByteSource> source_;
   ReaderMemory memory_;

@@ -20,16 +20,27 @@ void add(std::optional<std::uint64_t>& sum, const std::optional<std::uint64_t>& 
   }
 }
 
+// Has nothing to carry, and keeps others from nothing.
+bool is_bare(const InputOutlook& outlook) {
+  return outlook.facts.vertices == std::uint64_t{0};
+}
+
+std::string joint_name(const std::vector<std::string>& names) {
+  return names.front() + " and " + grouped(names.size() - 1) + " more";
+}
+
 class JoinedReader final : public MeshReader {
  public:
-  JoinedReader(Job& job, const std::vector<std::string>& names, Format format, const ReaderMemory& memory)
+  JoinedReader(Job& job, const std::vector<std::string>& names, Format format, const ReaderMemory& memory,
+               const AttributeWish& wish)
       : job_(job),
         names_(names),
         format_(format),
         memory_(memory),
-        name_(names.front() + " and " + grouped(names.size() - 1) + " more"),
+        name_(joint_name(names)),
         bytes_(names.size()) {
     std::vector<std::string> formats;
+    std::vector<AttributeOffer> offers;
     facts_.faces = facts_.vertices = 0;
     facts_.normals = true;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -41,7 +52,12 @@ class JoinedReader final : public MeshReader {
       add(facts_.vertices, facts.vertices);
       facts_.double_positions |= facts.double_positions;
       facts_.normals &= facts.normals;
+      if (!bare_) offers.push_back(facts.offer);
     }
+    facts_.offer = common_offer(offers);
+    facts_.choice = choose_attributes(wish, facts_.offer, name_);
+    carried_.names.emplace();
+    for (const Attribute& attribute : facts_.choice.carried) carried_.names->push_back(attribute.name);
     for (const std::string& format_name : formats)
       facts_.format += (facts_.format.empty() ? "" : " and ") + format_name;
   }
@@ -66,9 +82,16 @@ class JoinedReader final : public MeshReader {
   }
   bool next_faces(RawBatch& batch) override { return seen(batch, reader_->next_faces(batch)); }
   void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override {
+    std::vector<double> attributes(facts_.choice.carried.size() * block);
     reader_->decode_faces(batch, slice, [&](const FaceBatch& /*slice*/) {
       slice.first += before_;
+      for (std::size_t i = 0; i < place_.size(); ++i) {
+        const auto from = slice.attributes.begin() + static_cast<std::ptrdiff_t>(place_[i] * block);
+        std::copy_n(from, block, attributes.begin() + static_cast<std::ptrdiff_t>(i * block));
+      }
+      slice.attributes.swap(attributes);
       sink(slice);
+      slice.attributes.swap(attributes);
     });
   }
 
@@ -88,6 +111,19 @@ class JoinedReader final : public MeshReader {
     return {};
   }
 
+  std::vector<AttributeRange> attribute_ranges() override {
+    std::vector<AttributeRange> ranges(facts_.choice.carried.size());
+    for (std::size_t part = 0; part < names_.size() && !ranges.empty(); ++part) {
+      open(part);
+      const std::vector<AttributeRange> here = reader_->attribute_ranges();
+      for (std::size_t i = 0; i < place_.size(); ++i) {
+        ranges[i].largest = std::max(ranges[i].largest, here[place_[i]].largest);
+        ranges[i].not_finite += here[place_[i]].not_finite;
+      }
+    }
+    return ranges;
+  }
+
   void rest() override { reader_->rest(); }
   void check_whole() const override { reader_->check_whole(); }
   [[nodiscard]] const std::string& name() const override { return name_; }
@@ -103,7 +139,19 @@ class JoinedReader final : public MeshReader {
     if (reader_ != nullptr) bytes_[current_] = std::max(bytes_[current_], reader_->bytes());
     reader_.reset();
     current_ = part;
-    reader_ = open_reader(job_, open_source(job_, names_[part]), format_, Access::once, memory_);
+    std::unique_ptr<ByteSource> source = open_source(job_, names_[part]);
+    bare_ = is_bare(look_at(job_, *source, format_, Access::once));
+    reader_ = open_reader(job_, std::move(source), format_, Access::once, memory_,
+                          bare_ ? AttributeWish{} : carried_);
+    place_.clear();
+    if (bare_ || carried_.none()) return;
+    // Each file has them in an order of its own.
+    const std::vector<Attribute>& here = reader_->facts().choice.carried;
+    for (const Attribute& attribute : facts_.choice.carried) {
+      const auto found = std::find_if(here.begin(), here.end(),
+                                      [&](const Attribute& one) { return one.name == attribute.name; });
+      place_.push_back(static_cast<std::size_t>(found - here.begin()));
+    }
   }
 
   void begin(std::size_t part) {
@@ -121,14 +169,19 @@ class JoinedReader final : public MeshReader {
     return more;
   }
 
+  static constexpr std::size_t block = 3 * FaceBatch::capacity;  // numbers of one attribute in a batch
+
   Job& job_;
   std::vector<std::string> names_;
   Format format_;
   ReaderMemory memory_;
   std::string name_;
   std::vector<std::uint64_t> bytes_;  // of each file, as far as it was read
+  AttributeWish carried_;             // what is asked of each file
+  std::vector<std::size_t> place_;    // of each attribute its place among those of the file at work
   std::unique_ptr<MeshReader> reader_;
   std::size_t current_ = 0;
+  bool bare_ = false;         // this one
   std::uint64_t before_ = 0;  // faces or positions of the files before
   std::uint64_t seen_ = 0;    // of this one
   bool positions_ = false;
@@ -147,12 +200,14 @@ void check_regular(const std::string& name) {
 }  // namespace
 
 std::unique_ptr<MeshReader> join_files(Job& job, const std::vector<std::string>& names, Format format,
-                                       const ReaderMemory& memory) {
-  return std::make_unique<JoinedReader>(job, names, format, memory);
+                                       const ReaderMemory& memory, const AttributeWish& wish) {
+  return std::make_unique<JoinedReader>(job, names, format, memory, wish);
 }
 
-InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Format format) {
+InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Format format,
+                           const AttributeWish& wish) {
   InputOutlook outlook;
+  std::vector<AttributeOffer> offers;
   outlook.facts.faces = outlook.facts.vertices = 0;
   outlook.bytes = 0;
   for (const std::string& name : names) {
@@ -165,7 +220,10 @@ InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Form
     outlook.vertices_kept |= one.vertices_kept;
     outlook.faces_kept |= one.faces_kept;
     outlook.taken_in |= one.taken_in;
+    if (!is_bare(one)) offers.push_back(one.facts.offer);
   }
+  outlook.facts.offer = common_offer(offers);
+  outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, joint_name(names));
   return outlook;
 }
 

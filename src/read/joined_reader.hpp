@@ -11,11 +11,14 @@ namespace winnow {
 // Faces and positions of all files in their order, numbered through. One file is open at a time, so that many
 // take no more memory than one; each is opened again in each pass. Throws Error(usage) for what is no regular
 // file and so cannot be read twice.
+// Attributes are carried that all files offer under one name and of one type; of files without vertices
+// nothing is asked.
 std::unique_ptr<MeshReader> join_files(Job& job, const std::vector<std::string>& names, Format format,
-                                       const ReaderMemory& memory);
+                                       const ReaderMemory& memory, const AttributeWish& wish = {});
 
 // The same, from the first bytes of each.
-InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Format format);
+InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Format format,
+                           const AttributeWish& wish = {});
 
 // What the readers of these files take of the budget besides, decompressing them: the most of any.
 std::uint64_t memory_to_open(Job& job, const std::vector<std::string>& names);

@@ -5,14 +5,16 @@
 #include "base/text.hpp"
 #include "read/slices.hpp"
 
+#include <algorithm>
+
 namespace winnow {
 
-void KeptMesh::add_vertices(std::span<const double> xyz, bool single) {
+void KeptMesh::add_vertices(std::span<const double> xyz, bool single, std::span<const double> attributes) {
   if (xyz.size() / 3 > no_vertex - vertices_.size()) {
     throw Error(ErrorKind::bad_input,
                 "'" + name_ + "' has more than " + grouped(no_vertex) + " vertices, which is not supported");
   }
-  vertices_.keep(xyz);
+  vertices_.keep(xyz, attributes);
   single_ = single_ && single;
 }
 
@@ -25,16 +27,26 @@ void KeptMesh::add_polygon(std::span<const std::uint32_t> corners) {
   faces_.add(fan_);
 }
 
+void KeptMesh::pass_over(const std::string& what) {
+  if (std::find(passed_over_.begin(), passed_over_.end(), what) == passed_over_.end())
+    passed_over_.push_back(what);
+}
+
 // On a coherent mesh the vertices, in doubles, take as much as the faces.
 KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                       const std::string& format, const Parse& parse)
+                       const AttributeWish& wish, const std::string& format, const AttributeOffer& offer,
+                       const Parse& parse)
     : IndexedReader(job, std::move(source), memory, memory.vertices / 2),
       faces_(job, memory.vertices * 3 / 8),
       numbers_(job, memory.vertices / 8) {
   facts_.format = format;
   if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
-  KeptMesh mesh(job, vertices_, faces_, numbers_, source_->name());
-  vertices_.begin_keeping(true);
+  facts_.offer = offer;
+  facts_.choice = choose_attributes(wish, offer, source_->name());
+  std::vector<bool> carried(offer.scalars.size());
+  for (const std::size_t scalar : facts_.choice.scalar) carried[scalar] = true;
+  KeptMesh mesh(job, vertices_, faces_, numbers_, std::move(carried), source_->name());
+  vertices_.begin_keeping(true, carried_types());
   job.progress.begin("read the mesh", source_->size().value_or(0), "bytes");
   parse(*source_, memory.batch_faces, mesh);
   vertices_.finish_keeping();
@@ -44,6 +56,13 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   facts_.vertices = vertices_.size();
   facts_.faces = faces_.size();
   facts_.double_positions = !mesh.single();
+  std::string line;
+  for (const Attribute& attribute : offer.scalars)
+    line += (line.empty() ? "vertex: " : " ") + described(attribute);
+  if (!line.empty()) facts_.attributes.push_back(line);
+  facts_.attributes.insert(facts_.attributes.end(), mesh.passed_over().begin(), mesh.passed_over().end());
+  facts_.offer.unread = mesh.passed_over();
+  facts_.choice = choose_attributes(wish, facts_.offer, source_->name());
 }
 
 void KeptReader::begin_faces() {

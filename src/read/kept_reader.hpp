@@ -21,16 +21,30 @@ constexpr std::uint32_t no_vertex = UINT32_MAX;
 // What a format's parser fills, by one thread at a time.
 class KeptMesh {
  public:
-  KeptMesh(Job& job, VertexStore& vertices, KeptFaces& faces, VertexNumbers& numbers, std::string name)
-      : job_(job), vertices_(vertices), faces_(faces), numbers_(numbers), name_(std::move(name)) {}
+  KeptMesh(Job& job, VertexStore& vertices, KeptFaces& faces, VertexNumbers& numbers,
+           std::vector<bool> carried, std::string name)
+      : job_(job),
+        vertices_(vertices),
+        faces_(faces),
+        numbers_(numbers),
+        carried_(std::move(carried)),
+        name_(std::move(name)) {}
 
-  // `single`: floats say the same. A mesh of which all vertices are single is one of floats.
-  void add_vertices(std::span<const double> xyz, bool single);
+  // Of each attribute that the format offered whether it is carried.
+  [[nodiscard]] const std::vector<bool>& carried() const { return carried_; }
+
+  // `single`: floats say the same. A mesh of which all vertices are single is one of floats. `attributes`:
+  // those that are carried, vertex by vertex.
+  void add_vertices(std::span<const double> xyz, bool single, std::span<const double> attributes = {});
   // By which the corners of faces name vertices, if at all; else they count them from 0.
   void add_numbers(std::span<const std::uint32_t> numbers) { numbers_.add(numbers); }
   // A fan of triangles; of fewer than three corners, a degenerate one.
   void add_polygon(std::span<const std::uint32_t> corners);
   void add_triangles(std::span<const std::uint32_t> corners) { faces_.add(corners); }  // three each
+
+  // What the parser comes across and does not read, in words, each once.
+  void pass_over(const std::string& what);
+  [[nodiscard]] const std::vector<std::string>& passed_over() const { return passed_over_; }
 
   [[nodiscard]] std::uint64_t vertices() const { return vertices_.size(); }
   [[nodiscard]] bool single() const { return single_; }
@@ -42,18 +56,21 @@ class KeptMesh {
   VertexStore& vertices_;
   KeptFaces& faces_;
   VertexNumbers& numbers_;
+  std::vector<bool> carried_;
   std::string name_;
   bool single_ = true;
   std::vector<std::uint32_t> fan_;
+  std::vector<std::string> passed_over_;
 };
 
 class KeptReader : public IndexedReader {
  public:
-  // Reads the whole source into the mesh.
+  // Reads the whole source into the mesh. `offer`: by the first bytes of the source.
   using Parse = std::function<void(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh)>;
 
   KeptReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-             const std::string& format, const Parse& parse);
+             const AttributeWish& wish, const std::string& format, const AttributeOffer& offer,
+             const Parse& parse);
 
   void begin_faces() override;
   bool next_faces(RawBatch& batch) override;

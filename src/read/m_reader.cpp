@@ -27,10 +27,13 @@ void parse_m_lines(const TextBlock& block, ParsedLines& lines) {
                    "the vertex number " + std::string(word.substr(0, 40)) + " is not between 0 and 2^32");
       lines.add_number(static_cast<std::uint32_t>(number));
       lines.add_position(words);
+      if (!words.next().empty()) lines.pass_over("attributes of vertices");
     } else if (keyword == "Face") {
       integer(words.next(), words, lines);
-      for (std::string_view word = words.next(); !word.empty() && word.front() != '{'; word = words.next())
+      std::string_view word = words.next();
+      for (; !word.empty() && word.front() != '{'; word = words.next())
         lines.add_corner(integer(word, words, lines), false);
+      if (!word.empty()) lines.pass_over("attributes of faces");
       lines.end_face();
     }
   }
@@ -54,8 +57,9 @@ bool is_m(std::string_view head) {
   return false;
 }
 
-std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory) {
-  return std::make_unique<KeptReader>(job, std::move(source), memory, "M", parse_m);
+std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                   const AttributeWish& wish, const AttributeOffer& offer) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "M", offer, parse_m);
 }
 
 }  // namespace winnow

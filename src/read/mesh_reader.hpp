@@ -5,6 +5,7 @@
 
 #include "io/byte_source.hpp"
 #include "io/job.hpp"
+#include "read/attribute_choice.hpp"
 #include "read/face_batch.hpp"
 
 #include <cstdint>
@@ -25,6 +26,8 @@ struct InputFacts {
   bool double_positions = false;
   bool normals = false;
   std::vector<std::string> attributes;  // "vertex: nx, ny, nz (float)"
+  AttributeOffer offer;
+  AttributeChoice choice;  // those that are carried
 };
 
 // A stretch of the input, cut at whole faces (or positions) but not yet decoded.
@@ -76,6 +79,18 @@ class MeshReader {
   // none. To be called before begin_faces(); costs next to nothing.
   virtual std::optional<std::array<double, 3>> first_finite_position() = 0;
 
+  // Of each attribute that is carried the largest size of a finite number, or a bound for it, over all
+  // vertices, and how many numbers are not finite. To be called before begin_faces().
+  struct AttributeRange {
+    double largest = 0;
+    std::uint64_t not_finite = 0;
+  };
+  virtual std::vector<AttributeRange> attribute_ranges() { return {}; }
+
+  // Appends what the vertices of a PositionView carry, as it is stored, vertex by vertex; from any thread,
+  // while the view is there. Readers of a single input have it.
+  virtual void read_attributes(const PositionView& /*view*/, std::vector<double>& /*out*/) const {}
+
   // Gives back memory that only a pass needs; the next begin_...() takes it again.
   virtual void rest() {}
 
@@ -97,9 +112,11 @@ struct ReaderMemory {
 };
 
 // Finds the format by content where `format` says automatic. Takes the source; copies it to scratch first
-// where `access` asks for what the source cannot do.
+// where `access` asks for what the source cannot do. Throws Error(usage) where `wish` names what the input
+// lacks.
 std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format,
-                                        Access access, const ReaderMemory& memory);
+                                        Access access, const ReaderMemory& memory,
+                                        const AttributeWish& wish = {});
 
 // The same, without touching more than the first bytes: what would be read, and how.
 struct InputOutlook {
@@ -111,6 +128,7 @@ struct InputOutlook {
   bool taken_in = false;       // all is parsed into memory or scratch before anything else
   std::string compression;
 };
-InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access);
+InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access,
+                     const AttributeWish& wish = {});
 
 }  // namespace winnow

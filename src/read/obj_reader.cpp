@@ -26,23 +26,40 @@ void add_corner(std::string_view word, ParsedLines& lines) {
   lines.add_corner(lines.vertices() + number, true);
 }
 
-void parse_obj_lines(const TextBlock& block, ParsedLines& lines) {
+// Numbers behind the position that are a colour.
+constexpr std::array<const char*, 3> components{"red", "green", "blue"};
+
+void parse_obj_lines(const TextBlock& block, bool colors, ParsedLines& lines) {
   TextLines each(block.text());
   for (std::string_view line; each.next(line);) {
     LineWords words(line);
     const std::string_view keyword = words.next();
     if (keyword == "v") {
       lines.add_position(words);
+      if (colors) {
+        lines.add_attributes(words, false);
+      } else if (!words.next().empty() && !words.next().empty()) {
+        lines.pass_over("colours of some vertices");  // one number alone is a weight
+      }
     } else if (keyword == "f") {
       for (std::string_view word = words.next(); !word.empty(); word = words.next()) add_corner(word, lines);
       lines.end_face();
+    } else if (keyword == "vn") {
+      lines.pass_over("normals");
+    } else if (keyword == "vt") {
+      lines.pass_over("texture coordinates");
+    } else if (keyword == "usemtl") {
+      lines.pass_over("materials");
     }
   }
 }
 
 void parse_obj(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
   TextBlocks blocks(source, text_block_bytes(batch_faces));
-  parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_obj_lines}, mesh);
+  const bool colors = !mesh.carried().empty();
+  parse_text({[&](TextBlock& block) { return blocks.next(block); },
+              [&](const TextBlock& block, ParsedLines& lines) { parse_obj_lines(block, colors, lines); }},
+             mesh);
 }
 
 // What may stand before the first vertex or face.
@@ -66,9 +83,24 @@ bool is_obj(std::string_view head) {
   return false;
 }
 
-std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory) {
-  return std::make_unique<KeptReader>(job, std::move(source), memory, "OBJ", parse_obj);
+AttributeOffer offer_of_obj(std::string_view head) {
+  AttributeOffer offer;
+  TextLines each(head);
+  for (std::string_view line; each.next(line);) {
+    LineWords words(line);
+    if (words.next() != "v") continue;
+    std::size_t numbers = 0;
+    while (!words.next().empty()) ++numbers;
+    for (std::size_t i = 0; i < components.size() && numbers == 6; ++i)
+      offer.scalars.push_back({components[i], ScalarType::float32});
+    break;
+  }
+  return offer;
+}
+
+std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     const AttributeWish& wish, const AttributeOffer& offer) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OBJ", offer, parse_obj);
 }
 
 }  // namespace winnow

@@ -1,5 +1,6 @@
 // OFF as text, as Geomview's manual describes it: a header, a vertex a line, a face a line. What stands
-// behind the position (colours, normals, texture coordinates) and behind the indices is passed over.
+// behind the position (normal, colour, texture coordinates) is offered; what stands behind indices is passed
+// over.
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
@@ -30,6 +31,73 @@ std::optional<Keyword> keyword_of(std::string_view word) {
       std::all_of(found.behind.begin(), found.behind.end(), [](char c) { return c >= '0' && c <= '9'; });
   if (!left.empty() || !number) return {};
   return found;
+}
+
+// What the header says of vertices. Behind the position stand normal, colour and texture coordinates, in this
+// order.
+struct Vertices {
+  bool normals = false, colors = false, texture = false;
+  std::uint64_t count = 0;
+};
+
+Vertices vertices_of(const Keyword& keyword) {
+  const auto has = [&](std::string_view part) { return keyword.prefix.find(part) != std::string_view::npos; };
+  return {has("N"), has("C"), has("ST"), 0};
+}
+
+// Reads the header alone, as far as it stands in `lines`; nothing is wrong with it yet.
+Vertices vertices_of(TextLines& lines) {
+  Vertices vertices;
+  std::optional<Keyword> keyword;
+  std::size_t found = 0;
+  for (std::string_view line; found < 3 && lines.next(line);) {
+    LineWords words(line);
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+      if (!keyword) {
+        keyword = keyword_of(word);
+        if (!keyword) return {};
+        vertices = vertices_of(*keyword);
+        word = keyword->behind;
+        if (word.empty()) continue;
+      }
+      if (found++ == 0) vertices.count = static_cast<std::uint64_t>(parse_integer(word).value_or(0));
+    }
+    if (found == 2) ++found;  // some writers leave the edges out
+  }
+  return vertices;
+}
+
+// What only the numbers of the first vertices tell: how many a colour has, and whether they are whole, from 0
+// to 255. Whole numbers up to 1 may be either, and are taken for reals.
+struct Colors {
+  bool whole_lines = false;  // the first vertex has all that the keyword says
+  std::size_t components = 0;
+  bool bytes = false;
+};
+
+Colors colors_of(TextLines& lines, const Vertices& vertices) {
+  Colors colors;
+  const std::size_t before = vertices.normals ? 6 : 3;
+  const std::size_t behind = vertices.texture ? 2 : 0;
+  std::vector<std::string_view> words;
+  std::uint64_t seen = 0;
+  for (std::string_view line; seen < vertices.count && lines.next(line);) {
+    LineWords of_line(line);
+    words.clear();
+    for (std::string_view word = of_line.next(); !word.empty(); word = of_line.next()) words.push_back(word);
+    if (words.empty()) continue;
+    if (++seen == 1) {
+      colors.whole_lines = words.size() >= before + behind;
+      if (!colors.whole_lines || !vertices.colors) return colors;
+      colors.components = words.size() - before - behind;
+    }
+    for (std::size_t i = before; i < words.size() && i < before + colors.components; ++i) {
+      if (words[i].find_first_not_of("0123456789") != std::string_view::npos)
+        return {true, colors.components, false};
+      colors.bytes |= words[i] != "0" && words[i] != "1";
+    }
+  }
+  return colors;
 }
 
 // The first word that is no comment.
@@ -72,7 +140,7 @@ class OffParser {
 
  private:
   [[noreturn]] void fail(const TextBlock& block, std::string_view place, const std::string& what) const {
-    ParsedLines(block, source_.name()).fail(place, what);
+    ParsedLines(block, source_.name(), mesh_.carried()).fail(place, what);
   }
 
   // The keyword and three counts, on as many lines as they take.
@@ -118,6 +186,13 @@ class OffParser {
     }
     left_ = counts[0];
     faces_ = counts[1];
+    // What the keyword says and the first vertices do not bear out was not offered.
+    const Vertices vertices = vertices_of(*keyword);
+    const std::size_t normals = vertices.normals ? 3 : 0;
+    if (vertices.colors && mesh_.carried().size() < normals + 3) {
+      mesh_.pass_over("colours");
+      if (vertices.texture) mesh_.pass_over("texture coordinates");
+    }
   }
 
   void check_prefix(const TextBlock& block, const Keyword& keyword) const {
@@ -160,6 +235,8 @@ class OffParser {
       if (LineWords(line).next().empty()) continue;
       if (vertices_next_) {
         lines.add_position(words);
+        lines.add_attributes(words, true);
+        if (!words.next().empty()) lines.pass_over("numbers behind vertices");
       } else {
         parse_face(words, lines);
       }
@@ -178,6 +255,7 @@ class OffParser {
       lines.add_corner(vertex < 0 ? -1 : vertex, false);
     }
     lines.end_face();
+    if (!words.next().empty()) lines.pass_over("colours of faces");
   }
 
   // A pipe's writer must not be cut off.
@@ -203,9 +281,29 @@ bool is_off(std::string_view head) {
   return keyword_of(first_word(head)).has_value();
 }
 
-std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory) {
-  return std::make_unique<KeptReader>(job, std::move(source), memory, "OFF", parse_off);
+AttributeOffer offer_of_off(std::string_view head) {
+  AttributeOffer offer;
+  TextLines each(head);
+  Vertices vertices = vertices_of(each);
+  const auto add = [&](const std::vector<const char*>& names, ScalarType type) {
+    for (const char* name : names) offer.scalars.push_back({name, type});
+  };
+  const Colors colors = colors_of(each, vertices);
+  if (!colors.whole_lines) return offer;
+  if (vertices.normals) add({"nx", "ny", "nz"}, ScalarType::float32);
+  if (vertices.colors) {
+    if (colors.components < 3 || colors.components > 4) return offer;
+    const ScalarType type = colors.bytes ? ScalarType::uint8 : ScalarType::float32;
+    add({"red", "green", "blue"}, type);
+    if (colors.components == 4) add({"alpha"}, type);
+  }
+  if (vertices.texture) add({"s", "t"}, ScalarType::float32);
+  return offer;
+}
+
+std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     const AttributeWish& wish, const AttributeOffer& offer) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OFF", offer, parse_off);
 }
 
 }  // namespace winnow

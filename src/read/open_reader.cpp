@@ -18,12 +18,14 @@ struct KeptFormat {
   const char* name;
   bool (*is)(std::string_view head);
   std::unique_ptr<MeshReader> (*open)(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory);
+                                      const ReaderMemory& memory, const AttributeWish& wish,
+                                      const AttributeOffer& offer);
+  AttributeOffer (*offer)(std::string_view head) = nullptr;  // none: it offers nothing
 };
 constexpr std::array<KeptFormat, 4> kept_formats{{{Format::gltf, "glTF", is_gltf, open_gltf},
-                                                  {Format::off, "OFF", is_off, open_off},
+                                                  {Format::off, "OFF", is_off, open_off, offer_of_off},
                                                   {Format::m, "M", is_m, open_m},
-                                                  {Format::obj, "OBJ", is_obj, open_obj}}};
+                                                  {Format::obj, "OBJ", is_obj, open_obj, offer_of_obj}}};
 
 const KeptFormat* kept_format(Format format) {
   const auto* found = std::find_if(kept_formats.begin(), kept_formats.end(),
@@ -31,8 +33,20 @@ const KeptFormat* kept_format(Format format) {
   return found == kept_formats.end() ? nullptr : found;
 }
 
+// What a format and its attributes are told by.
+constexpr std::size_t head_bytes = std::size_t{1} << 16;
+
 std::string_view text_of(const Block& block) {
   return {reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size()};
+}
+
+AttributeOffer offer_of(const KeptFormat& format, ByteSource& source) {
+  if (format.offer == nullptr) return {};
+  const Block head = source.peek(head_bytes);
+  std::string_view text = text_of(head);
+  // The last line may be cut.
+  if (text.size() == head_bytes) text = text.substr(0, text.find_last_of("\r\n") + 1);
+  return format.offer(text);
 }
 
 Format format_of(ByteSource& source, Format asked) {
@@ -44,7 +58,7 @@ Format format_of(ByteSource& source, Format asked) {
   if (text.substr(0, 16).find("OFF BINARY") != std::string_view::npos) return Format::off;
   if (!is_text(text)) return Format::stl;
   // Comments may come first, a licence say.
-  const Block more = source.peek(std::size_t{1} << 16);
+  const Block more = source.peek(head_bytes);
   for (const KeptFormat& format : kept_formats) {
     if (format.is(text_of(more))) return format.format;
   }
@@ -62,23 +76,34 @@ bool needs_copy(const ByteSource& source, Format format, Access access) {
 }  // namespace
 
 std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format,
-                                        Access access, const ReaderMemory& memory) {
+                                        Access access, const ReaderMemory& memory,
+                                        const AttributeWish& wish) {
   format = format_of(*source, format);
   if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
-  if (const KeptFormat* text = kept_format(format)) return text->open(job, std::move(source), memory);
-  return format == Format::ply ? open_ply(job, std::move(source), memory)
-                               : open_stl(job, std::move(source), memory);
+  if (format == Format::ply) return open_ply(job, std::move(source), memory, wish);
+  if (const KeptFormat* kept = kept_format(format)) {
+    const AttributeOffer offer = offer_of(*kept, *source);
+    return kept->open(job, std::move(source), memory, wish, offer);
+  }
+  choose_attributes(wish, {}, source->name());  // for its checks: there are none
+  return open_stl(job, std::move(source), memory);
 }
 
-InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access access) {
+InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access access,
+                     const AttributeWish& wish) {
   format = format_of(source, format);
   InputOutlook outlook;
-  if (const KeptFormat* text = kept_format(format)) {
-    outlook.facts.format = text->name;
+  if (format == Format::ply) {
+    outlook = look_at_ply(source, wish);
+  } else if (const KeptFormat* kept = kept_format(format)) {
+    outlook.facts.format = kept->name;
+    outlook.facts.offer = offer_of(*kept, source);
     outlook.taken_in = true;
   } else {
-    outlook = format == Format::ply ? look_at_ply(source) : look_at_stl(source);
+    outlook = look_at_stl(source);
   }
+  if (format != Format::ply)
+    outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, source.name());
   outlook.bytes = source.size();
   outlook.copied_first = needs_copy(source, format, access);
   outlook.compression = source.compression();

@@ -17,16 +17,15 @@ namespace {
 struct TypeName {
   std::string_view old_name, new_name;
   PlyType type;
-  std::size_t size;
 };
-constexpr std::array<TypeName, 8> type_names{{{"char", "int8", PlyType::int8, 1},
-                                              {"uchar", "uint8", PlyType::uint8, 1},
-                                              {"short", "int16", PlyType::int16, 2},
-                                              {"ushort", "uint16", PlyType::uint16, 2},
-                                              {"int", "int32", PlyType::int32, 4},
-                                              {"uint", "uint32", PlyType::uint32, 4},
-                                              {"float", "float32", PlyType::float32, 4},
-                                              {"double", "float64", PlyType::float64, 8}}};
+constexpr std::array<TypeName, 8> type_names{{{"char", "int8", PlyType::int8},
+                                              {"uchar", "uint8", PlyType::uint8},
+                                              {"short", "int16", PlyType::int16},
+                                              {"ushort", "uint16", PlyType::uint16},
+                                              {"int", "int32", PlyType::int32},
+                                              {"uint", "uint32", PlyType::uint32},
+                                              {"float", "float32", PlyType::float32},
+                                              {"double", "float64", PlyType::float64}}};
 
 // No header that anybody writes is longer; without a limit a wrong file would be read to its end.
 constexpr std::size_t longest_header = std::size_t{1} << 20;
@@ -166,16 +165,6 @@ class HeaderParser {
 };
 
 }  // namespace
-
-std::size_t size_of(PlyType type) {
-  return type_names.at(static_cast<std::size_t>(type)).size;
-}
-bool is_integer(PlyType type) {
-  return type != PlyType::float32 && type != PlyType::float64;
-}
-const char* name_of(PlyType type) {
-  return type_names.at(static_cast<std::size_t>(type)).old_name.data();
-}
 
 const PlyProperty* PlyElement::find(const std::string& property) const {
   for (const PlyProperty& candidate : properties) {

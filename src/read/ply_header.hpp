@@ -1,6 +1,7 @@
 // The header of a PLY file.
 #pragma once
 
+#include "base/scalar_type.hpp"
 #include "io/byte_source.hpp"
 
 #include <cstddef>
@@ -10,11 +11,7 @@
 
 namespace winnow {
 
-enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-std::size_t size_of(PlyType type);
-bool is_integer(PlyType type);
-const char* name_of(PlyType type);
+using PlyType = ScalarType;
 
 struct PlyProperty {
   std::string name;

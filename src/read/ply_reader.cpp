@@ -47,6 +47,10 @@ FaceElement find_faces(const PlyHeader& header, const std::string& name) {
   return found;
 }
 
+bool is_coordinate(const PlyProperty& property) {
+  return !property.list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+}
+
 InputFacts facts_of(const PlyHeader& header) {
   InputFacts facts;
   constexpr std::array forms{"ASCII", "binary little-endian", "binary big-endian"};
@@ -59,8 +63,7 @@ InputFacts facts_of(const PlyHeader& header) {
   for (const PlyElement& element : header.elements) {
     std::string line = element.name + ":";
     for (const PlyProperty& property : element.properties) {
-      const bool geometry = (element.name == "vertex" &&
-                             (property.name == "x" || property.name == "y" || property.name == "z")) ||
+      const bool geometry = (element.name == "vertex" && is_coordinate(property)) ||
                             (property.list && &property == index_list(element));
       if (!geometry)
         line += " " + property.name + (property.list ? " (list of " : " (") + name_of(property.type) + ")";
@@ -79,12 +82,34 @@ InputFacts facts_of(const PlyHeader& header) {
   return facts;
 }
 
+AttributeOffer offer_of(const PlyHeader& header) {
+  AttributeOffer offer;
+  for (const PlyElement& element : header.elements) {
+    if (element.count == 0) continue;
+    const bool faces = element.name == "face" || element.name == "tristrips";
+    if (element.name != "vertex" && !faces) offer.of_nothing.push_back(element.name);
+    for (const PlyProperty& property : element.properties) {
+      if (faces && &property != index_list(element)) offer.of_faces.push_back(property.name);
+      if (element.name != "vertex" || is_coordinate(property)) continue;
+      if (property.list) {
+        offer.lists.push_back(property.name);
+      } else {
+        offer.scalars.push_back({property.name, property.type});
+      }
+    }
+  }
+  return offer;
+}
+
 class PlyReader final : public IndexedReader {
  public:
-  PlyReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory)
+  PlyReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+            const AttributeWish& wish)
       : IndexedReader(job, std::move(source), memory, memory.vertices) {
     header_ = read_ply_header(*source_);
     facts_ = facts_of(header_);
+    facts_.offer = offer_of(header_);
+    facts_.choice = choose_attributes(wish, facts_.offer, source_->name());
     if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
     faces_ = find_faces(header_, source_->name());
     values_ = make_ply_values(*source_, header_.form);
@@ -175,7 +200,10 @@ class PlyReader final : public IndexedReader {
     VertexLayout layout;
     layout.swapped = header_.form == PlyForm::big_endian;
     std::array<bool, 3> found{};
+    std::size_t scalar = 0;
     for (const PlyProperty& property : element.properties) {
+      if (!property.list && !is_coordinate(property) && carries(scalar++))
+        layout.attributes.push_back({layout.stride, property.type});
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (property.list || property.name != std::string(1, static_cast<char>('x' + axis))) continue;
         layout.offset[axis] = layout.stride;
@@ -191,6 +219,11 @@ class PlyReader final : public IndexedReader {
                                             std::string(1, static_cast<char>('x' + axis)) + "'");
     }
     return layout;
+  }
+
+  // By number among the vertices' numbers other than coordinates.
+  [[nodiscard]] bool carries(std::size_t scalar) const {
+    return std::binary_search(facts_.choice.scalar.begin(), facts_.choice.scalar.end(), scalar);
   }
 
   void load_vertices(const PlyElement& element) {
@@ -212,7 +245,7 @@ class PlyReader final : public IndexedReader {
       return;
     }
     job_.progress.begin("read vertices", element.count, "vertices");
-    vertices_.begin_keeping(facts_.double_positions);
+    vertices_.begin_keeping(facts_.double_positions, carried_types());
     if (fixed) {
       keep_fixed(element, layout);
     } else {
@@ -223,6 +256,7 @@ class PlyReader final : public IndexedReader {
 
   void keep_fixed(const PlyElement& element, const VertexLayout& layout) {
     std::vector<double> xyz;
+    std::vector<double> attributes;
     for (std::uint64_t done = 0; done < element.count;) {
       const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 18) / layout.stride, 1, 8192);
       const std::size_t count = std::min<std::uint64_t>(at_once, element.count - done);
@@ -234,6 +268,7 @@ class PlyReader final : public IndexedReader {
                                               grouped(element.count) + ": it was cut short");
       }
       xyz.resize(3 * count);
+      attributes.clear();
       const std::byte* record = block.bytes.data();
       const bool floats =
           !layout.swapped && layout.type == std::array{PlyType::float32, PlyType::float32, PlyType::float32};
@@ -243,8 +278,10 @@ class PlyReader final : public IndexedReader {
               floats ? load<float>(record + layout.offset[axis], false)
                      : load_real(record + layout.offset[axis], layout.type[axis], layout.swapped);
         }
+        for (const auto& [offset, type] : layout.attributes)
+          attributes.push_back(load_real(record + offset, type, layout.swapped));
       }
-      vertices_.keep(xyz);
+      vertices_.keep(xyz, attributes);
       done += count;
       job_.progress.advance(count);
     }
@@ -253,27 +290,36 @@ class PlyReader final : public IndexedReader {
   void keep_values(const PlyElement& element) {
     layout_of(element);  // for its checks
     std::vector<double> xyz;
-    std::vector<int> axis_of;
+    std::vector<double> attributes;
+    constexpr int skipped = -1;
+    constexpr int carried = 3;
+    std::vector<int> use;  // of each property: an axis, or ...
+    std::size_t scalar = 0;
     for (const PlyProperty& property : element.properties) {
-      const bool axis =
-          !property.list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
-      axis_of.push_back(axis ? property.name[0] - 'x' : -1);
+      if (is_coordinate(property)) {
+        use.push_back(property.name[0] - 'x');
+      } else {
+        use.push_back(!property.list && carries(scalar++) ? carried : skipped);
+      }
     }
     for (std::uint64_t done = 0; done < element.count; ++done) {
       values_->now_reading("vertex", done);
       xyz.resize(xyz.size() + 3);
       for (std::size_t i = 0; i < element.properties.size(); ++i) {
         const PlyProperty& property = element.properties[i];
-        if (axis_of[i] >= 0) {
-          xyz[xyz.size() - 3 + static_cast<std::size_t>(axis_of[i])] = values_->real(property.type);
-        } else {
+        if (use[i] == skipped) {
           skip_property(property);
+        } else if (use[i] == carried) {
+          attributes.push_back(values_->real(property.type));
+        } else {
+          xyz[xyz.size() - 3 + static_cast<std::size_t>(use[i])] = values_->real(property.type);
         }
       }
       if (xyz.size() < 3 * 4096 && done + 1 < element.count) continue;
-      vertices_.keep(xyz);
+      vertices_.keep(xyz, attributes);
       job_.progress.advance(xyz.size() / 3);
       xyz.clear();
+      attributes.clear();
     }
   }
 
@@ -404,16 +450,18 @@ class PlyReader final : public IndexedReader {
 
 }  // namespace
 
-std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory) {
-  return std::make_unique<PlyReader>(job, std::move(source), memory);
+std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     const AttributeWish& wish) {
+  return std::make_unique<PlyReader>(job, std::move(source), memory, wish);
 }
 
-InputOutlook look_at_ply(ByteSource& source) {
+InputOutlook look_at_ply(ByteSource& source, const AttributeWish& wish) {
   const PlyHeader header = read_ply_header(source);
   source.give_back(header.bytes);
   InputOutlook outlook;
   outlook.facts = facts_of(header);
+  outlook.facts.offer = offer_of(header);
+  outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, source.name());
   const PlyElement* vertex = header.find("vertex");
   outlook.vertices_kept = vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
   const FaceElement faces = find_faces(header, source.name());

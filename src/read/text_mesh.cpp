@@ -9,6 +9,7 @@
 #include "read/text_tokens.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace winnow {
 
@@ -19,6 +20,16 @@ void ParsedLines::add_position(LineWords& words) {
     if (!value) fail_number(word, words.rest());
     single_ = single_ && float_says_it(word, *value);
     xyz_.push_back(*value);
+  }
+}
+
+void ParsedLines::add_attributes(LineWords& words, bool required) {
+  for (const bool carried : carried_) {
+    const std::string_view word = words.next();
+    if (!carried) continue;
+    const std::optional<double> value = parse_real(word);
+    if (!value && (required || !word.empty())) fail_number(word, words.rest());
+    attributes_.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
 }
 
@@ -33,6 +44,11 @@ void ParsedLines::end_face() {
   open_ = 0;
 }
 
+void ParsedLines::pass_over(const char* what) {
+  if (std::find(passed_over_.begin(), passed_over_.end(), what) == passed_over_.end())
+    passed_over_.push_back(what);
+}
+
 void ParsedLines::fail(std::string_view place, const std::string& what) const {
   throw Error(ErrorKind::bad_input, "'" + name_ + "', line " + grouped(block_.line_of(place)) + ": " + what);
 }
@@ -44,8 +60,9 @@ void ParsedLines::fail_number(std::string_view word, std::string_view place) con
 
 void ParsedLines::hand_over(KeptMesh& mesh) const {
   const auto base = static_cast<std::int64_t>(mesh.vertices());
-  mesh.add_vertices(xyz_, single_);
+  mesh.add_vertices(xyz_, single_, attributes_);
   mesh.add_numbers(numbers_);
+  for (const char* what : passed_over_) mesh.pass_over(what);
   std::vector<std::uint32_t> polygon;
   std::size_t at = 0;
   for (const std::uint32_t size : sizes_) {
@@ -72,7 +89,7 @@ void parse_text(const TextParser& parser, KeptMesh& mesh) {
   pipeline<Item>(
       batches_in_flight(mesh.job().threads), [&](Item& item) { return parser.next(item.block); },
       [&](Item& item) {
-        item.lines.emplace(item.block, mesh.name());
+        item.lines.emplace(item.block, mesh.name(), mesh.carried());
         item.error.reset();
         try {
           parser.parse(item.block, *item.lines);

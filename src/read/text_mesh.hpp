@@ -16,10 +16,16 @@ namespace winnow {
 // What one block of lines holds.
 class ParsedLines {
  public:
-  ParsedLines(const TextBlock& block, const std::string& name) : block_(block), name_(name) {}
+  // `carried`: as KeptMesh has it, and as long-lived as this.
+  ParsedLines(const TextBlock& block, const std::string& name, const std::vector<bool>& carried)
+      : block_(block), name_(name), carried_(carried) {}
 
   // Three coordinates, the next words of a line.
   void add_position(LineWords& words);
+
+  // Of the last position's vertex the next words of its line, as many as attributes are offered. Words that
+  // are missing are no numbers, or, if they are `required`, an error.
+  void add_attributes(LineWords& words, bool required);
 
   // What the next position's vertex is called; for all vertices or for none. Corners then name vertices so.
   void add_number(std::uint32_t number) { numbers_.push_back(number); }
@@ -28,6 +34,9 @@ class ParsedLines {
   // before it).
   void add_corner(std::int64_t vertex, bool relative);
   void end_face();
+
+  // As KeptMesh has it; `what` is a constant.
+  void pass_over(const char* what);
 
   [[nodiscard]] std::int64_t vertices() const { return static_cast<std::int64_t>(xyz_.size() / 3); }
 
@@ -41,12 +50,15 @@ class ParsedLines {
  private:
   const TextBlock& block_;
   const std::string& name_;
+  const std::vector<bool>& carried_;
   std::vector<double> xyz_;
+  std::vector<double> attributes_;
   std::vector<std::uint32_t> numbers_;
   bool single_ = true;
   std::vector<std::int64_t> corners_;  // twice the number, plus one where it is relative
   std::vector<std::uint32_t> sizes_;   // corners of each face
   std::uint32_t open_ = 0;             // of the face at work
+  std::vector<const char*> passed_over_;
 };
 
 // Cuts blocks off, parses them in parallel and hands them over in their order. `parse` takes a block apart.

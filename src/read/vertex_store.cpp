@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 
 #include <fcntl.h>
@@ -58,25 +59,57 @@ void VertexStore::map(const std::string& path, std::uint64_t offset, std::uint64
   if (count > 0) open_mapping(path, offset, count * layout.stride);
 }
 
-void VertexStore::begin_keeping(bool double_positions) {
+void VertexStore::begin_keeping(bool double_positions, std::span<const ScalarType> attributes) {
   const std::size_t size = double_positions ? sizeof(double) : sizeof(float);
   const PlyType type = double_positions ? PlyType::float64 : PlyType::float32;
-  layout_ = {3 * size, {0, size, 2 * size}, {type, type, type}, false};
+  layout_ = {3 * size, {0, size, 2 * size}, {type, type, type}, false, {}};
+  for (const ScalarType attribute : attributes) {
+    layout_.attributes.push_back({layout_.stride, attribute});
+    layout_.stride += size_of(attribute);
+  }
   kept_ = std::make_unique<Spool>(job_, memory_limit_);
 }
 
-void VertexStore::keep(std::span<const double> xyz) {
-  if (layout_.type[0] == PlyType::float64) {
-    kept_->append(std::as_bytes(xyz));
+namespace {
+
+// As a binary file has it: what is not finite stays so where the type can say it. Text may have such where it
+// promised whole numbers.
+void store_real(double value, ScalarType type, std::byte* at) {
+  if (type == ScalarType::float64) {
+    std::memcpy(at, &value, sizeof value);
+  } else if (type == ScalarType::float32) {
+    const auto single = static_cast<float>(value);
+    std::memcpy(at, &single, sizeof single);
   } else {
-    packed_.resize(xyz.size() * sizeof(float));
+    store_rounded(std::isnan(value) ? 0 : value, type, at);
+  }
+}
+
+}  // namespace
+
+void VertexStore::keep(std::span<const double> xyz, std::span<const double> attributes) {
+  const std::size_t count = xyz.size() / 3;
+  count_ += count;
+  const bool plain = layout_.attributes.empty();
+  if (plain && layout_.type[0] == PlyType::float64) return kept_->append(std::as_bytes(xyz));
+  packed_.resize(count * layout_.stride);
+  if (plain) {
     for (std::size_t i = 0; i < xyz.size(); ++i) {
       const auto value = static_cast<float>(xyz[i]);
       std::memcpy(packed_.data() + i * sizeof value, &value, sizeof value);
     }
-    kept_->append(packed_);
+    return kept_->append(packed_);
   }
-  count_ += xyz.size() / 3;
+  std::byte* record = packed_.data();
+  for (std::size_t i = 0; i < count; ++i, record += layout_.stride) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      store_real(xyz[3 * i + axis], layout_.type[axis], record + layout_.offset[axis]);
+    for (std::size_t k = 0; k < layout_.attributes.size(); ++k) {
+      store_real(attributes[layout_.attributes.size() * i + k], layout_.attributes[k].type,
+                 record + layout_.attributes[k].offset);
+    }
+  }
+  kept_->append(packed_);
 }
 
 void VertexStore::finish_keeping() {
@@ -109,6 +142,15 @@ bool is_plain(const VertexLayout& layout) {
          std::all_of(layout.type.begin(), layout.type.end(), [](PlyType t) { return t == real_type<Real>; });
 }
 
+void load_attributes(const std::byte* record, const VertexLayout& layout, std::size_t corner,
+                     std::size_t face, FaceBatch& out) {
+  double* at = out.attributes.data() + corner * FaceBatch::capacity + face;
+  for (const VertexLayout::Number& number : layout.attributes) {
+    *at = load_real(record + number.offset, number.type, layout.swapped);
+    at += 3 * FaceBatch::capacity;
+  }
+}
+
 }  // namespace
 
 void VertexStore::gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index,
@@ -133,6 +175,11 @@ void VertexStore::gather_mapped(const std::byte* base, const std::array<const st
       }
     }
   }
+  if (layout_.attributes.empty()) return;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (std::size_t i = 0; i < count; ++i)
+      load_attributes(base + std::size_t{index[corner][i]} * layout_.stride, layout_, corner, i, out);
+  }
 }
 
 void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
@@ -152,6 +199,7 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
             load_real(record.data() + layout_.offset[axis], layout_.type[axis], layout_.swapped);
         out.position[corner][axis][i] = floats_ ? double{static_cast<float>(value)} : value;
       }
+      load_attributes(record.data(), layout_, corner, i, out);
     }
   }
 }
@@ -159,6 +207,7 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
 void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, VertexRange range,
                          std::size_t count, FaceBatch& out) const {
   if (count == 0) return;
+  out.attributes.resize(3 * FaceBatch::capacity * layout_.attributes.size());
   if (window_ == nullptr) return gather_mapped(kept_->data(), index, count, out);
   ahead_->reached(file_offset_ + range.lowest * layout_.stride,
                   file_offset_ + (range.highest + std::uint64_t{1}) * layout_.stride);
@@ -178,23 +227,31 @@ void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, Verte
   gather_mapped(window_->data(), index, count, out);
 }
 
-void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const {
+const std::byte* VertexStore::stretch(std::uint64_t first, std::size_t count) const {
   const std::uint64_t begin = first * layout_.stride;
+  if (window_ == nullptr) return kept_->data() + begin;
   const std::uint64_t end = begin + count * layout_.stride;
-  const std::byte* base = nullptr;
-  if (window_ == nullptr) {
-    base = kept_->data();
-  } else {
-    base = window_->data();
-    ahead_->reached(file_offset_ + begin, file_offset_ + end);
-    if (watched_ && resident_.touch(begin, end) > memory_limit_ / 2) {
-      const std::scoped_lock lock(dropping_);
-      resident_.clear();
-      window_->drop_pages();
-      resident_.touch(begin, end);
-    }
+  ahead_->reached(file_offset_ + begin, file_offset_ + end);
+  if (watched_ && resident_.touch(begin, end) > memory_limit_ / 2) {
+    const std::scoped_lock lock(dropping_);
+    resident_.clear();
+    window_->drop_pages();
+    resident_.touch(begin, end);
   }
-  base += begin;
+  return window_->data() + begin;
+}
+
+void VertexStore::for_each_stretch(const std::function<void(const std::byte*, std::size_t)>& each) const {
+  constexpr std::uint64_t at_once = 1024;
+  for (std::uint64_t first = 0; first < count_; first += at_once) {
+    const std::size_t count = std::min(at_once, count_ - first);
+    each(stretch(first, count), count);
+    job_.progress.check_cancelled();
+  }
+}
+
+void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const {
+  const std::byte* base = stretch(first, count);
   if (is_plain<float>(layout_)) {
     for (std::size_t i = 0; i < count; ++i) {
       std::array<float, 3> xyz;
@@ -209,6 +266,14 @@ void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<
           load_real(base + i * layout_.stride + layout_.offset[axis], layout_.type[axis], layout_.swapped);
       out[axis][i] = floats_ ? double{static_cast<float>(value)} : value;
     }
+  }
+}
+
+void VertexStore::read_attributes(std::uint64_t first, std::size_t count, std::vector<double>& out) const {
+  const std::byte* record = stretch(first, count);
+  for (std::size_t i = 0; i < count; ++i, record += layout_.stride) {
+    for (const VertexLayout::Number& number : layout_.attributes)
+      out.push_back(load_real(record + number.offset, number.type, layout_.swapped));
   }
 }
 

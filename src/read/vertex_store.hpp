@@ -11,6 +11,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -20,12 +21,17 @@
 
 namespace winnow {
 
-// Where the coordinates stand in a record.
+// Where the coordinates stand in a record, and the attributes that are carried.
 struct VertexLayout {
   std::size_t stride = 0;
   std::array<std::size_t, 3> offset{};
   std::array<PlyType, 3> type{};
   bool swapped = false;  // big-endian
+  struct Number {
+    std::size_t offset;
+    ScalarType type;
+  };
+  std::vector<Number> attributes{};
 };
 
 struct VertexRange {
@@ -44,9 +50,10 @@ class VertexStore {
   // Either: records that stand in a file which can be mapped ...
   void map(const std::string& path, std::uint64_t offset, std::uint64_t count, const VertexLayout& layout);
 
-  // ... or: records handed over one stretch after the other.
-  void begin_keeping(bool double_positions);
-  void keep(std::span<const double> xyz);
+  // ... or: records handed over one stretch after the other. `attributes`: their types; then come their
+  // numbers, as many a vertex.
+  void begin_keeping(bool double_positions, std::span<const ScalarType> attributes = {});
+  void keep(std::span<const double> xyz, std::span<const double> attributes = {});
   void finish_keeping();
 
   // What is kept in doubles is given out as floats from now on.
@@ -54,13 +61,20 @@ class VertexStore {
 
   [[nodiscard]] std::uint64_t size() const { return count_; }
 
-  // Positions of three vertices for each of `count` faces: `index[corner][face]`, all in `range` and below
-  // size().
+  // Positions and attributes of three vertices for each of `count` faces: `index[corner][face]`, all in
+  // `range` and below size().
   void gather(const std::array<const std::uint32_t*, 3>& index, VertexRange range, std::size_t count,
               FaceBatch& out) const;
 
   // Positions in their order: `count` from `first` on, side by side into `out`.
   void read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const;
+
+  // Appends the attributes of these, vertex by vertex.
+  void read_attributes(std::uint64_t first, std::size_t count, std::vector<double>& out) const;
+
+  // Calls each(record, count) with all records in their order, stretch by stretch.
+  void for_each_stretch(const std::function<void(const std::byte*, std::size_t)>& each) const;
+  [[nodiscard]] const VertexLayout& layout() const { return layout_; }
 
   // Between passes the pages of a mapping need not stay.
   void rest();
@@ -83,6 +97,8 @@ class VertexStore {
   };
 
   void open_mapping(const std::string& path, std::uint64_t offset, std::uint64_t bytes);
+  // Records that are read in order.
+  const std::byte* stretch(std::uint64_t first, std::size_t count) const;
   void gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index,
                      std::size_t count, FaceBatch& out) const;
   void gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,

@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace winnow {
 
@@ -48,12 +49,13 @@ std::uint64_t count_faces(Job& job, MeshReader& reader) {
 
 }  // namespace
 
-Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options, const MemoryPlan& plan,
-                       SimplifyReport& report)
+Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options,
+                       CarriedAttributes attributes, const MemoryPlan& plan, SimplifyReport& report)
     : job_(job), reader_(reader), options_(options), plan_(plan), report_(report) {
   settings_.placement = options.placement;
   settings_.double_positions = writes_doubles(options.encoding, reader.facts().double_positions);
   settings_.for_refinement = cost_of(options) != Refine::none;
+  settings_.attributes = std::move(attributes);
   settings_.keep_quadrics = options.error || options.relative_error;
 }
 
@@ -64,6 +66,7 @@ Clustered Clustering::run() {
   out.error = error_;
   out.normals = reader_.facts().normals;
   out.double_positions = reader_.facts().double_positions;
+  out.attributes = settings_.attributes.attributes;
   report_.cell_size = settings_.grid.cell;
   report_.input.vertices = reader_.facts().vertices.value_or(0);
   report_.input.bytes = reader_.bytes();
@@ -119,10 +122,18 @@ ClusteredMesh Clustering::to_detail() {
 
 ClusteredMesh Clustering::welded() {
   settings_.grid = {};
-  const WeldMemory memory{plan_.cluster.table, plan_.cluster.vertices, plan_.cluster.result};
+  WeldMemory memory{plan_.cluster.table,
+                    plan_.cluster.vertices,
+                    plan_.cluster.result,
+                    {plan_.cluster.attributes, plan_.cluster.table_parts},
+                    0};
+  if (const std::uint64_t bytes = settings_.attributes.bytes(); bytes > 0) {
+    memory.means = memory.vertices / (bytes + sizeof(IndexedVertex)) * bytes;
+    memory.vertices -= memory.means;
+  }
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   ClusterCounts counts;
-  ClusteredMesh mesh = weld(job_, reader_, memory, counts);
+  ClusteredMesh mesh = weld(job_, reader_, settings_.attributes, memory, counts);
   take_counts(counts);
   reader_.rest();
   if (mesh.face_count == 0) refuse_empty();

@@ -9,23 +9,25 @@
 #include "run/plan.hpp"
 
 #include <cstdint>
+#include <vector>
 
 namespace winnow {
 
 // What all that comes after has to know of it.
 struct Clustered {
   ClusteredMesh mesh;
-  std::uint64_t target = 0;       // faces wanted; 0 where an error says how many
-  double error = 0;               // the error wanted, in model units; 0 where faces are counted
-  bool normals = false;           // of the input
-  bool double_positions = false;  // likewise
+  std::uint64_t target = 0;             // faces wanted; 0 where an error says how many
+  double error = 0;                     // the error wanted, in model units; 0 where faces are counted
+  bool normals = false;                 // of the input
+  bool double_positions = false;        // likewise
+  std::vector<Attribute> attributes{};  // that vertices carry
 };
 
 // Fills what the report says of input and cells.
 class Clustering {
  public:
-  Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options, const MemoryPlan& plan,
-             SimplifyReport& report);
+  Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options, CarriedAttributes attributes,
+             const MemoryPlan& plan, SimplifyReport& report);
 
   // The mesh that is written, or, if it is going to be refined, what that starts from.
   Clustered run();

@@ -5,13 +5,16 @@
 #include "cluster/welder.hpp"
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
+#include "read/for_each_batch.hpp"
 #include "read/good_faces.hpp"
+#include "run/attributes.hpp"
 #include "run/plain_mesh.hpp"
 #include "run/plan.hpp"
 #include "run/write_blocks.hpp"
 #include "run/write_mesh.hpp"
 #include "write/mesh_encoder.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -21,42 +24,51 @@ namespace {
 
 // Nothing is clustered, so the shares of that go to the mesh.
 ClusteredMesh mesh_of(Job& job, MeshReader& reader, const MemoryPlan& plan, ClusterCounts& counts) {
-  if (reader.facts().vertices)
-    return plain_mesh(job, reader, {plan.cluster.table, plan.cluster.result}, counts);
-  return weld(job, reader, {plan.cluster.table, plan.cluster.vertices, plan.cluster.result}, counts);
+  if (reader.facts().vertices) {
+    const std::uint64_t carried = reader.facts().choice.carried.size() * sizeof(double);
+    const Reservation under_way = job.budget.reserve(
+        batches_in_flight(job.threads) * plan.reader.batch_faces * carried, "what vertices carry");
+    const std::uint64_t left = plan.cluster.table - std::min(under_way.bytes(), plan.cluster.table);
+    const std::uint64_t attributes = left / (sizeof(IndexedVertex) + carried) * carried;
+    return plain_mesh(job, reader, {left - attributes, attributes, plan.cluster.result}, counts);
+  }
+  return weld(job, reader, {}, {plan.cluster.table, plan.cluster.vertices, plan.cluster.result, {}, 0},
+              counts);
 }
 
-void note_what_is_left(Job& job, const InputFacts& facts) {
-  if (facts.attributes.empty()) return;
-  std::string line = "positions alone are carried, not ";
-  for (const std::string& attribute : facts.attributes)
-    line += (&attribute == facts.attributes.data() ? "" : "; ") + attribute;
-  job.note(line);
+// Whatever the output's format can hold.
+AttributeWish wish_for(const MeshEncoder& encoder) {
+  AttributeWish wish;
+  wish.names.reset();
+  wish.averaged = false;
+  wish.refusal = [&encoder](const Attribute& attribute) { return encoder.attribute_refusal(attribute); };
+  return wish;
 }
 
 ConvertReport convert_in_arena(Job& job, const std::string& input, const std::string& output,
                                const ConvertOptions& options) {
   const Stopwatch watch;
-  constexpr bool quadrics = false;
+  const CellNeeds nothing;
   // Before a pipe is waited for.
-  if (input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, quadrics);
+  if (input == "-") MemoryPlan::divide(job.budget.total(), 0, job.threads, nothing);
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output, options.encoding);
   remove_stale_files(job.scratch.directory(), scratch_prefix);
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, quadrics));
-  const Reservation packing = reserve_block(job, *encoder);
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, nothing));
+  const Reservation packing = reserve_block(job, *encoder, true);
   ByteSink sink(job, output, options.force);
   std::unique_ptr<ByteSource> source = open_source(job, input);
   source->peek(1);
-  const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, quadrics);
+  const AttributeWish wish = wish_for(*encoder);
+  const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, nothing);
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   const std::unique_ptr<MeshReader> reader =
-      open_reader(job, std::move(source), options.from, Access::positions_first, plan.reader);
+      open_reader(job, std::move(source), options.from, Access::positions_first, plan.reader, wish);
   const InputFacts& facts = reader->facts();
   const bool doubles = writes_doubles(options.encoding, facts.double_positions);
   // Refuses at once what the format cannot count.
   (void)encoder->header({.vertices = facts.vertices.value_or(0), .faces = facts.faces.value_or(0)});
-  note_what_is_left(job, facts);
+  note_dropped(job, facts.choice);
 
   ConvertReport report;
   ClusterCounts counts;
@@ -67,13 +79,18 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
     throw Error(ErrorKind::bad_input, "'" + reader->name() + "' has no face that could be written");
   reader->rest();
   report.seconds.read = watch.seconds();
-  write_mesh(job, mesh,
-             shape_of(job, mesh, *encoder, false, doubles, facts.double_positions, "converted by winnow"),
-             *encoder, sink);
+  const std::vector<Attribute>& attributes = facts.choice.carried;
+  const bool normals = carries_normals(attributes) && encoder->normals_apart();
+  MeshShape shape =
+      shape_of(job, mesh, *encoder, normals, doubles, facts.double_positions, "converted by winnow");
+  shape.attributes = attributes;
+  shape.as_stored = true;
+  write_mesh(job, mesh, shape, *encoder, sink);
   sink.finish();
 
   report.input = {facts.format, counts.faces, facts.vertices.value_or(0), reader->bytes(), counts.bad};
   report.output = {mesh.face_count, mesh.vertices->size(), sink.written()};
+  report.attributes = {descriptions(facts.choice), facts.choice.dropped};
   report.welded = !facts.vertices;
   report.doubled_faces = counts.faces - counts.bad.total() - mesh.face_count;
   report.spilled_bytes = job.scratch.written();

@@ -24,10 +24,12 @@ Input::Input(Job& job, std::unique_ptr<ByteSource> source) : job_(job), source_(
   memory_ = job.budget.used();
 }
 
-std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options, const ReaderMemory& memory) {
+std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options, const AttributeWish& wish,
+                                          const ReaderMemory& memory) {
   std::unique_ptr<MeshReader> reader =
-      source_ != nullptr ? open_reader(job_, std::move(source_), options.from, access_for(options), memory)
-                         : join_files(job_, names_, options.from, memory);
+      source_ != nullptr
+          ? open_reader(job_, std::move(source_), options.from, access_for(options), memory, wish)
+          : join_files(job_, names_, options.from, memory, wish);
   if (!options.crop) return reader;
   Box box;
   box.add((*options.crop)[0]);
@@ -35,9 +37,9 @@ std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options, const 
   return crop_to(box, std::move(reader));
 }
 
-InputOutlook Input::outlook(const SimplifyOptions& options) {
-  InputOutlook outlook = source_ != nullptr ? look_at(job_, *source_, options.from, access_for(options))
-                                            : look_at_files(job_, names_, options.from);
+InputOutlook Input::outlook(const SimplifyOptions& options, const AttributeWish& wish) {
+  InputOutlook outlook = source_ != nullptr ? look_at(job_, *source_, options.from, access_for(options), wish)
+                                            : look_at_files(job_, names_, options.from, wish);
   if (options.crop) outlook.facts.faces.reset();
   return outlook;
 }

@@ -17,9 +17,14 @@ void read_vertices(Job& job, MeshReader& reader, const Point& instead, Clustered
   job.progress.begin("read vertices", reader.facts().vertices.value_or(0), "vertices");
   std::atomic<std::uint64_t> not_finite{0};
   std::vector<IndexedVertex> part;
+  std::vector<std::byte> carried;
+  const std::size_t attributes = reader.facts().choice.carried.size();
+  const std::size_t size = sizeof(IndexedVertex) + attributes * sizeof(double);
   for_each_position_batch_in_order(
       job, reader,
       [&](const PositionView& view, BatchBytes& bytes) {
+        std::vector<double> values;
+        if (attributes > 0) reader.read_attributes(view, values);
         for (std::size_t i = 0; i < view.count; ++i) {
           IndexedVertex vertex;
           vertex.key = view.first + i;
@@ -29,14 +34,23 @@ void read_vertices(Job& job, MeshReader& reader, const Point& instead, Clustered
             ++not_finite;
           }
           append(bytes, vertex);
+          for (std::size_t k = 0; k < attributes; ++k) append(bytes, values[i * attributes + k]);
         }
       },
       [&](std::span<const std::byte> bytes) {
-        part.resize(bytes.size() / sizeof(IndexedVertex));
-        if (!part.empty()) std::memcpy(part.data(), bytes.data(), bytes.size());
+        part.resize(bytes.size() / size);
+        carried.clear();
+        for (IndexedVertex& vertex : part) {
+          std::memcpy(&vertex, bytes.data(), sizeof vertex);
+          const auto values = bytes.subspan(sizeof vertex, size - sizeof vertex);
+          carried.insert(carried.end(), values.begin(), values.end());
+          bytes = bytes.subspan(size);
+        }
         mesh.vertices->append(part);
+        if (attributes > 0) mesh.attributes->append(carried);
       });
   mesh.vertices->finish();
+  if (attributes > 0) mesh.attributes->finish();
   if (not_finite == 0) return;
   job.note(grouped(not_finite) + (not_finite == 1 ? " vertex is" : " vertices are") +
            " not finite; written in its place: the first that is");
@@ -47,6 +61,8 @@ void read_vertices(Job& job, MeshReader& reader, const Point& instead, Clustered
 ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory, ClusterCounts& counts) {
   ClusteredMesh mesh;
   mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
+  if (!reader.facts().choice.carried.empty())
+    mesh.attributes = std::make_unique<Spool>(job, memory.attributes);
   mesh.faces = std::make_unique<Spool>(job, memory.faces);
   const auto first = reader.first_finite_position();
   if (!first) return mesh;

@@ -4,6 +4,7 @@
 
 #include "base/budget.hpp"
 #include "base/text.hpp"
+#include "cluster/attribute_means.hpp"
 #include "cluster/face_list.hpp"
 #include "cluster/resolution.hpp"
 #include "read/for_each_batch.hpp"
@@ -16,8 +17,8 @@ namespace winnow {
 namespace {
 
 // Mapped windows or blocks of a stream: 2 MiB each, a batch can hold two.
-std::uint64_t blocks_in_flight(unsigned threads, std::size_t batch_faces) {
-  return batches_in_flight(threads) * (batch_faces * 72 + 64 * 1024) + 3 * 2 * mebibyte;
+std::uint64_t blocks_in_flight(unsigned threads, std::size_t faces) {
+  return batches_in_flight(threads) * (faces * 72 + 64 * 1024) + 3 * 2 * mebibyte;
 }
 
 }  // namespace
@@ -31,22 +32,33 @@ std::size_t table_parts(unsigned threads) {
   return std::clamp<std::size_t>(std::bit_ceil(std::size_t{4} * threads), 16, 256);
 }
 
+std::uint64_t per_thread(const CellNeeds& needs) {
+  return ClusterMemory::per_thread(needs.quadrics) + AttributeMemory::per_thread(needs.attributes);
+}
+
+std::uint64_t cell_size(const CellNeeds& needs) {
+  return needs.quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
+}
+
 }  // namespace
 
-std::uint64_t MemoryPlan::smallest_for(unsigned threads, bool quadrics) {
-  const std::uint64_t table = ClusterMemory::smallest_table(table_parts(threads), quadrics);
+std::uint64_t MemoryPlan::smallest_for(unsigned threads, const CellNeeds& needs) {
+  const std::size_t parts = table_parts(threads);
+  const std::uint64_t table = ClusterMemory::smallest_table(parts, needs.quadrics) +
+                              AttributeMemory::smallest_table(parts, needs.attributes);
   const std::uint64_t faces = threads * ClusterMemory::smallest_faces_per_thread;
-  const std::uint64_t merge = SortedRuns<CellFace>::merge_memory();
+  // Runs of attributes are merged beside those of cells.
+  const std::uint64_t merge = SortedRuns<CellFace>::merge_memory() * (needs.attributes > 0 ? 2 : 1);
   // The smallest share decides.
   const std::uint64_t rest = std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)});
-  const std::uint64_t fixed =
-      threads * ClusterMemory::per_thread(quadrics) + blocks_in_flight(threads, small_batch);
+  const std::uint64_t fixed = threads * per_thread(needs) + blocks_in_flight(threads, small_batch);
   return (fixed + rest + mebibyte - 1) / mebibyte * mebibyte;
 }
 
-MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned threads, bool quadrics) {
+MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned threads,
+                              const CellNeeds& needs) {
   MemoryPlan plan;
-  plan.smallest = smallest_for(threads, quadrics);
+  plan.smallest = smallest_for(threads, needs);
   if (total < taken + plan.smallest) {
     throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) + " is too small for " +
                                           std::to_string(threads) + (threads == 1 ? " thread" : " threads") +
@@ -57,11 +69,17 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned
   // Fewer faces a batch in a small budget: it bounds what is under way when the table is full.
   const bool large = total - taken >= std::max(256 * mebibyte, 4 * plan.smallest);
   plan.reader.batch_faces = large ? large_batch : small_batch;
-  plan.fixed =
-      threads * ClusterMemory::per_thread(quadrics) + blocks_in_flight(threads, plan.reader.batch_faces);
+  plan.fixed = threads * per_thread(needs) + blocks_in_flight(threads, plan.reader.batch_faces);
   // The rest in eighths: three for cells, two for faces, two for vertices of the input, one for merging.
   const std::uint64_t rest = total - taken - plan.fixed;
   plan.cluster.table = rest * 3 / 8;
+  if (needs.attributes > 0) {
+    // As many cells in either table.
+    const std::uint64_t entry = AttributeMemory::entry_size(needs.attributes);
+    const std::uint64_t cell = cell_size(needs);
+    plan.cluster.attributes = plan.cluster.table / (cell + entry) * entry;
+    plan.cluster.table -= plan.cluster.attributes;
+  }
   plan.cluster.faces = rest / 4;
   plan.reader.vertices = rest / 4;
   // When the input is read, its vertices make room for those of the result, and the table, once merged,
@@ -72,29 +90,33 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned
 }
 
 std::vector<SimplifyPlan::Part> MemoryPlan::parts() const {
-  return {{"threads and blocks in flight", fixed},
-          {"vertices of the input, then of the result", reader.vertices},
-          {"cells", cluster.table},
-          {"faces between cells", cluster.faces}};
+  std::vector<SimplifyPlan::Part> parts{{"threads and blocks in flight", fixed},
+                                        {"vertices of the input, then of the result", reader.vertices},
+                                        {"cells", cluster.table},
+                                        {"faces between cells", cluster.faces}};
+  if (cluster.attributes > 0) parts.push_back({"attributes of cells", cluster.attributes});
+  return parts;
 }
 
-std::uint64_t worst_scratch(std::uint64_t faces, bool quadrics) {
-  const std::uint64_t cell = quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
+std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs) {
+  const std::uint64_t cell = cell_size(needs) + AttributeMemory::entry_size(needs.attributes);
   // Three cells a face and the face itself, both twice while runs are merged; a block that does not compress
   // grows by less than a hundredth. Then three vertices and three numbers a face.
   const std::uint64_t runs = 2 * (3 * cell + sizeof(CellFace));
-  return faces * (runs + runs / 100 + 1 + 3 * sizeof(IndexedVertex) + 3 * sizeof(std::uint32_t)) + mebibyte;
+  const std::uint64_t vertex = sizeof(IndexedVertex) + needs.attributes * sizeof(double);
+  return faces * (runs + runs / 100 + 1 + 3 * vertex + 3 * sizeof(std::uint32_t)) + mebibyte;
 }
 
-std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, bool quadrics) {
-  const std::uint64_t cell = quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
+std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, const CellNeeds& needs) {
+  const std::uint64_t cell = cell_size(needs) + AttributeMemory::entry_size(needs.attributes);
   const std::uint64_t cells = faces / 20;
   const std::uint64_t kept = faces / 8;
   std::uint64_t bytes = 0;
   // Packed to about seven tenths.
-  if (cells * cell * 3 / 2 > plan.cluster.table) bytes += cells * cell * 7 / 10;
+  if (cells * cell * 3 / 2 > plan.cluster.table + plan.cluster.attributes) bytes += cells * cell * 7 / 10;
   if (kept * sizeof(CellFace) > plan.cluster.faces) bytes += kept * sizeof(CellFace) * 7 / 10;
-  if (cells * sizeof(IndexedVertex) > plan.cluster.vertices) bytes += cells * sizeof(IndexedVertex);
+  const std::uint64_t vertex = sizeof(IndexedVertex) + needs.attributes * sizeof(double);
+  if (cells * vertex > plan.cluster.vertices) bytes += cells * vertex;
   if (kept * 12 > plan.cluster.result) bytes += kept * 12;
   return bytes;
 }

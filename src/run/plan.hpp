@@ -11,8 +11,14 @@
 
 namespace winnow {
 
-// Depends on the budget and the threads alone, so that it can be made before anything is read. Nothing in it
-// changes a result.
+// Depends on the budget, the threads and what cells sum up, so that it can be made when no more than a header
+// is read. Nothing in it changes a result.
+// What is summed up of a cell besides its mean.
+struct CellNeeds {
+  bool quadrics = false;
+  std::size_t attributes = 0;
+};
+
 struct MemoryPlan {
   ReaderMemory reader;
   ClusterMemory cluster;
@@ -21,17 +27,18 @@ struct MemoryPlan {
 
   // Divides what of `total` is not `taken` already. Throws Error(resources) naming the smallest budget that
   // works.
-  static MemoryPlan divide(std::uint64_t total, std::uint64_t taken, unsigned threads, bool quadrics);
-  static std::uint64_t smallest_for(unsigned threads, bool quadrics);
+  static MemoryPlan divide(std::uint64_t total, std::uint64_t taken, unsigned threads,
+                           const CellNeeds& needs);
+  static std::uint64_t smallest_for(unsigned threads, const CellNeeds& needs);
 
   [[nodiscard]] std::vector<SimplifyPlan::Part> parts() const;
 };
 
 // The most scratch that any input of so many faces can need, in bytes, besides a copy of the input: every
 // face in cells of its own, nothing compressed.
-std::uint64_t worst_scratch(std::uint64_t faces, bool quadrics);
+std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs);
 
 // What a coherent scan at a tenth of its faces needs.
-std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, bool quadrics);
+std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, const CellNeeds& needs);
 
 }  // namespace winnow

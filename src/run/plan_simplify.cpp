@@ -2,9 +2,12 @@
 
 #include "io/arena.hpp"
 #include "read/kept_faces.hpp"
+#include "run/attributes.hpp"
 #include "run/input.hpp"
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
+
+#include <algorithm>
 
 namespace winnow {
 
@@ -17,6 +20,9 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   if (outlook.vertices_kept)
     passes.emplace_back("read the vertices into memory, or scratch where they do not fit");
   if (outlook.taken_in) passes.emplace_back("parse the input into memory, or scratch where it does not fit");
+  if (std::any_of(outlook.facts.choice.carried.begin(), outlook.facts.choice.carried.end(),
+                  [](const Attribute& attribute) { return !is_integer(attribute.type); }))
+    passes.emplace_back("find the largest numbers that the vertices carry");
   const std::string positions =
       outlook.taken_in || outlook.facts.vertices ? "vertices" : "corners of all faces";
   if (options.grid) passes.push_back("measure the box of the " + positions);
@@ -40,14 +46,15 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
 }  // namespace
 
 SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
-                           const std::string& /*output*/, const SimplifyOptions& options) {
+                           const std::string& output, const SimplifyOptions& options) {
   check(options);
   Job job(context);
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
   Input input(job, inputs);
-  const MemoryPlan plan =
-      MemoryPlan::divide(context.memory, input.memory(), job.threads, sums_quadrics(options));
-  const InputOutlook outlook = input.outlook(options);
+  const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output, options.encoding);
+  const InputOutlook outlook = input.outlook(options, wish_for(options, *encoder));
+  const CellNeeds needs = needs_of(options, outlook.facts.choice);
+  const MemoryPlan plan = MemoryPlan::divide(context.memory, input.memory(), job.threads, needs);
   SimplifyPlan out;
   out.memory = plan.parts();
   out.smallest_memory = plan.smallest + input.memory();
@@ -56,10 +63,12 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   out.vertices = outlook.facts.vertices;
   if (out.faces) {
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
-    if (outlook.vertices_kept) kept += out.vertices.value_or(0) * (outlook.facts.double_positions ? 24 : 12);
+    std::uint64_t vertex = outlook.facts.double_positions ? 24 : 12;
+    for (const Attribute& attribute : outlook.facts.choice.carried) vertex += size_of(attribute.type);
+    if (outlook.vertices_kept) kept += out.vertices.value_or(0) * vertex;
     if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
-    out.scratch_worst = worst_scratch(*out.faces, sums_quadrics(options)) + kept;
-    out.scratch_expected = expected_scratch(*out.faces, plan, sums_quadrics(options)) + kept;
+    out.scratch_worst = worst_scratch(*out.faces, needs) + kept;
+    out.scratch_expected = expected_scratch(*out.faces, plan, needs) + kept;
     // A rate measured once for one thread (bench/RESULTS.md), for want of knowing the machine.
     out.seconds_expected = static_cast<double>(*out.faces) / (2.2e7 * job.threads);
   }

@@ -33,13 +33,13 @@ SimplifyOptions checked(SimplifyOptions options) {
 
 // What is left of the budget beside the smallest that works is for the mesh that is added, by half.
 std::uint64_t share(const Job& job, const SimplifyOptions& options) {
-  MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, sums_quadrics(options));
-  const std::uint64_t needed = MemoryPlan::smallest_for(job.threads, sums_quadrics(options));
+  MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, needs_of(options));
+  const std::uint64_t needed = MemoryPlan::smallest_for(job.threads, needs_of(options));
   return (job.budget.left() - needed) / 4;
 }
 
 Reservation room_to_pack(Job& job, const MeshEncoder& encoder, const SimplifyOptions& options) {
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
   return reserve_block(job, encoder);
 }
 

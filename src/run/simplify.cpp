@@ -5,6 +5,7 @@
 
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
+#include "run/attributes.hpp"
 #include "run/clustering.hpp"
 #include "run/input.hpp"
 #include "run/plan.hpp"
@@ -27,10 +28,11 @@ namespace winnow {
 namespace {
 
 // What is left to be read, or to be taken from a checkpoint.
-Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const MemoryPlan& plan,
-                  const Stopwatch& watch, SimplifyReport& report) {
-  const std::unique_ptr<MeshReader> reader = input.reader(options, plan.reader);
-  Clustering clustering(job, *reader, options, plan, report);
+Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const AttributeWish& wish,
+                  const MemoryPlan& plan, const Stopwatch& watch, SimplifyReport& report) {
+  const std::unique_ptr<MeshReader> reader = input.reader(options, wish, plan.reader);
+  CarriedAttributes attributes = take_attributes(job, *reader, report);
+  Clustering clustering(job, *reader, options, std::move(attributes), plan, report);
   const double opened = watch.seconds();
   Clustered clustered = clustering.run();
   report.seconds.read += opened;
@@ -45,21 +47,28 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
   const SimplifyOptions& options = request.options;
   SimplifyReport report;
   if (checkpoint.opened()) report.resumed.emplace();
+  const AttributeWish wish = wish_for(options, encoder);
+  AttributeChoice choice;
+  if (input && !wish.none()) choice = input->outlook(options, wish).facts.choice;
   const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), input ? input->memory() : job.budget.used(),
-                                             job.threads, sums_quadrics(options));
+                                             job.threads, needs_of(options, choice));
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   Clustered clustered;
   if (input) {
     checkpoint.begun();
-    clustered = cluster(job, *input, options, plan, watch, report);
+    clustered = cluster(job, *input, options, wish, plan, watch, report);
     checkpoint.save(job, clustered, report);
   } else {
     clustered = checkpoint.load(job, plan.cluster.vertices + plan.cluster.result, report);
     report.seconds = {};
     report.seconds.read = watch.seconds();
   }
-  const bool normals = options.normals || clustered.normals;
+  const std::vector<Attribute> attributes = clustered.attributes;
+  // Where the input's normals are no attributes of the output, its own stand in for them.
+  const bool normals =
+      options.normals ||
+      (carries_normals(attributes) ? encoder.normals_apart() : clustered.normals && !options.attributes);
   const bool exact = clustered.double_positions;
   const bool doubles = writes_doubles(options.encoding, exact);
   ClusteredMesh mesh;
@@ -70,7 +79,8 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
     report.seconds.refine = watch.seconds() - report.seconds.read - report.seconds.cluster;
   }
 
-  const MeshShape shape = shape_of(job, mesh, encoder, normals, doubles, exact, "simplified by winnow");
+  MeshShape shape = shape_of(job, mesh, encoder, normals, doubles, exact, "simplified by winnow");
+  shape.attributes = attributes;
   write_mesh(job, mesh, shape, encoder, sink);
   sink.settle();
 
@@ -102,13 +112,13 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
   const Stopwatch watch;
   // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
   if (request.inputs.size() == 1 && request.inputs.front() == "-")
-    MemoryPlan::divide(job.budget.total(), 0, job.threads, sums_quadrics(options));
+    MemoryPlan::divide(job.budget.total(), 0, job.threads, needs_of(options));
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, request.output, options.encoding);
   if (options.faces) (void)encoder->header({.faces = *options.faces});  // refuses what it cannot count
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   // Packing, compressing and decompressing take memory of their own; the rest is divided.
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, sums_quadrics(options)));
-  const Reservation packing = reserve_block(job, *encoder);
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
+  const Reservation packing = reserve_block(job, *encoder, !wish_for(options, *encoder).none());
   ByteSink sink(job, request.output, options.force);
   std::optional<Input> input;
   if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);

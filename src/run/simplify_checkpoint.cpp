@@ -13,6 +13,12 @@ namespace {
 // In place of the output's identity where that has none, a pipe or a device.
 constexpr const char* done = "straight";
 
+constexpr const char* attribute_count = "clustered.attributes";
+
+std::string attribute_key(std::size_t number, const char* what) {
+  return std::string(attribute_count) + "." + std::to_string(number) + "." + what;
+}
+
 }  // namespace
 
 SimplifyCheckpoint SimplifyCheckpoint::begin(Job& job, const Checkpoint& settings,
@@ -69,6 +75,11 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory, SimplifyRepor
   clustered.error = manifest.real("clustered.error");
   clustered.normals = manifest.number("clustered.normals") != 0;
   clustered.double_positions = manifest.number("clustered.double_positions") != 0;
+  for (std::size_t i = 0; i < manifest.number(attribute_count); ++i) {
+    clustered.attributes.push_back({manifest.text(attribute_key(i, "name")),
+                                    static_cast<ScalarType>(manifest.number(attribute_key(i, "type"))),
+                                    static_cast<AttributeKind>(manifest.number(attribute_key(i, "kind")))});
+  }
   return clustered;
 }
 
@@ -82,6 +93,13 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered, SimplifyReport& re
   manifest.set("clustered.error", clustered.error);
   manifest.set("clustered.normals", std::uint64_t{clustered.normals});
   manifest.set("clustered.double_positions", std::uint64_t{clustered.double_positions});
+  manifest.set(attribute_count, std::uint64_t{clustered.attributes.size()});
+  for (std::size_t i = 0; i < clustered.attributes.size(); ++i) {
+    const Attribute& attribute = clustered.attributes[i];
+    manifest.set(attribute_key(i, "name"), attribute.name);
+    manifest.set(attribute_key(i, "type"), static_cast<std::uint64_t>(attribute.type));
+    manifest.set(attribute_key(i, "kind"), static_cast<std::uint64_t>(attribute.kind));
+  }
   RefinedMesh whole{std::move(clustered.mesh), nullptr};
   whole.state = std::move(whole.mesh.quadrics);
   save_mesh(*directory_, whole, 0);

@@ -79,8 +79,8 @@ Access access_for(const SimplifyOptions& options) {
   return options.grid ? Access::positions_first : Access::repeatedly;
 }
 
-bool sums_quadrics(const SimplifyOptions& options) {
-  return options.placement == Placement::quadric;
+CellNeeds needs_of(const SimplifyOptions& options, const AttributeChoice& choice) {
+  return {options.placement == Placement::quadric, choice.carried.size()};
 }
 
 }  // namespace winnow

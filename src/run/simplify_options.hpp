@@ -4,6 +4,7 @@
 #include <winnow/simplify.hpp>
 
 #include "read/mesh_reader.hpp"
+#include "run/plan.hpp"
 
 namespace winnow {
 
@@ -12,6 +13,6 @@ void check(const SimplifyOptions& options);
 
 Refine cost_of(const SimplifyOptions& options);
 Access access_for(const SimplifyOptions& options);
-bool sums_quadrics(const SimplifyOptions& options);
+CellNeeds needs_of(const SimplifyOptions& options, const AttributeChoice& choice = {});
 
 }  // namespace winnow

@@ -87,7 +87,7 @@ class Get {
 // Every option: one that is missing here would be forgotten by resume().
 template <typename Visit, typename Options>
 void visit_options(Visit&& visit, Options& options) {
-  static_assert(sizeof(SimplifyOptions) == 224, "an option has come or gone: name it below");
+  static_assert(sizeof(SimplifyOptions) == 264, "an option has come or gone: name it below");
   visit("option.cell", options.cell);
   visit("option.grid", options.grid);
   visit("option.faces", options.faces);
@@ -100,6 +100,7 @@ void visit_options(Visit&& visit, Options& options) {
   visit("option.max_normal_deviation", options.max_normal_deviation);
   visit("option.placement", options.placement);
   visit("option.normals", options.normals);
+  visit("option.attributes", options.attributes);
   visit("option.strict", options.strict);
   visit("option.crop", options.crop);
   visit("option.from", options.from);
@@ -129,6 +130,9 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.collapses", report.refine.collapses);
   visit("report.max_error", report.refine.max_error);
   visit("report.stopped_by", report.refine.stopped_by);
+  visit("report.carried", report.attributes.carried);
+  visit("report.dropped", report.attributes.dropped);
+  visit("report.ignored", report.attributes.ignored);
   visit("report.cell_size", report.cell_size);
   visit("report.cells", report.cells);
   visit("report.turned_faces", report.turned_faces);

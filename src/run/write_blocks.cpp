@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "io/spool.hpp"
+#include "run/attributes.hpp"
 #include "run/write_mesh.hpp"
 
 #include <algorithm>
@@ -17,6 +18,12 @@ constexpr std::uint64_t block_faces = std::uint64_t{1} << 15;
 // as; what it may be packed to; and indices likewise.
 constexpr std::uint64_t block_memory =
     block_faces * 3 * (2 * sizeof(std::uint32_t) + sizeof(MeshVertex) + 2 * 24 + 4 * sizeof(std::uint32_t));
+// Of normals and colours that are carried, and as what these are written and packed.
+constexpr std::uint64_t block_attributes = block_faces * 3 * (7 * sizeof(double) + 2 * 4 * sizeof(float));
+
+std::uint64_t memory_of_block(bool attributes) {
+  return block_memory + (attributes ? block_attributes : 0);
+}
 
 // The faces of a block by the numbers of its own vertices, which are numbered as they first come.
 struct OwnNumbers {
@@ -53,9 +60,9 @@ struct EncodedBlock {
 
 }  // namespace
 
-Reservation reserve_block(Job& job, const MeshEncoder& encoder) {
+Reservation reserve_block(Job& job, const MeshEncoder& encoder, bool attributes) {
   if (encoder.blocks() == nullptr) return {};
-  return job.budget.reserve(block_memory, "packing the output");
+  return job.budget.reserve(memory_of_block(attributes), "packing the output");
 }
 
 void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const BlockEncoder& encoder,
@@ -63,7 +70,7 @@ void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, c
   // Two blocks a thread keep all busy; fewer do where the budget is small.
   std::vector<Reservation> reservations;
   while (reservations.size() + 1 < 2 * std::size_t{job.threads}) {
-    Reservation more = job.budget.try_reserve(block_memory);
+    Reservation more = job.budget.try_reserve(memory_of_block(!shape.attributes.empty()));
     if (!more) break;
     reservations.push_back(std::move(more));
   }
@@ -90,7 +97,17 @@ void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, c
         VertexIndex::Reader& reader = readers.local();
         std::vector<MeshVertex> vertices;
         vertices.reserve(own.vertices.size());
-        for (const std::uint32_t vertex : own.vertices) vertices.push_back(finished(reader.at(vertex)));
+        const std::size_t carried = shape.attributes.size();
+        std::vector<double> attributes(carried * own.vertices.size());
+        std::span<double> left = attributes;
+        for (const std::uint32_t vertex : own.vertices) {
+          vertices.push_back(finished(reader.at(vertex)));
+          if (carried == 0) continue;
+          const std::span<double> values = left.first(carried);
+          left = left.subspan(carried);
+          mesh.attributes->read(vertex * carried * sizeof(double), std::as_writable_bytes(values));
+          finish_attributes(shape, values, vertices.back());
+        }
         item.bytes.clear();
         item.block = encoder.encode(shape, vertices, own.corners, item.bytes);
       },

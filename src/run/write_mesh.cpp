@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "io/spool_records.hpp"
+#include "run/attributes.hpp"
 #include "run/write_blocks.hpp"
 #include "write/coarse_floats.hpp"
 
@@ -99,6 +100,16 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
                        read_records<IndexedVertex>(mesh.vertices->records(), first, count);
                    std::vector<MeshVertex> vertices(count);
                    std::transform(indexed.begin(), indexed.end(), vertices.begin(), finished);
+                   const std::size_t carried = shape.attributes.size();
+                   std::vector<double> attributes(carried * count);
+                   if (carried > 0) {
+                     mesh.attributes->read(first * carried * sizeof(double),
+                                           std::as_writable_bytes(std::span(attributes)));
+                   }
+                   for (std::size_t i = 0; i < count && carried > 0; ++i) {
+                     finish_attributes(shape, std::span(attributes).subspan(i * carried, carried),
+                                       vertices[i]);
+                   }
                    encoder.vertices(shape, vertices, bytes);
                  });
   }

@@ -70,7 +70,8 @@ class Refiner {
         break;
       }
       const bool back = report_.rounds % 2 == 0;
-      whole = reorder(job_, std::move(whole), back, state_size(), memory_.lists, memory_.mesh);
+      whole = reorder(job_, std::move(whole), back, state_size(), settings_.attributes, memory_.lists,
+                      memory_.mesh);
       keep(whole, false);
     }
     keep(whole, true);
@@ -122,7 +123,7 @@ class Refiner {
     const IncomingFaces incoming(job_, whole.mesh, tiling, memory_.lists);
     if (whole.mesh.face_count <= settings_.faces) {
       // Nothing goes but vertices without a face; the others get their normals.
-      return make_smaller(whole, tiling, incoming, [](std::size_t, Decimation&) {});
+      return make_smaller(whole, tiling, incoming, [](std::size_t, Decimation&, CarriedValues&) {});
     }
     if (tiling.tiles() > 1 && settings_.faces == 0 && checkpoint_ != nullptr) {
       CollapseLog log(job_, memory_.logs);
@@ -130,15 +131,17 @@ class Refiner {
       return repeat(whole, tiling, incoming, log, log.all());
     }
     if (tiling.tiles() == 1 || settings_.faces == 0) {
-      return make_smaller(whole, tiling, incoming, [&](std::size_t, Decimation& decimation) {
-        Steps steps(job_.progress);
-        std::uint64_t collapses = 0;
-        decimation.run({settings_.faces, no_limit}, [&](const DoneCollapse& done) {
-          ++collapses;
-          steps.add(done.faces);
-        });
-        tell(collapses, decimation.largest_error());
-      });
+      return make_smaller(whole, tiling, incoming,
+                          [&](std::size_t, Decimation& decimation, CarriedValues& values) {
+                            Steps steps(job_.progress);
+                            std::uint64_t collapses = 0;
+                            decimation.run({settings_.faces, no_limit}, [&](const DoneCollapse& done) {
+                              ++collapses;
+                              values.collapsed(done.edge);
+                              steps.add(done.faces);
+                            });
+                            tell(collapses, decimation.largest_error());
+                          });
     }
     const bool first = report_.rounds == 1;
     double more = more_headroom;
@@ -159,11 +162,15 @@ class Refiner {
   // What is left when so many collapses of each tile are repeated.
   RefinedMesh repeat(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                      const CollapseLog& log, const std::vector<std::uint64_t>& counts) {
-    return make_smaller(whole, tiling, incoming, [&](std::size_t tile, Decimation& decimation) {
-      for (const Collapse& edge : log.edges(tile, counts[tile])) decimation.repeat(edge);
-      job_.progress.check_cancelled();
-      tell(counts[tile], log.error(tile, counts[tile]));
-    });
+    return make_smaller(whole, tiling, incoming,
+                        [&](std::size_t tile, Decimation& decimation, CarriedValues& values) {
+                          for (const Collapse& edge : log.edges(tile, counts[tile])) {
+                            decimation.repeat(edge);
+                            values.collapsed(edge);
+                          }
+                          job_.progress.check_cancelled();
+                          tell(counts[tile], log.error(tile, counts[tile]));
+                        });
   }
 
   // How many faces the first round removes. The faces that the borders freeze will become fewer in
@@ -224,7 +231,7 @@ class Refiner {
         tiling, incoming, known,
         [&](std::size_t number, TriedTile& tried) {
           tried.clear();
-          Tile tile = load_tile(whole, tiling, incoming, number, state_size());
+          Tile tile = load_tile(whole, tiling, incoming, number, state_size(), 0);
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
           for (FaceNumber f = 0; f < tile.own_faces; ++f) {
             const FaceVertices& face = mesh.face(f);
@@ -262,16 +269,17 @@ class Refiner {
   template <typename Shrink>
   RefinedMesh make_smaller(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                            const Shrink& shrink) {
-    SmallerMesh smaller(job_, state_size(), memory_.mesh);
+    SmallerMesh smaller(job_, state_size(), settings_.attributes, memory_.mesh);
     for_each_tile<TileRest>(
         tiling, incoming, 0,
         [&](std::size_t number, TileRest& rest) {
-          Tile tile = load_tile(whole, tiling, incoming, number, state_size());
+          Tile tile = load_tile(whole, tiling, incoming, number, state_size(), settings_.attributes);
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
-          shrink(number, *decimation);
-          rest = rest_of(tile, mesh, *decimation, state_size());
+          CarriedValues values = carried_values(tile, settings_.attributes);
+          shrink(number, *decimation, values);
+          rest = rest_of(tile, mesh, *decimation, values, state_size());
         },
         [&](std::size_t, TileRest& rest) { smaller.append(std::move(rest)); });
     RefinedMesh out = smaller.finish(tiling);
@@ -293,9 +301,10 @@ class Refiner {
                                    std::uint64_t faces) {
     const std::size_t state_size = Decimation::state_size(settings.decimation);
     const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
-    const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size);
+    const std::size_t attributes = settings.attributes * sizeof(double);
+    const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size + attributes);
     return Tile::memory(vertices, faces, state_size) + Decimation::memory(settings.decimation, vertices) +
-           std::max(log, rest);
+           CarriedValues::memory(vertices, settings.attributes) + std::max(log, rest);
   }
 };
 

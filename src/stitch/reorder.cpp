@@ -47,17 +47,24 @@ struct OrderedFace {
 
 }  // namespace
 
-RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size, std::uint64_t list_memory,
-                    std::uint64_t mesh_memory) {
+RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size, std::size_t attributes,
+                    std::uint64_t list_memory, std::uint64_t mesh_memory) {
   const Reservation reserved = job.budget.reserve(list_memory, "sorting");
   const std::uint64_t vertices = whole.mesh.vertices->size();
+  const std::size_t bytes = attributes * sizeof(double);
   RefinedMesh out;
   out.mesh.cells = whole.mesh.cells;
   out.mesh.fused = whole.mesh.fused;
   out.mesh.turned = whole.mesh.turned;
   out.mesh.face_count = whole.mesh.face_count;
   out.mesh.vertices = std::make_unique<VertexIndex>(job, mesh_memory / 3);
-  if (whole.state != nullptr) out.state = std::make_unique<Spool>(job, mesh_memory / 3);
+  std::uint64_t left = mesh_memory / 3;
+  if (attributes > 0) {
+    const std::uint64_t share = left / (state_size + bytes) * bytes;
+    out.mesh.attributes = std::make_unique<Spool>(job, share);
+    left -= share;
+  }
+  if (whole.state != nullptr) out.state = std::make_unique<Spool>(job, left);
   out.mesh.faces = std::make_unique<Spool>(job, mesh_memory / 3);
   Spool numbers(job, list_memory / 2);  // the new number of each vertex
   {
@@ -72,15 +79,20 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
       MergedCursor<Moved> merged = merge<Moved>({&list}, runs);
       Appender<IndexedVertex, VertexIndex> append(job, *out.mesh.vertices);
       std::vector<std::byte> state(state_size);
+      std::vector<std::byte> carried(bytes);
+      const auto copy = [](const Spool& from, std::uint64_t vertex, std::vector<std::byte>& record,
+                           Spool& to) {
+        from.read(vertex * record.size(), record);
+        to.append(record);
+      };
       std::uint32_t number = 0;
       for (Moved moved{}; merged.next(moved); ++number) {
         renumbered.add({moved.old_number, number});
         IndexedVertex vertex = reader.at(moved.old_number);
         vertex.key = moved.key;
         append.add(vertex);
-        if (out.state == nullptr) continue;
-        whole.state->read(moved.old_number * std::uint64_t{state_size}, state);
-        out.state->append(state);
+        if (out.state != nullptr) copy(*whole.state, moved.old_number, state, *out.state);
+        if (attributes > 0) copy(*whole.mesh.attributes, moved.old_number, carried, *out.mesh.attributes);
       }
       append.flush();
     }
@@ -93,7 +105,9 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
   }
   out.mesh.vertices->finish();
   if (out.state != nullptr) out.state->finish();
+  if (attributes > 0) out.mesh.attributes->finish();
   whole.mesh.vertices.reset();
+  whole.mesh.attributes.reset();
   whole.state.reset();
 
   SortedRuns<OrderedFace> runs(job);

@@ -10,19 +10,21 @@ constexpr const char* stage_key = "mesh.stage";
 constexpr const char* vertices_part = ".vertices";
 constexpr const char* faces_part = ".faces";
 constexpr const char* state_part = ".state";
+constexpr const char* attributes_part = ".attributes";
 
 }  // namespace
 
 void save_mesh(CheckpointDirectory& checkpoint, const RefinedMesh& whole, std::uint64_t rounds) {
   Manifest& manifest = checkpoint.manifest();
   if (manifest.has(stage_key)) {
-    for (const char* part : {vertices_part, faces_part, state_part})
+    for (const char* part : {vertices_part, faces_part, state_part, attributes_part})
       checkpoint.forget(manifest.text(stage_key) + part);
   }
   const std::string stage = "stage-" + std::to_string(rounds);
   checkpoint.save(stage + vertices_part, whole.mesh.vertices->records());
   checkpoint.save(stage + faces_part, *whole.mesh.faces);
   if (whole.state != nullptr) checkpoint.save(stage + state_part, *whole.state);
+  if (whole.mesh.attributes != nullptr) checkpoint.save(stage + attributes_part, *whole.mesh.attributes);
   manifest.set(stage_key, stage);
   manifest.set("mesh.faces", whole.mesh.face_count);
   manifest.set("mesh.cells", whole.mesh.cells);
@@ -34,6 +36,10 @@ RefinedMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint
   const Manifest& manifest = checkpoint.manifest();
   const std::string stage = manifest.text(stage_key);
   RefinedMesh whole;
+  if (checkpoint.has(stage + attributes_part)) {
+    memory /= 2;
+    whole.mesh.attributes = std::make_unique<Spool>(checkpoint.load(stage + attributes_part, memory));
+  }
   whole.mesh.vertices =
       std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
   if (checkpoint.has(stage + state_part))

@@ -22,7 +22,7 @@ std::array<float, 3> normal_of(const TileMesh& mesh, VertexNumber v) {
 }  // namespace
 
 TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
-                 std::size_t state_size) {
+                 const CarriedValues& values, std::size_t state_size) {
   TileRest rest;
   std::vector<std::uint32_t> place(tile.own_vertices, no_number);
   for (VertexNumber v = 0; v < tile.own_vertices; ++v) {
@@ -34,6 +34,8 @@ TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decim
     rest.vertices.push_back(vertex);
     rest.state.resize(rest.state.size() + state_size);
     decimation.save(v, rest.state.data() + rest.state.size() - state_size);
+    const std::span<const double> carried = values.of(v);
+    rest.attributes.insert(rest.attributes.end(), carried.begin(), carried.end());
     if (mesh.locked(v)) rest.named.push_back({static_cast<std::uint32_t>(tile.first_vertex + v), place[v]});
   }
   for (FaceNumber f = 0; f < tile.own_faces; ++f) {
@@ -58,14 +60,21 @@ TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decim
   return rest;
 }
 
-SmallerMesh::SmallerMesh(Job& job, std::size_t state_size, std::uint64_t memory)
+SmallerMesh::SmallerMesh(Job& job, std::size_t state_size, std::size_t attributes, std::uint64_t memory)
     : job_(job),
       memory_(memory),
       faces_(job, memory / 8),
       seam_faces_(job, memory / 16),
       named_(job, memory / 16) {
   out_.mesh.vertices = std::make_unique<VertexIndex>(job, memory / 4);
-  if (state_size > 0) out_.state = std::make_unique<Spool>(job, memory / 4);
+  std::uint64_t left = memory / 4;
+  if (attributes > 0) {
+    const std::uint64_t bytes = attributes * sizeof(double);
+    const std::uint64_t share = left / (state_size + bytes) * bytes;
+    out_.mesh.attributes = std::make_unique<Spool>(job, share);
+    left -= share;
+  }
+  if (state_size > 0) out_.state = std::make_unique<Spool>(job, left);
 }
 
 void SmallerMesh::append(TileRest rest) {
@@ -80,6 +89,8 @@ void SmallerMesh::append(TileRest rest) {
   }
   out_.mesh.vertices->append(rest.vertices);
   if (out_.state != nullptr) out_.state->append(rest.state);
+  if (out_.mesh.attributes != nullptr)
+    out_.mesh.attributes->append(std::as_bytes(std::span(rest.attributes)));
   out_.mesh.face_count += rest.faces.size() + rest.seam_faces.size();
   append_records<FaceVertices>(faces_, rest.faces);
   append_records<SeamFace>(seam_faces_, rest.seam_faces);
@@ -109,6 +120,7 @@ std::uint32_t SmallerMesh::new_number(const Tiling& tiling, std::uint32_t old_nu
 RefinedMesh SmallerMesh::finish(const Tiling& tiling) {
   out_.mesh.vertices->finish();
   if (out_.state != nullptr) out_.state->finish();
+  if (out_.mesh.attributes != nullptr) out_.mesh.attributes->finish();
   faces_.finish();
   seam_faces_.finish();
   named_.finish();

@@ -26,6 +26,7 @@ struct NamedVertex {
 struct TileRest {
   std::vector<IndexedVertex> vertices;
   std::vector<std::byte> state;
+  std::vector<double> attributes;
   std::vector<FaceVertices> faces;  // by places in `vertices`, the lowest first; in ascending order
   std::vector<SeamFace> seam_faces;
   std::vector<NamedVertex> named;  // in ascending order
@@ -33,12 +34,12 @@ struct TileRest {
 
 // Vertices without faces go; the others get the normals of their faces.
 TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
-                 std::size_t state_size);
+                 const CarriedValues& values, std::size_t state_size);
 
 // Takes the tiles in order, on one thread.
 class SmallerMesh {
  public:
-  SmallerMesh(Job& job, std::size_t state_size, std::uint64_t memory);
+  SmallerMesh(Job& job, std::size_t state_size, std::size_t attributes, std::uint64_t memory);
 
   void append(TileRest rest);
 

@@ -66,7 +66,7 @@ std::uint64_t Tile::memory(std::uint64_t vertices, std::uint64_t faces, std::siz
 }
 
 Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
-               std::size_t number, std::size_t state_size) {
+               std::size_t number, std::size_t state_size, std::size_t attributes) {
   Tile tile;
   tile.first_vertex = tiling.first_vertex(number);
   const std::uint64_t end = tiling.first_vertex(number + 1);
@@ -113,7 +113,19 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
     whole.state->read(tile.first_vertex * state_size,
                       std::span(tile.state).first(std::size_t{tile.own_vertices} * state_size));
   }
+  if (attributes > 0) {
+    tile.attributes = read_records<double>(*whole.mesh.attributes, tile.first_vertex * attributes,
+                                           std::uint64_t{tile.own_vertices} * attributes);
+  }
   return tile;
+}
+
+CarriedValues carried_values(Tile& tile, std::size_t attributes) {
+  if (attributes == 0) return {};
+  std::vector<Point> positions;
+  positions.reserve(tile.vertices.size());
+  for (const IndexedVertex& vertex : tile.vertices) positions.push_back(vertex.position);
+  return {attributes, std::move(positions), std::move(tile.attributes)};
 }
 
 }  // namespace winnow

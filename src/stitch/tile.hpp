@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cluster/clusterer.hpp"
+#include "decimate/carried_values.hpp"
 #include "decimate/tile_mesh.hpp"
 #include "stitch/tiling.hpp"
 
@@ -45,12 +46,16 @@ struct Tile {
   std::vector<FaceVertices> faces;
   std::vector<std::uint8_t> locked;  // corners of faces with corners in several tiles
   std::vector<std::byte> state;      // of all vertices (zero for the others), or empty
+  std::vector<double> attributes;    // of the tile's own vertices, so many each
 
   // Bytes in use at the most while it is loaded, collapsed and given away.
   static std::uint64_t memory(std::uint64_t vertices, std::uint64_t faces, std::size_t state_size);
 };
 
 Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
-               std::size_t number, std::size_t state_size);
+               std::size_t number, std::size_t state_size, std::size_t attributes);
+
+// What the tile's own vertices carry.
+CarriedValues carried_values(Tile& tile, std::size_t attributes);
 
 }  // namespace winnow

@@ -43,18 +43,21 @@ inline void append_position(std::vector<std::byte>& out, const std::array<double
                                 static_cast<float>(position[2])});
 }
 
-// The lines that PLY and OFF have in common.
-inline void append_lines(std::vector<std::byte>& out, const MeshShape& shape,
-                         std::span<const MeshVertex> vertices) {
-  for (const MeshVertex& vertex : vertices) {
-    append_position(out, vertex.position, shape.double_positions);
-    if (shape.normals) {
-      append_text(out, " ");
-      append_triple(out, vertex.normal);
-    }
-    append_text(out, "\n");
-  }
+// A number as it is in a binary file of that type.
+void append_rounded(std::vector<std::byte>& out, double value, ScalarType type);
+
+// As a float with a point or an exponent, so that it is never taken for a whole number.
+void append_real(std::vector<std::byte>& out, double value);
+
+// What lines of vertices of PLY and OFF begin with.
+inline void append_geometry(std::vector<std::byte>& out, const MeshShape& shape, const MeshVertex& vertex) {
+  append_position(out, vertex.position, shape.double_positions);
+  if (!shape.normals) return;
+  append_text(out, " ");
+  append_triple(out, vertex.normal);
 }
+
+// The lines of faces that they have in common.
 inline void append_lines(std::vector<std::byte>& out, std::span<const MeshFace> faces) {
   for (const MeshFace& face : faces) {
     append_text(out, "3 ");

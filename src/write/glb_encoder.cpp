@@ -1,6 +1,7 @@
 // GLB as it is: one primitive, vertices with their normals beside each other, indices of 32 bits.
 #include "write/append.hpp"
 #include "write/glb_layout.hpp"
+#include "write/vertex_colors.hpp"
 
 #include <string>
 
@@ -33,6 +34,10 @@ class GlbEncoder final : public MeshEncoder {
   }
 
   [[nodiscard]] bool needs_box() const override { return true; }
+  [[nodiscard]] std::string attribute_refusal(const Attribute& attribute) const override {
+    return refusal_but_for_colors(attribute, true);
+  }
+  [[nodiscard]] bool normals_apart() const override { return true; }
 };
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <winnow/error.hpp>
 
+#include "base/srgb.hpp"
 #include "base/text.hpp"
 #include "base/vector.hpp"
 #include "write/append.hpp"
+#include "write/vertex_colors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,17 +38,30 @@ void emit_list(std::size_t count, const Emit& emit, const Text& text) {
   }
 }
 
-// Of each block: positions, indices and, if it has them, normals.
+// Components of colours, if the shape has any.
+std::uint64_t color_components(const MeshShape& shape) {
+  const VertexColors colors(shape.attributes);
+  return colors.any() ? (colors.alpha() ? 4 : 3) : 0;
+}
+
+// Of each block: positions, indices and, if it has them, normals and colours.
 struct Numbers {
-  std::size_t accessors;  // a block
-  [[nodiscard]] std::string position(std::size_t block) const { return number(accessors * block); }
-  [[nodiscard]] std::string indices(std::size_t block) const { return number(accessors * block + 1); }
-  [[nodiscard]] std::string normal(std::size_t block) const { return number(accessors * block + 2); }
+  explicit Numbers(const MeshShape& shape)
+      : normals(shape.normals ? 1 : 0), colors(color_components(shape) > 0 ? 1 : 0) {}
+
+  std::size_t normals, colors;
+  [[nodiscard]] std::size_t first(std::size_t block) const { return (2 + normals + colors) * block; }
+  [[nodiscard]] std::string position(std::size_t block) const { return number(first(block)); }
+  [[nodiscard]] std::string indices(std::size_t block) const { return number(first(block) + 1); }
+  [[nodiscard]] std::string normal(std::size_t block) const { return number(first(block) + 2); }
+  [[nodiscard]] std::string color(std::size_t block) const { return number(first(block) + 2 + normals); }
 };
 
-std::string vertex_accessor(std::size_t block, unsigned offset, const MeshBlock& of) {
+std::string vertex_accessor(std::size_t block, std::uint64_t offset, const MeshBlock& of,
+                            std::uint64_t components = 3) {
   return R"({"bufferView":)" + number(2 * block) + R"(,"byteOffset":)" + number(offset) +
-         R"(,"componentType":5126,"count":)" + number(of.vertices) + R"(,"type":"VEC3")";
+         R"(,"componentType":5126,"count":)" + number(of.vertices) + R"(,"type":"VEC)" + number(components) +
+         "\"";
 }
 
 std::string accessors_of(const MeshShape& shape, std::size_t block, const MeshBlock& of) {
@@ -54,6 +69,10 @@ std::string accessors_of(const MeshShape& shape, std::size_t block, const MeshBl
                      list(of.box.high) + R"(},{"bufferView":)" + number(2 * block + 1) +
                      R"(,"componentType":5125,"count":)" + number(3 * of.faces) + R"(,"type":"SCALAR"})";
   if (shape.normals) text += "," + vertex_accessor(block, 3 * sizeof(float), of) + "}";
+  if (const std::uint64_t components = color_components(shape); components > 0) {
+    const std::uint64_t offset = glb_stride(shape) - components * sizeof(float);
+    text += "," + vertex_accessor(block, offset, of, components) + "}";
+  }
   return text;
 }
 
@@ -88,7 +107,7 @@ std::uint64_t packed_bytes(const MeshBlock& block) {
 
 void emit_json(const MeshShape& shape, std::span<const MeshBlock> blocks, bool packed, const Emit& emit) {
   const Point offset = glb_offset(shape);
-  const Numbers numbers{shape.normals ? std::size_t{3} : std::size_t{2}};
+  const Numbers numbers(shape);
   emit(R"({"asset":{"version":"2.0","generator":"winnow"},)");
   if (packed)
     emit(R"("extensionsUsed":[")" + extension + R"("],"extensionsRequired":[")" + extension + R"("],)");
@@ -97,7 +116,8 @@ void emit_json(const MeshShape& shape, std::span<const MeshBlock> blocks, bool p
   emit(R"(}],"meshes":[{"primitives":[)");
   emit_list(blocks.size(), emit, [&](std::size_t i) {
     return R"({"attributes":{"POSITION":)" + numbers.position(i) +
-           (shape.normals ? R"(,"NORMAL":)" + numbers.normal(i) : "") + R"(},"indices":)" +
+           (numbers.normals > 0 ? R"(,"NORMAL":)" + numbers.normal(i) : "") +
+           (numbers.colors > 0 ? R"(,"COLOR_0":)" + numbers.color(i) : "") + R"(},"indices":)" +
            numbers.indices(i) + "}";
   });
   emit(R"(]}],"accessors":[)");
@@ -145,18 +165,25 @@ Point glb_offset(const MeshShape& shape) {
 }
 
 std::uint64_t glb_stride(const MeshShape& shape) {
-  return (shape.normals ? 6 : 3) * sizeof(float);
+  return ((shape.normals ? 6 : 3) + color_components(shape)) * sizeof(float);
 }
 
 void append_glb_vertices(const MeshShape& shape, const Point& offset, std::span<const MeshVertex> vertices,
                          std::vector<std::byte>& out) {
+  const VertexColors colors(shape.attributes);
+  const std::uint64_t components = color_components(shape);
   for (const MeshVertex& vertex : vertices) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       append(out, static_cast<float>(vertex.position[axis] - offset[axis]));
-    if (!shape.normals) continue;
-    // A normal of no length is not allowed; any other is as good for a vertex that has none.
-    const bool none = vertex.normal == std::array<float, 3>{};
-    append(out, none ? std::array{0.0F, 0.0F, 1.0F} : vertex.normal);
+    if (shape.normals) {
+      // A normal of no length is not allowed; any other is as good for a vertex that has none.
+      const bool none = vertex.normal == std::array<float, 3>{};
+      append(out, none ? std::array{0.0F, 0.0F, 1.0F} : vertex.normal);
+    }
+    for (std::size_t i = 0; i < components; ++i) {
+      const double component = std::clamp(colors.component(vertex, i), 0.0, 1.0);
+      append(out, static_cast<float>(i < 3 ? light_of_component(component) : component));
+    }
   }
 }
 

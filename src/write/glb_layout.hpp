@@ -16,7 +16,8 @@ namespace winnow {
 // beside the mesh. A mesh within twice its size of the origin, and one of floats, stays where it is.
 Point glb_offset(const MeshShape& shape);
 
-// Bytes of a vertex: its position and, if the shape has it, its normal.
+// Bytes of a vertex: its position and, if the shape has them, its normal and its colour, three or four
+// floats, of light, not as sRGB has it.
 std::uint64_t glb_stride(const MeshShape& shape);
 void append_glb_vertices(const MeshShape& shape, const Point& offset, std::span<const MeshVertex> vertices,
                          std::vector<std::byte>& out);

@@ -3,6 +3,7 @@
 
 #include <winnow/format.hpp>
 
+#include "base/attribute.hpp"
 #include "base/box.hpp"
 
 #include <array>
@@ -21,15 +22,18 @@ namespace winnow {
 struct MeshShape {
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
-  bool normals = false;           // vertices carry normals
-  bool double_positions = false;  // else every position is a float
-  std::string comment{};          // one line; may be empty
-  Box box{};                      // of all vertices; only where needs_box() asks for it
+  bool normals = false;                 // vertices carry normals
+  bool double_positions = false;        // else every position is a float
+  std::string comment{};                // one line; may be empty
+  Box box{};                            // of all vertices; only where needs_box() asks for it
+  std::vector<Attribute> attributes{};  // that vertices carry
+  bool as_stored = false;               // these are the numbers of the input, not means of them
 };
 
 struct MeshVertex {
   std::array<double, 3> position{};
   std::array<float, 3> normal{};
+  std::span<const double> attributes{};  // as many as the shape says; to be rounded to their types
 };
 
 struct MeshFace {
@@ -78,6 +82,14 @@ class MeshEncoder {
                      std::span<const Corners> corners, std::vector<std::byte>& out) const = 0;
 
   [[nodiscard]] virtual std::string footer(const MeshShape& /*shape*/) const { return {}; }
+
+  // Why the format cannot hold an attribute, in words that its name follows; empty where it can.
+  [[nodiscard]] virtual std::string attribute_refusal(const Attribute& /*attribute*/) const {
+    return "the output's format holds no attributes:";
+  }
+
+  // Whether normals that are carried are written where others are, as MeshVertex::normal, not as attributes.
+  [[nodiscard]] virtual bool normals_apart() const { return false; }
 
   [[nodiscard]] virtual bool needs_corners() const { return false; }
   // Whether header() and vertices() look at the shape's box.

@@ -1,6 +1,7 @@
-// Wavefront OBJ, by appendix B1 of the Advanced Visualizer manual: indices count from 1.
+// Wavefront OBJ, by appendix B1 of the Advanced Visualizer manual: indices count from 1. Colours, which that
+// does not know, stand behind the position, from 0 to 1, where nearly every program looks for them.
 #include "write/append_text.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/vertex_colors.hpp"
 
 namespace winnow {
 
@@ -17,9 +18,14 @@ class ObjEncoder final : public MeshEncoder {
 
   void vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
                 std::vector<std::byte>& out) const override {
+    const VertexColors colors(shape.attributes);
     for (const MeshVertex& vertex : vertices) {
       append_text(out, "v ");
       append_position(out, vertex.position, shape.double_positions);
+      for (std::size_t i = 0; i < 3 && colors.any(); ++i) {
+        append_text(out, " ");
+        append_number(out, static_cast<float>(colors.component(vertex, i)));
+      }
       if (shape.normals) {
         append_text(out, "\nvn ");
         append_triple(out, vertex.normal);
@@ -42,6 +48,11 @@ class ObjEncoder final : public MeshEncoder {
       append_text(out, "\n");
     }
   }
+
+  [[nodiscard]] std::string attribute_refusal(const Attribute& attribute) const override {
+    return refusal_but_for_colors(attribute, false);
+  }
+  [[nodiscard]] bool normals_apart() const override { return true; }
 };
 
 }  // namespace

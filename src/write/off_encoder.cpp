@@ -1,6 +1,6 @@
-// OFF, by the manual of Geomview: counts, vertices, faces; NOFF where vertices have normals.
+// OFF, by the manual of Geomview: counts, vertices, faces; CNOFF where vertices have colours and normals.
 #include "write/append_text.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/vertex_colors.hpp"
 
 namespace winnow {
 
@@ -9,20 +9,39 @@ namespace {
 class OffEncoder final : public MeshEncoder {
  public:
   [[nodiscard]] std::string header(const MeshShape& shape) const override {
-    std::string text = shape.normals ? "NOFF\n" : "OFF\n";
+    std::string text = VertexColors(shape.attributes).any() ? "C" : "";
+    text += shape.normals ? "NOFF\n" : "OFF\n";
     if (!shape.comment.empty()) text += "# " + shape.comment + "\n";
     return text + std::to_string(shape.vertices) + " " + std::to_string(shape.faces) + " 0\n";
   }
 
   void vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
                 std::vector<std::byte>& out) const override {
-    append_lines(out, shape, vertices);
+    const VertexColors colors(shape.attributes);
+    for (const MeshVertex& vertex : vertices) {
+      append_geometry(out, shape, vertex);
+      for (std::size_t i = 0; i < 4 && colors.any(); ++i) {
+        const double component = colors.component(vertex, i);
+        append_text(out, " ");
+        if (colors.bytes()) {
+          append_rounded(out, 255 * component, ScalarType::uint8);
+        } else {
+          append_real(out, component);
+        }
+      }
+      append_text(out, "\n");
+    }
   }
 
   void faces(const MeshShape& /*shape*/, std::span<const MeshFace> faces,
              std::span<const Corners> /*corners*/, std::vector<std::byte>& out) const override {
     append_lines(out, faces);
   }
+
+  [[nodiscard]] std::string attribute_refusal(const Attribute& attribute) const override {
+    return refusal_but_for_colors(attribute, true);
+  }
+  [[nodiscard]] bool normals_apart() const override { return true; }
 };
 
 }  // namespace

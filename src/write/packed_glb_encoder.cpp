@@ -4,6 +4,7 @@
 
 #include "write/append.hpp"
 #include "write/glb_layout.hpp"
+#include "write/vertex_colors.hpp"
 
 #include <meshoptimizer.h>
 
@@ -33,6 +34,10 @@ class PackedGlbEncoder final : public MeshEncoder, public BlockEncoder {
              std::span<const Corners> /*corners*/, std::vector<std::byte>& /*out*/) const override {}
 
   [[nodiscard]] bool needs_box() const override { return true; }
+  [[nodiscard]] std::string attribute_refusal(const Attribute& attribute) const override {
+    return refusal_but_for_colors(attribute, true);
+  }
+  [[nodiscard]] bool normals_apart() const override { return true; }
   [[nodiscard]] const BlockEncoder* blocks() const override { return this; }
 
   MeshBlock encode(const MeshShape& shape, std::span<const MeshVertex> vertices,

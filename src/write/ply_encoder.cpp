@@ -17,7 +17,9 @@ constexpr std::uint64_t all_indices = std::uint64_t{1} << 32;
 template <typename Real>
 void encode_vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
                      std::vector<std::byte>& out) {
-  const std::size_t size = 3 * sizeof(Real) + (shape.normals ? 3 * sizeof(float) : 0);
+  std::size_t size = 3 * sizeof(Real) + (shape.normals ? 3 * sizeof(float) : 0);
+  const std::size_t attributes = size;
+  for (const Attribute& attribute : shape.attributes) size += size_of(attribute.type);
   std::size_t at = out.size();
   out.resize(at + size * vertices.size());
   for (const MeshVertex& vertex : vertices) {
@@ -27,7 +29,24 @@ void encode_vertices(const MeshShape& shape, std::span<const MeshVertex> vertice
     std::memcpy(out.data() + at, position.data(), sizeof position);
     if (shape.normals)
       std::memcpy(out.data() + at + sizeof position, vertex.normal.data(), sizeof vertex.normal);
+    std::byte* next = out.data() + at + attributes;
+    for (std::size_t i = 0; i < shape.attributes.size(); ++i) {
+      store_rounded(vertex.attributes[i], shape.attributes[i].type, next);
+      next += size_of(shape.attributes[i].type);
+    }
     at += size;
+  }
+}
+
+void append_text_vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
+                          std::vector<std::byte>& out) {
+  for (const MeshVertex& vertex : vertices) {
+    append_geometry(out, shape, vertex);
+    for (std::size_t i = 0; i < shape.attributes.size(); ++i) {
+      append_text(out, " ");
+      append_rounded(out, vertex.attributes[i], shape.attributes[i].type);
+    }
+    append_text(out, "\n");
   }
 }
 
@@ -48,6 +67,8 @@ class PlyEncoder final : public MeshEncoder {
     if (shape.normals) {
       for (const char* axis : {"nx", "ny", "nz"}) text += std::string("property float ") + axis + "\n";
     }
+    for (const Attribute& attribute : shape.attributes)
+      text += std::string("property ") + name_of(attribute.type) + " " + attribute.name + "\n";
     text += "element face " + std::to_string(shape.faces) + "\n";
     // Most readers know only int; uint is for what int cannot count.
     text += shape.vertices <= signed_indices ? "property list uchar int vertex_indices\n"
@@ -58,7 +79,7 @@ class PlyEncoder final : public MeshEncoder {
   void vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
                 std::vector<std::byte>& out) const override {
     if (ascii_) {
-      append_lines(out, shape, vertices);
+      append_text_vertices(shape, vertices, out);
     } else if (shape.double_positions) {
       encode_vertices<double>(shape, vertices, out);
     } else {
@@ -81,6 +102,8 @@ class PlyEncoder final : public MeshEncoder {
       at += size;
     }
   }
+
+  [[nodiscard]] std::string attribute_refusal(const Attribute& /*attribute*/) const override { return {}; }
 
  private:
   bool ascii_;

@@ -33,6 +33,8 @@ Faces faces_of(MeshReader& reader) {
         for (std::size_t corner = 0; corner < 3 && decoded.status[i] == FaceStatus::good; ++corner) {
           for (const double x : decoded.corner(corner, i))
             hash = mixed_hash(hash ^ std::bit_cast<std::uint64_t>(x));
+          for (std::size_t k = 0; k < reader.facts().choice.carried.size(); ++k)
+            hash = mixed_hash(hash ^ std::bit_cast<std::uint64_t>(decoded.attribute(k, corner, i)));
         }
         faces.sum = mixed_hash(faces.sum ^ hash);
       }
@@ -49,8 +51,12 @@ std::optional<Faces> read(const std::string& content, test::MemorySource::Kind k
   FuzzJob fuzz;
   std::optional<Faces> faces;
   survives([&] {
+    AttributeWish wish;
+    wish.names.reset();
     const auto reader = open_reader(fuzz.job, std::make_unique<test::MemorySource>(content, kind),
-                                    Format::automatic, access, {std::uint64_t{1} << 20, batch_faces});
+                                    Format::automatic, access, {std::uint64_t{1} << 20, batch_faces}, wish);
+    const std::size_t carried = reader->facts().choice.carried.size();
+    expect(reader->attribute_ranges().size() == carried, "every attribute has a range");
     if (access != Access::once) {
       FaceBatch slice;
       reader->begin_positions(PassCorners::all);

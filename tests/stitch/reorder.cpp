@@ -44,6 +44,29 @@ void check_states(const RefinedMesh& whole, const PlainMesh& mesh) {
   CHECK(wrong == 0);
 }
 
+// The same as two attributes: a coordinate and its square.
+std::unique_ptr<Spool> attributes_of(Job& job, const PlainMesh& mesh) {
+  auto spool = std::make_unique<Spool>(job, std::uint64_t{1} << 24);
+  for (const IndexedVertex& vertex : mesh.vertices) {
+    const std::array<double, 2> values{vertex.position[0], vertex.position[0] * vertex.position[0]};
+    spool->append(std::as_bytes(std::span(values)));
+  }
+  spool->finish();
+  return spool;
+}
+
+void check_attributes(const RefinedMesh& whole, const PlainMesh& mesh) {
+  std::vector<std::array<double, 2>> values(mesh.vertices.size());
+  REQUIRE(whole.mesh.attributes->size() == values.size() * sizeof(values[0]));
+  whole.mesh.attributes->read(0, std::as_writable_bytes(std::span(values)));
+  std::uint64_t wrong = 0;
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    const double x = mesh.vertices[v].position[0];
+    wrong += values[v] != std::array{x, x * x};
+  }
+  CHECK(wrong == 0);
+}
+
 void check_order(const PlainMesh& mesh) {
   CHECK(std::is_sorted(mesh.vertices.begin(), mesh.vertices.end(),
                        [](const auto& a, const auto& b) { return a.key < b.key; }));
@@ -62,11 +85,13 @@ TEST_CASE("a mesh in the order of a shifted lattice is the same surface") {
       RefinedMesh whole{welded(test.job, path), nullptr};
       PlainMesh before = plain(whole.mesh);
       whole.state = states_of(test.job, before);
+      whole.mesh.attributes = attributes_of(test.job, before);
 
-      RefinedMesh there = reorder(test.job, std::move(whole), false, sizeof(Point), memory, memory);
+      RefinedMesh there = reorder(test.job, std::move(whole), false, sizeof(Point), 2, memory, memory);
       const PlainMesh shifted = plain(there.mesh);
       check_order(shifted);
       check_states(there, shifted);
+      check_attributes(there, shifted);
       CHECK(shifted.cells == before.cells);
       CHECK((surface_of(shifted) == surface_of(before)));
       // Other tiles have other borders: hardly a vertex keeps its number.
@@ -75,11 +100,12 @@ TEST_CASE("a mesh in the order of a shifted lattice is the same surface") {
         same += shifted.vertices[v].position == before.vertices[v].position;
       CHECK(same < before.vertices.size() / 10);
 
-      const RefinedMesh back = reorder(test.job, std::move(there), true, sizeof(Point), memory, memory);
+      const RefinedMesh back = reorder(test.job, std::move(there), true, sizeof(Point), 2, memory, memory);
       // Only faces of one lowest vertex had another order.
       std::sort(before.faces.begin(), before.faces.end());
       CHECK(difference(plain(back.mesh), before) == "");
       check_states(back, before);
+      check_attributes(back, before);
     }
   }
 }

@@ -21,6 +21,7 @@ struct GlbFile {
   std::size_t primitives = 0;
   // Of all primitives, one after the other.
   std::vector<std::array<float, 3>> positions, normals;
+  std::vector<float> colors;  // three or four of each vertex
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
 
@@ -71,7 +72,8 @@ std::vector<T> elements(const nlohmann::json& json, const std::string& binary, s
   CHECK(from["componentType"] == component);
   const std::size_t stride = json["bufferViews"][number].value("byteStride", sizeof(T));
   const std::size_t offset = from.value("byteOffset", 0);
-  const std::size_t scalars = from["count"].get<std::size_t>() * (from["type"] == "SCALAR" ? 1 : 3);
+  const std::size_t components = from["type"] == "SCALAR" ? 1 : from["type"] == "VEC3" ? 3 : 4;
+  const std::size_t scalars = from["count"].get<std::size_t>() * components;
   const std::size_t count = scalars / (sizeof(T) / 4);
   CHECK(offset % 4 == 0);
   CHECK(stride % 4 == 0);
@@ -111,6 +113,19 @@ inline void add_primitive(GlbFile& glb, const nlohmann::json& primitive, const s
         elements<std::array<float, 3>>(glb.json, binary, primitive["attributes"]["NORMAL"], floats);
     CHECK(normals.size() == positions.size());
     glb.normals.insert(glb.normals.end(), normals.begin(), normals.end());
+  }
+  const auto append_colors = [&]<std::size_t Components>(std::size_t accessor) {
+    const auto colors = elements<std::array<float, Components>>(glb.json, binary, accessor, floats);
+    CHECK(colors.size() == positions.size());
+    for (const auto& color : colors) glb.colors.insert(glb.colors.end(), color.begin(), color.end());
+  };
+  if (primitive["attributes"].contains("COLOR_0")) {
+    const std::size_t accessor = primitive["attributes"]["COLOR_0"];
+    if (glb.json["accessors"][accessor]["type"] == "VEC4") {
+      append_colors.operator()<4>(accessor);
+    } else {
+      append_colors.operator()<3>(accessor);
+    }
   }
   ++glb.primitives;
 }

@@ -1,13 +1,12 @@
 #include <winnow/convert.hpp>
 #include <winnow/error.hpp>
 
+#include "json_text.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
 
 #include <iostream>
 #include <memory>
-
-#include <nlohmann/json.hpp>
 
 namespace winnow::cli {
 
@@ -37,6 +36,7 @@ Json json_of(const ConvertReport& report) {
            {{"faces", report.output.faces},
             {"vertices", report.output.vertices},
             {"bytes", report.output.bytes}}},
+          {"attributes", {{"carried", report.attributes.carried}, {"dropped", report.attributes.dropped}}},
           {"welded", report.welded},
           {"doubled_faces", report.doubled_faces},
           {"spilled_bytes", report.spilled_bytes},
@@ -55,6 +55,7 @@ void show(const ConvertReport& report, std::ostream& out) {
   line("faces", show_count(report.output.faces));
   line("vertices", show_count(report.output.vertices) + (report.welded ? "  (equal positions are one)" : ""));
   line("file", show_bytes(report.output.bytes));
+  if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
   line("time", show_seconds(report.seconds.total) + "  (" +
                    show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
   line("memory",
@@ -83,7 +84,7 @@ void run(const Arguments& arguments) {
   }
   std::ostream& out = report_stream(arguments.output);
   if (arguments.common.json) {
-    out << json_of(report).dump(2) << "\n";
+    out << text_of(json_of(report)) << "\n";
   } else if (!arguments.common.quiet) {
     show(report, out);
   }

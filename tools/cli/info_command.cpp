@@ -1,13 +1,12 @@
 #include <winnow/error.hpp>
 #include <winnow/info.hpp>
 
+#include "json_text.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
 
 #include <iostream>
 #include <memory>
-
-#include <nlohmann/json.hpp>
 
 namespace winnow::cli {
 
@@ -95,7 +94,7 @@ void run(const Arguments& arguments) {
     report = info(context, arguments.input, parse_input_format(arguments.from));
   }
   if (arguments.common.json) {
-    std::cout << json_of(report).dump(2) << "\n";
+    std::cout << text_of(json_of(report)) << "\n";
   } else if (!arguments.common.quiet) {
     show(report, std::cout);
   }

@@ -98,6 +98,12 @@ std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const 
   return box;
 }
 
+std::string show_list(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
 std::string show_count(std::uint64_t count) {
   std::string digits = std::to_string(count);
   for (std::size_t at = digits.size(); at > 3;) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace winnow::cli {
 
@@ -20,11 +21,12 @@ double parse_number(const std::string& option, const std::string& text,
 // The low and the high corner of a box: 0,0,0,1,1,1
 std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const std::string& text);
 
-std::string show_count(std::uint64_t count);  // 1,234,567
-std::string show_bytes(std::uint64_t bytes);  // 1.5 GiB
-std::string show_rate(double per_second);     // 45.2 M
-std::string show_seconds(double seconds);     // 0.45 s, 2 min 10 s
-std::string show_length(double length);       // six digits
+std::string show_count(std::uint64_t count);                   // 1,234,567
+std::string show_list(const std::vector<std::string>& words);  // a, b
+std::string show_bytes(std::uint64_t bytes);                   // 1.5 GiB
+std::string show_rate(double per_second);                      // 45.2 M
+std::string show_seconds(double seconds);                      // 0.45 s, 2 min 10 s
+std::string show_length(double length);                        // six digits
 
 // "3 left out: 1 repeat a corner, 2 name a vertex that does not exist"
 std::string show_bad_faces(const BadFaces& bad);

@@ -2,6 +2,7 @@
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
+#include "json_text.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
 
@@ -11,8 +12,6 @@
 #include <memory>
 #include <utility>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 namespace winnow::cli {
 
@@ -25,6 +24,7 @@ struct Arguments {
   std::string output, crop;
   std::string cell, grid, faces, ratio, error;
   std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
+  std::string attributes = "auto";
   std::string from;
   std::string checkpoint;
   bool keep_checkpoint = false;
@@ -76,6 +76,11 @@ SimplifyOptions options_of(const Arguments& arguments) {
   options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
   if (!arguments.crop.empty()) options.crop = parse_box("--crop", arguments.crop);
   options.normals = arguments.normals;
+  if (arguments.attributes == "none") {
+    options.attributes.emplace();
+  } else if (arguments.attributes != "auto") {
+    options.attributes = CLI::detail::split(arguments.attributes, ',');
+  }
   options.strict = arguments.strict;
   options.force = arguments.written.force;
   options.from = parse_input_format(arguments.from);
@@ -115,6 +120,10 @@ Json json_of(const SimplifyReport& report) {
         {"collapses", report.refine.collapses},
         {"max_error", report.refine.max_error},
         {"stopped_by", report.refine.stopped_by.empty() ? Json(nullptr) : Json(report.refine.stopped_by)}}},
+      {"attributes",
+       {{"carried", report.attributes.carried},
+        {"dropped", report.attributes.dropped},
+        {"ignored_values", report.attributes.ignored}}},
       {"cell_size", report.cell_size},
       {"cells", report.cells},
       {"turned_faces", report.turned_faces},
@@ -184,6 +193,7 @@ void show(const SimplifyReport& report, std::ostream& out) {
                         name_of(report.refine.cost) + ", " + show_count(report.refine.tiles) +
                         (report.refine.tiles == 1 ? " tile" : " tiles"));
   }
+  if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
   if (report.resumed) line("resumed", describe(*report.resumed));
   line("time", show_seconds(report.seconds.total) + "  (" +
                    show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
@@ -244,7 +254,7 @@ void run(const Arguments& arguments) {
   if (arguments.dry_run) {
     const SimplifyPlan plan = plan_simplify(context, arguments.inputs, arguments.output, options);
     if (arguments.common.json) {
-      std::cout << json_of(plan).dump(2) << "\n";
+      std::cout << text_of(json_of(plan)) << "\n";
     } else {
       show(plan, std::cout);
     }
@@ -269,7 +279,7 @@ void run(const Arguments& arguments) {
 void tell(const SimplifyReport& report, const CommonOptions& options) {
   std::ostream& out = report_stream(report.output.name);
   if (options.json) {
-    out << json_of(report).dump(2) << "\n";
+    out << text_of(json_of(report)) << "\n";
   } else if (!options.quiet) {
     show(report, out);
   }
@@ -344,7 +354,14 @@ void add_simplify(CLI::App& app) {
       ->group(result);
   command
       ->add_flag("--normals", arguments->normals,
-                 "Write vertex normals (done anyway where the input has them)")
+                 "Write vertex normals computed from the result, instead of those of the input")
+      ->group(result);
+  command
+      ->add_option(
+          "--attributes", arguments->attributes,
+          "What vertices carry along: auto (default: all numbers that have a mean and the output can hold), "
+          "none, or a list: normals,colors,quality")
+      ->type_name("LIST")
       ->group(result);
   command
       ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")

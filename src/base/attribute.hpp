@@ -1,0 +1,56 @@
+// What vertices carry besides their positions.
+#pragma once
+
+#include "base/scalar_type.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+// What the mean of several values is.
+enum class AttributeKind {
+  value,  // that of the numbers
+  color,  // that of the light: a component as sRGB has it, whole numbers from 0 to the type's highest
+  normal  // that of the vectors, as long as 1: nx, ny and nz, all three
+};
+
+// One number a vertex, as the input has it and the output gets it.
+struct Attribute {
+  std::string name;
+  ScalarType type = ScalarType::float32;
+  AttributeKind kind = AttributeKind::value;
+};
+
+// Bounds what a cell's sums take; enough for normals, colours, texture and a few measurements.
+inline constexpr std::size_t most_attributes = 16;
+
+// Those of an input, and the largest size of a finite number of each in it.
+struct CarriedAttributes {
+  std::vector<Attribute> attributes;
+  std::vector<double> largest;
+
+  [[nodiscard]] bool empty() const { return attributes.empty(); }
+  // Of the means of one vertex.
+  [[nodiscard]] std::size_t bytes() const { return attributes.size() * sizeof(double); }
+};
+
+inline bool carries_normals(std::span<const Attribute> attributes) {
+  return std::any_of(attributes.begin(), attributes.end(),
+                     [](const Attribute& a) { return a.kind == AttributeKind::normal; });
+}
+
+// The number that stands for all of a colour's component.
+double full_component(ScalarType type);
+
+// From the number in a file to that whose means are taken, and back; back, it is still to be rounded.
+double mean_of_stored(const Attribute& attribute, double stored);
+double stored_of_mean(const Attribute& attribute, double mean);
+
+// "red (uchar)"
+std::string described(const Attribute& attribute);
+
+}  // namespace winnow

@@ -1,0 +1,72 @@
+#include "base/scalar_type.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace winnow {
+
+namespace {
+
+struct TypeFacts {
+  const char* name;
+  std::size_t size;
+};
+constexpr std::array<TypeFacts, 8> facts{{{"char", 1},
+                                          {"uchar", 1},
+                                          {"short", 2},
+                                          {"ushort", 2},
+                                          {"int", 4},
+                                          {"uint", 4},
+                                          {"float", 4},
+                                          {"double", 8}}};
+
+template <typename Number>
+void store(double value, std::byte* at) {
+  constexpr auto low = static_cast<double>(std::numeric_limits<Number>::lowest());
+  constexpr auto high = static_cast<double>(std::numeric_limits<Number>::max());
+  Number number{};
+  if constexpr (std::numeric_limits<Number>::is_integer) {
+    if (!std::isnan(value)) number = static_cast<Number>(std::clamp(std::nearbyint(value), low, high));
+  } else {
+    number = static_cast<Number>(std::isfinite(value) ? std::clamp(value, low, high) : value);
+  }
+  std::memcpy(at, &number, sizeof number);
+}
+
+}  // namespace
+
+std::size_t size_of(ScalarType type) {
+  return facts.at(static_cast<std::size_t>(type)).size;
+}
+bool is_integer(ScalarType type) {
+  return type != ScalarType::float32 && type != ScalarType::float64;
+}
+const char* name_of(ScalarType type) {
+  return facts.at(static_cast<std::size_t>(type)).name;
+}
+
+void store_rounded(double value, ScalarType type, std::byte* at) {
+  switch (type) {
+    case ScalarType::int8:
+      return store<std::int8_t>(value, at);
+    case ScalarType::uint8:
+      return store<std::uint8_t>(value, at);
+    case ScalarType::int16:
+      return store<std::int16_t>(value, at);
+    case ScalarType::uint16:
+      return store<std::uint16_t>(value, at);
+    case ScalarType::int32:
+      return store<std::int32_t>(value, at);
+    case ScalarType::uint32:
+      return store<std::uint32_t>(value, at);
+    case ScalarType::float32:
+      return store<float>(value, at);
+    case ScalarType::float64:
+      return store<double>(value, at);
+  }
+}
+
+}  // namespace winnow

@@ -1,0 +1,177 @@
+#include "cluster/attribute_means.hpp"
+
+#include "base/parallel.hpp"
+#include "base/per_slot.hpp"
+#include "cluster/attribute_scale.hpp"
+#include "cluster/attribute_sum.hpp"
+#include "cluster/cell_table.hpp"
+#include "cluster/front_cache.hpp"
+
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::size_t pending_sums = 512;
+
+// Calls made(std::integral_constant) with the smallest number of attributes that sums are made for.
+template <typename Made>
+auto with_size(std::size_t attributes, const Made& made) {
+  if (attributes <= 4) return made(std::integral_constant<std::size_t, 4>());
+  if (attributes <= 8) return made(std::integral_constant<std::size_t, 8>());
+  return made(std::integral_constant<std::size_t, most_attributes>());
+}
+
+template <typename Sum>
+class CursorOf final : public AttributeCursor {
+ public:
+  CursorOf(std::unique_ptr<RecordCursor<Sum>> sums, const std::vector<AttributeScale>& scales)
+      : sums_(std::move(sums)), scales_(scales) {
+    more_ = sums_->next(next_);
+  }
+
+  void find(CellKey key, std::span<double> means) override {
+    while (more_ && next_.key < key) more_ = sums_->next(next_);
+    // Weights beyond 2^41 come as several records, of fewer than 2^64 in all.
+    Sum whole{};
+    for (; more_ && next_.key == key; more_ = sums_->next(next_)) {
+      whole.weight += next_.weight;
+      for (std::size_t i = 0; i < scales_.size(); ++i) {
+        whole.absent[i] += next_.absent[i];
+        whole.sum[i] += next_.sum[i];
+      }
+    }
+    for (std::size_t i = 0; i < scales_.size(); ++i) {
+      const std::uint64_t weight = whole.weight - whole.absent[i];
+      means[i] = weight == 0 ? 0 : scales_[i].mean(whole.sum[i], weight);
+    }
+  }
+
+ private:
+  std::unique_ptr<RecordCursor<Sum>> sums_;
+  const std::vector<AttributeScale>& scales_;
+  Sum next_{};
+  bool more_ = false;
+};
+
+template <typename Sum>
+class AttributeMeansOf final : public AttributeMeans {
+ public:
+  AttributeMeansOf(Job& job, const CarriedAttributes& carried, Keys keys, const AttributeMemory& memory)
+      : job_(job),
+        keys_(keys),
+        scales_(scales_of(carried)),
+        reserved_(job.budget.reserve(memory.table, "the table of attributes")),
+        table_(job, memory.table, memory.table_parts),
+        workers_(job.threads, [] { return std::make_unique<Worker>(); }) {}
+
+  void add(const FaceBatch& faces, const CornerSums& corners) override {
+    Worker& worker = workers_.local();
+    for (std::size_t i = 0; i < faces.count; ++i) {
+      const std::int64_t kind = corners.kind[i];
+      if (faces.status[i] != FaceStatus::good || kind > close_corners) continue;
+      if (kind == close_corners && faces.repeats_a_corner(i)) continue;
+      Weights weight;
+      for (std::size_t c = 0; c < 3; ++c) weight[c] = static_cast<std::uint64_t>(corners.weight[c][i]);
+      if (kind == one_cell) {
+        add_corners(worker, faces, i, static_cast<PackedCell>(corners.cell[0][i]), weight, 0, 3);
+        continue;
+      }
+      for (std::size_t c = 0; c < 3; ++c)
+        add_corners(worker, faces, i, static_cast<PackedCell>(corners.cell[c][i]), weight, c, c + 1);
+    }
+  }
+
+  void add(const FaceBatch& faces, std::size_t face, const std::array<std::uint64_t, 3>& numbers) override {
+    Worker& worker = workers_.local();
+    for (std::size_t c = 0; c < 3; ++c) add_corners(worker, faces, face, numbers[c], {1, 1, 1}, c, c + 1);
+  }
+
+  [[nodiscard]] bool wants_to_spill() const override { return table_.nearly_full(); }
+  void spill() override { table_.spill(); }
+
+  std::unique_ptr<AttributeCursor> finish() override {
+    const std::vector<Worker*> all = workers_.all();
+    parallel_for(all.size(), [&all, this](std::size_t w) {
+      Worker* worker = all[w];
+      worker->cache.empty_into([&](const Sum& line) { give_way(*worker, line); });
+      table_.add(worker->pending);
+      worker->pending.clear();
+    });
+    job_.progress.check_cancelled();
+    return std::make_unique<CursorOf<Sum>>(table_.finish(), scales_);
+  }
+
+ private:
+  using Weights = std::array<std::uint64_t, 3>;
+
+  struct Worker {
+    Worker() { pending.reserve(pending_sums); }
+
+    FrontCache<Sum> cache;
+    std::vector<Sum> pending;  // entries that gave way, on their way to the table
+  };
+
+  // Corners `from` to `to` of a face, which have one key.
+  void add_corners(Worker& worker, const FaceBatch& faces, std::size_t face, std::uint64_t key,
+                   const Weights& weight, std::size_t from, std::size_t to) {
+    std::uint64_t total = 0;
+    for (std::size_t c = from; c < to; ++c) total += weight[c];
+    Sum& sum = worker.cache.entry(key, total, [&](const Sum& line) { give_way(worker, line); });
+    sum.weight += total;
+    for (std::size_t k = 0; k < scales_.size(); ++k) {
+      Int128 more = 0;
+      for (std::size_t c = from; c < to; ++c) {
+        const std::int64_t number = scales_[k].fixed(faces.attribute(k, c, face));
+        if (number == AttributeScale::not_finite) {
+          sum.absent[k] += weight[c];
+        } else {
+          more += static_cast<Int128>(number) * static_cast<std::int64_t>(weight[c]);
+        }
+      }
+      sum.sum[k] += more;
+    }
+  }
+
+  void give_way(Worker& worker, const Sum& line) {
+    worker.pending.push_back(line);
+    if (keys_ == Keys::cells) worker.pending.back().key = morton_key(PackedCell{line.key});
+    if (worker.pending.size() < pending_sums) return;
+    table_.add(worker.pending);
+    worker.pending.clear();
+  }
+
+  Job& job_;
+  Keys keys_;
+  std::vector<AttributeScale> scales_;
+  Reservation reserved_;
+  CellTable<Sum> table_;
+  PerSlot<Worker> workers_;
+};
+
+}  // namespace
+
+std::uint64_t AttributeMemory::entry_size(std::size_t attributes) {
+  if (attributes == 0) return 0;
+  return with_size(attributes, [](auto size) { return std::uint64_t{sizeof(AttributeSum<size>)}; });
+}
+
+std::uint64_t AttributeMemory::per_thread(std::size_t attributes) {
+  const std::uint64_t cached = std::uint64_t{1} << FrontCache<CellSum>::index_bits;
+  return entry_size(attributes) * (cached + 2 * pending_sums) +
+         attributes * sizeof(double) * 3 * FaceBatch::capacity;
+}
+
+std::uint64_t AttributeMemory::smallest_table(std::size_t parts, std::size_t attributes) {
+  return parts * 4096 * entry_size(attributes);
+}
+
+std::unique_ptr<AttributeMeans> AttributeMeans::make(Job& job, const CarriedAttributes& carried, Keys keys,
+                                                     const AttributeMemory& memory) {
+  return with_size(carried.attributes.size(), [&](auto size) -> std::unique_ptr<AttributeMeans> {
+    return std::make_unique<AttributeMeansOf<AttributeSum<size>>>(job, carried, keys, memory);
+  });
+}
+
+}  // namespace winnow

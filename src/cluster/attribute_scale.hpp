@@ -1,0 +1,47 @@
+// From numbers in a file to whole numbers that can be added up in any order, and back.
+#pragma once
+
+#include "base/attribute.hpp"
+#include "base/wide.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace winnow {
+
+// Of one attribute: what its means are taken of, times a power of two at which the largest number of the
+// input takes 62 bits. So floats of 2^-38 of the largest are still exact, and what is lost of any number is
+// below 2^-61 of the largest.
+class AttributeScale {
+ public:
+  // `largest`: the largest size of a finite number in the input.
+  AttributeScale(const Attribute& attribute, double largest);
+
+  static constexpr std::int64_t not_finite = INT64_MIN;
+
+  [[nodiscard]] std::int64_t fixed(double stored) const {
+    if (!table_.empty()) return table_[static_cast<std::size_t>(stored)];
+    return scaled(attribute_.kind == AttributeKind::color ? mean_of_stored(attribute_, stored) : stored);
+  }
+
+  // The mean of fixed numbers whose weighted sum this is; `weight` is not 0.
+  [[nodiscard]] double mean(Int128 sum, std::uint64_t weight) const;
+
+ private:
+  [[nodiscard]] std::int64_t scaled(double mean) const {
+    const double number = mean * up_[0] * up_[1];
+    return std::abs(number) <= 0x1p62 ? static_cast<std::int64_t>(number) : not_finite;
+  }
+
+  Attribute attribute_;
+  // The power of two, and one by it, as products of two: of tiny numbers it is more than a double holds.
+  std::array<double, 2> up_{}, down_{};
+  std::vector<std::int64_t> table_;  // of all numbers there are, where colours are whole
+};
+
+std::vector<AttributeScale> scales_of(const CarriedAttributes& carried);
+
+}  // namespace winnow

@@ -1,0 +1,193 @@
+#include "read/attribute_choice.hpp"
+
+#include <winnow/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> normal_names{"nx", "ny", "nz"};
+constexpr std::array<std::string_view, 6> component_names{"red",         "green",         "blue",
+                                                          "diffuse_red", "diffuse_green", "diffuse_blue"};
+// These only all three together.
+constexpr std::array<std::string_view, 3> short_names{"r", "g", "b"};
+// What "colors" stands for.
+constexpr std::array<std::string_view, 12> color_names{
+    "red",          "green",         "blue", "alpha", "diffuse_red", "diffuse_green",
+    "diffuse_blue", "diffuse_alpha", "r",    "g",     "b",           "a"};
+// Of both sides of a seam in a texture, whose mean is somewhere else in the picture.
+constexpr std::array<std::string_view, 10> texture_names{
+    "s", "t", "u", "v", "texture_u", "texture_v", "texture_s", "texture_t", "tex_u", "tex_v"};
+
+template <typename Names>
+bool among(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+// Kinds go by what programs call their properties.
+AttributeKind kind_of(const Attribute& attribute, const std::vector<Attribute>& all) {
+  const auto offered = [&](std::string_view name) {
+    return std::any_of(all.begin(), all.end(), [&](const Attribute& a) { return a.name == name; });
+  };
+  if (among(normal_names, attribute.name) && !is_integer(attribute.type) &&
+      std::all_of(normal_names.begin(), normal_names.end(), offered)) {
+    return AttributeKind::normal;
+  }
+  const bool component =
+      among(component_names, attribute.name) ||
+      (among(short_names, attribute.name) && std::all_of(short_names.begin(), short_names.end(), offered));
+  const bool light = !is_integer(attribute.type) || attribute.type == ScalarType::uint8 ||
+                     attribute.type == ScalarType::uint16;
+  return component && light ? AttributeKind::color : AttributeKind::value;
+}
+
+// Names by reason, in the order of their first.
+class Dropped {
+ public:
+  void add(const std::string& reason, const std::string& name) {
+    for (auto& [known, names] : reasons_) {
+      if (known == reason) return names.push_back(name);
+    }
+    reasons_.push_back({reason, {name}});
+  }
+
+  [[nodiscard]] std::vector<std::string> lines() const {
+    std::vector<std::string> lines;
+    for (const auto& [reason, names] : reasons_) lines.push_back(reason + " " + joined(names));
+    return lines;
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons_;
+};
+
+[[noreturn]] void refuse_name(const std::string& name, const AttributeOffer& offer,
+                              const std::string& input) {
+  std::vector<std::string> all;
+  for (const Attribute& attribute : offer.scalars) all.push_back(attribute.name);
+  std::string message = "'" + input + "': '" + name + "' is ";
+  if (among(offer.lists, name)) {
+    message += "a list at each vertex, which cannot be averaged";
+  } else {
+    message += among(offer.not_common, name) ? "not in every input, or not of one type"
+                                             : "no attribute of its vertices";
+  }
+  message += all.empty() ? "; they have none: leave --attributes out" : "; they have " + joined(all);
+  throw Error(ErrorKind::usage, message);
+}
+
+// The names asked for, groups taken apart. Of a group those that are offered, but at least one.
+std::vector<std::string> wanted_names(const std::vector<std::string>& names, const AttributeOffer& offer,
+                                      const std::string& input) {
+  const auto offered = [&](std::string_view name) {
+    return std::any_of(offer.scalars.begin(), offer.scalars.end(),
+                       [&](const Attribute& a) { return a.name == name; });
+  };
+  std::vector<std::string> wanted;
+  for (const std::string& name : names) {
+    const std::size_t before = wanted.size();
+    const auto add = [&](std::string_view one) {
+      if (offered(one)) wanted.emplace_back(one);
+    };
+    add(name);
+    if (wanted.size() == before && name == "normals")
+      std::for_each(normal_names.begin(), normal_names.end(), add);
+    if (wanted.size() == before && name == "colors")
+      std::for_each(color_names.begin(), color_names.end(), add);
+    if (wanted.size() == before) refuse_name(name, offer, input);
+  }
+  return wanted;
+}
+
+}  // namespace
+
+AttributeOffer common_offer(const std::vector<AttributeOffer>& offers) {
+  AttributeOffer common;
+  const auto add_new = [](std::vector<std::string>& names, const std::string& name) {
+    if (!among(names, name)) names.push_back(name);
+  };
+  for (const AttributeOffer& offer : offers) {
+    for (const Attribute& attribute : offer.scalars) {
+      const bool everywhere = std::all_of(offers.begin(), offers.end(), [&](const AttributeOffer& other) {
+        return std::any_of(other.scalars.begin(), other.scalars.end(), [&](const Attribute& one) {
+          return one.name == attribute.name && one.type == attribute.type;
+        });
+      });
+      if (!everywhere) {
+        add_new(common.not_common, attribute.name);
+      } else if (&offer == offers.data()) {
+        common.scalars.push_back(attribute);
+      }
+    }
+    for (const std::string& name : offer.lists) add_new(common.lists, name);
+    for (const std::string& name : offer.of_faces) add_new(common.of_faces, name);
+    for (const std::string& name : offer.of_nothing) add_new(common.of_nothing, name);
+    for (const std::string& name : offer.unread) add_new(common.unread, name);
+  }
+  return common;
+}
+
+AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffer& offer,
+                                  const std::string& input) {
+  AttributeChoice choice;
+  if (wish.none()) return choice;
+  std::vector<std::string> wanted;
+  if (wish.names) wanted = wanted_names(*wish.names, offer, input);
+  // Two of three components are no normal.
+  const bool whole_normals =
+      !wish.names || std::all_of(normal_names.begin(), normal_names.end(),
+                                 [&](std::string_view name) { return among(wanted, name); });
+  Dropped dropped;
+  for (std::size_t i = 0; i < offer.scalars.size(); ++i) {
+    Attribute attribute = offer.scalars[i];
+    if (wish.names && !among(wanted, attribute.name)) continue;
+    attribute.kind = kind_of(attribute, offer.scalars);
+    if (attribute.kind == AttributeKind::normal && !whole_normals) attribute.kind = AttributeKind::value;
+    std::string refusal;
+    if (wish.refusal) refusal = wish.refusal(attribute);
+    if (refusal.empty() && wish.averaged && !wish.names && among(texture_names, attribute.name))
+      refusal = "texture coordinates, which have seams:";
+    if (refusal.empty() && choice.carried.size() == most_attributes) {
+      refusal = "more than " + std::to_string(most_attributes) + " attributes:";
+      if (wish.names) {
+        throw Error(ErrorKind::usage,
+                    "--attributes takes at most " + std::to_string(most_attributes) + " properties");
+      }
+    }
+    if (!refusal.empty()) {
+      dropped.add(refusal, attribute.name);
+      continue;
+    }
+    choice.carried.push_back(std::move(attribute));
+    choice.scalar.push_back(i);
+  }
+  // Nor where one was too many.
+  const auto normals = std::count_if(choice.carried.begin(), choice.carried.end(),
+                                     [](const Attribute& a) { return a.kind == AttributeKind::normal; });
+  for (Attribute& attribute : choice.carried) {
+    if (attribute.kind == AttributeKind::normal && normals != 3) attribute.kind = AttributeKind::value;
+  }
+  if (!wish.names) {
+    for (const std::string& name : offer.lists) dropped.add("lists at vertices:", name);
+    for (const std::string& name : offer.of_faces) dropped.add("properties of faces:", name);
+    for (const std::string& name : offer.of_nothing) dropped.add("other elements:", name);
+    for (const std::string& name : offer.not_common)
+      dropped.add("not in every input, or not of one type:", name);
+    for (const std::string& name : offer.unread) dropped.add("not read from this format:", name);
+  }
+  choice.dropped = dropped.lines();
+  return choice;
+}
+
+}  // namespace winnow

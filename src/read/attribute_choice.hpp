@@ -1,0 +1,54 @@
+// Which attributes of an input are carried, and what is to be said of the others.
+#pragma once
+
+#include "base/attribute.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+// What the caller asks for.
+struct AttributeWish {
+  // Names of properties; "normals" and "colors" stand for those of normals and colours. Nothing: whatever has
+  // a meaningful mean. Empty: none.
+  std::optional<std::vector<std::string>> names{std::vector<std::string>{}};
+  // Why the output cannot have an attribute, in words that its name follows; empty where it can. May be
+  // unset.
+  std::function<std::string(const Attribute&)> refusal;
+
+  // Whether their means are taken; where not, texture coordinates are as good as others.
+  bool averaged = true;
+
+  [[nodiscard]] bool none() const { return names && names->empty(); }
+};
+
+// What an input offers.
+struct AttributeOffer {
+  std::vector<Attribute> scalars;       // properties of vertices, without the position; their kinds are open
+  std::vector<std::string> lists;       // of vertices
+  std::vector<std::string> of_faces;    // properties of faces, without the indices
+  std::vector<std::string> of_nothing;  // other elements
+  std::vector<std::string> unread;      // what the reader passes over, in words: "texture coordinates"
+  std::vector<std::string> not_common;  // names of scalars that not all of several inputs have, of one type
+};
+
+// What several inputs offer together: scalars that all have under one name and of one type, in the order of
+// the first; of everything else whatever any has.
+AttributeOffer common_offer(const std::vector<AttributeOffer>& offers);
+
+struct AttributeChoice {
+  std::vector<Attribute> carried;
+  std::vector<std::size_t> scalar;   // of each of them its number in the offer
+  std::vector<std::string> dropped;  // "texture coordinates s, t"
+};
+
+// Throws Error(usage) where a name is not among `offer` or too many are asked for; `input` is for its
+// message.
+AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffer& offer,
+                                  const std::string& input);
+
+}  // namespace winnow

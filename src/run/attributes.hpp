@@ -1,0 +1,31 @@
+// What vertices carry besides their positions, as the options ask for it.
+#pragma once
+
+#include <winnow/simplify.hpp>
+
+#include "base/attribute.hpp"
+#include "io/job.hpp"
+#include "read/mesh_reader.hpp"
+#include "write/mesh_encoder.hpp"
+
+namespace winnow {
+
+// `encoder` must live as long as the wish.
+AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encoder);
+
+// "red (uchar)", of each that is carried.
+std::vector<std::string> descriptions(const AttributeChoice& choice);
+
+// Notes what is not carried.
+void note_dropped(Job& job, const AttributeChoice& choice);
+
+// What the reader carries; fills report.attributes and notes what is not carried. To be called before any
+// faces are read.
+CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report);
+
+// From means to what is written, in place: light to colours, normals as long as 1; these become the vertex's
+// normal where the shape has one besides. Where they cancel out the vertex's normal stands in for their mean.
+// The vertex holds `values` from now on.
+void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVertex& vertex);
+
+}  // namespace winnow

@@ -1,0 +1,55 @@
+// What the vertex of a collapsed edge carries lies between what its ends carried.
+#include "decimate/carried_values.hpp"
+
+#include "support/random.hpp"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+namespace winnow::test {
+
+TEST_CASE("a collapsed edge's values lie between those of its ends") {
+  Random random(3);
+  for (int i = 0; i < 1000; ++i) {
+    const auto point = [&] { return Point{random.real(-2, 2), random.real(-2, 2), random.real(-2, 2)}; };
+    const std::vector<Point> ends{point(), i % 10 == 0 ? Point{} : point()};
+    const std::vector<double> numbers{random.real(-9, 9), 5, random.real(-9, 9), 5};
+    CarriedValues values(2, ends, numbers);
+    values.collapsed({1, 0, point()});
+    const auto [low, high] = std::minmax(numbers[0], numbers[2]);
+    REQUIRE(values.of(1)[0] >= low);
+    REQUIRE(values.of(1)[0] <= high);
+    REQUIRE(values.of(1)[1] == 5);
+    REQUIRE(values.of(0)[0] == numbers[0]);
+  }
+}
+
+TEST_CASE("values follow the place that a vertex goes to") {
+  const auto after = [](double x) {
+    CarriedValues values(1, {Point{0, 0, 0}, Point{1, 0, 0}}, {0, 8});
+    values.collapsed({0, 1, {x, 3, 0}});
+    // The next collapse finds the vertex where it went.
+    return values.of(0)[0];
+  };
+  CHECK(after(0.5) == 4);
+  CHECK(after(0) == after(-7));
+  CHECK(after(1) == after(7));
+  CHECK(after(0) + after(1) == 8);
+  CHECK(after(0.25) < after(0.5));
+  CHECK(after(0.25) > after(0));
+}
+
+TEST_CASE("an edge without a length gives the mean of its ends") {
+  CarriedValues values(1, {Point{1, 1, 1}, Point{1, 1, 1}}, {2, 4});
+  values.collapsed({0, 1, {5, 5, 5}});
+  CHECK(values.of(0)[0] == 3);
+}
+
+TEST_CASE("nothing is carried where there is nothing to carry") {
+  CarriedValues values;
+  values.collapsed({0, 1, {}});
+  CHECK(values.of(7).empty());
+}
+
+}  // namespace winnow::test
