@@ -108,10 +108,12 @@ class PlyReader final : public IndexedReader {
     }
   }
 
-  void begin_faces() override {
-    vertices_.wake();
+  [[nodiscard]] std::uint64_t bytes() const override { return std::max(source_->position(), bytes_seen_); }
+
+ protected:
+  void begin_indices() override {
     if (faces_.element == nullptr) return;
-    next_face_ = 0;
+    next_kept_ = 0;
     if (kept_faces_ != nullptr) return;
     // The first time the source stands there already, and may not be seekable.
     if (source_->position() != faces_offset_ || lists_ != nullptr) {
@@ -121,23 +123,21 @@ class PlyReader final : public IndexedReader {
     lists_ = std::make_unique<PlyLists>(*faces_.element, *faces_.list, *values_, faces_.strips);
   }
 
-  bool next_faces(RawBatch& batch) override {
-    batch = {};
-    batch.first = next_face_;
+  bool next_indices(RawBatch& batch) override {
     if (faces_.element == nullptr) return false;
     if (kept_faces_ != nullptr) {
-      kept_faces_->read(next_face_, memory_.batch_faces, batch);
+      kept_faces_->read(next_kept_, memory_.batch_faces, batch);
+      next_kept_ += batch.count;
     } else if (!next_triangles(batch)) {
       // Some other polygon comes first; a few records on there may be triangles again.
       const bool fast_later = triangle_stride() != 0;
       lists_->read(batch, memory_.batch_faces, fast_later ? memory_.batch_faces / 4 : UINT64_MAX);
     }
-    next_face_ += batch.count;
     if (batch.count == 0) read_to_the_end();
     return batch.count > 0;
   }
 
-  void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override {
+  void decode_indices(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override {
     if (!batch.indices.empty()) {
       slice_indices(batch, vertices_, slice, sink);
     } else if (header_.form == PlyForm::big_endian) {
@@ -145,11 +145,38 @@ class PlyReader final : public IndexedReader {
     } else {
       decode_triangles<false>(batch, slice, sink);
     }
-    vertices_.check_intact(source_->name());
-    batch.block.check_intact(source_->name());
   }
 
-  [[nodiscard]] std::uint64_t bytes() const override { return std::max(source_->position(), bytes_seen_); }
+  void corner_numbers(const RawBatch& batch, std::vector<std::uint32_t>& numbers) const override {
+    if (!batch.indices.empty()) return IndexedReader::corner_numbers(batch, numbers);
+    const std::size_t stride = triangle_stride();
+    const bool swapped = header_.form == PlyForm::big_endian;
+    const std::byte* record = batch.block.bytes.data() + list_offset() + 1;
+    numbers.resize(3 * batch.count);
+    for (std::size_t i = 0; i < batch.count; ++i, record += stride) {
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        numbers[3 * i + corner] = load<std::uint32_t>(record + 4 * corner, swapped);
+    }
+  }
+
+  [[nodiscard]] bool faces_come_again() const override {
+    return kept_faces_ != nullptr || source_->seekable();
+  }
+
+  // Only where faces stand in records of one size, all triangles.
+  bool sample_indices(double place, RawBatch& batch) override {
+    if (faces_.element == nullptr) return false;
+    if (kept_faces_ != nullptr) {
+      kept_faces_->read(sample_begin(place, kept_faces_->size()), memory_.batch_faces, batch);
+      return true;
+    }
+    const std::size_t stride = triangle_stride();
+    if (stride == 0 || !source_->seekable()) return false;
+    values_->sync();
+    source_->seek(faces_offset_ + sample_begin(place, faces_.element->count) * stride);
+    const std::size_t wanted = std::min<std::uint64_t>(triangles_at_once(stride), faces_.element->count);
+    return take_triangles(stride, wanted, batch) == wanted;
+  }
 
  private:
   // A header that promises more than the file can hold is refused before anything is built on its counts.
@@ -302,13 +329,7 @@ class PlyReader final : public IndexedReader {
       RawBatch batch;
       lists.read(batch, 4096);
       if (batch.count == 0) break;
-      for (std::size_t i = 0; i < batch.count; ++i) {
-        if (batch.status[i] == FaceStatus::good) {
-          kept_faces_->add(std::span(batch.indices).subspan(3 * i, 3));
-        } else {
-          kept_faces_->add_degenerate();
-        }
-      }
+      kept_faces_->add(batch);
       job_.progress.advance(batch.count);
     }
     kept_faces_->finish();
@@ -345,10 +366,18 @@ class PlyReader final : public IndexedReader {
     const std::uint64_t left = faces_.element->count - lists_->records();
     if (stride == 0 || left == 0 || !lists_->between_records()) return false;
     values_->sync();
-    // No more bytes at once than the plan has room for, however many properties a face has.
-    const std::size_t at_once =
-        std::clamp<std::size_t>(memory_.batch_faces * 72 / stride, 1, memory_.batch_faces);
-    const std::size_t wanted = std::min<std::uint64_t>(at_once, left);
+    lists_->pass_over(
+        take_triangles(stride, std::min<std::uint64_t>(triangles_at_once(stride), left), batch));
+    return batch.count > 0;
+  }
+
+  // No more bytes at once than the plan has room for, however many properties a face has.
+  [[nodiscard]] std::size_t triangles_at_once(std::size_t stride) const {
+    return std::clamp<std::size_t>(memory_.batch_faces * 72 / stride, 1, memory_.batch_faces);
+  }
+
+  // As many of the wanted records as are triangles; returns how many.
+  std::size_t take_triangles(std::size_t stride, std::size_t wanted, RawBatch& batch) {
     batch.block = source_->take(wanted * stride);
     const std::size_t whole = batch.block.bytes.size() / stride;
     const std::byte* count = batch.block.bytes.data() + list_offset();
@@ -357,8 +386,7 @@ class PlyReader final : public IndexedReader {
     source_->give_back(batch.block.bytes.size() - triangles * stride);
     batch.block.bytes = batch.block.bytes.first(triangles * stride);
     batch.count = triangles;
-    lists_->pass_over(triangles);
-    return triangles > 0;
+    return triangles;
   }
 
   template <bool Swapped>
@@ -398,7 +426,7 @@ class PlyReader final : public IndexedReader {
   std::uint64_t faces_offset_ = 0;
   std::unique_ptr<PlyLists> lists_;
   std::unique_ptr<KeptFaces> kept_faces_;
-  std::uint64_t next_face_ = 0;
+  std::uint64_t next_kept_ = 0;
   std::uint64_t bytes_seen_ = 0;
 };
 
@@ -416,6 +444,7 @@ InputOutlook look_at_ply(ByteSource& source) {
   outlook.facts = facts_of(header);
   const PlyElement* vertex = header.find("vertex");
   outlook.vertices_kept = vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
+  if (vertex != nullptr && !outlook.vertices_kept) outlook.vertex_bytes = vertex->smallest_size();
   const FaceElement faces = find_faces(header, source.name());
   outlook.faces_kept = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
   return outlook;

@@ -1,10 +1,13 @@
 #include <winnow/simplify.hpp>
 
 #include "io/arena.hpp"
+#include "read/corner_streams.hpp"
 #include "read/kept_faces.hpp"
 #include "run/input.hpp"
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
+
+#include <algorithm>
 
 namespace winnow {
 
@@ -37,6 +40,16 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   return passes;
 }
 
+// Scratch at the most where faces jump over more vertices than their share of memory has room for.
+std::uint64_t worst_of_jumping(const InputOutlook& outlook, const MemoryPlan& plan) {
+  const std::uint64_t record = outlook.facts.double_positions ? 3 * sizeof(double) : 3 * sizeof(float);
+  const std::uint64_t looked_up = std::max(outlook.vertices_kept ? record : 0, outlook.vertex_bytes);
+  if (outlook.facts.vertices.value_or(0) * looked_up <= plan.reader.vertices) return 0;
+  // Of a pipe the faces wait, too.
+  const std::uint64_t face = outlook.vertices_kept ? KeptFaces::bytes_a_face : 0;
+  return outlook.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
+}
+
 }  // namespace
 
 SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
@@ -58,7 +71,8 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
     if (outlook.vertices_kept) kept += out.vertices.value_or(0) * (outlook.facts.double_positions ? 24 : 12);
     if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
-    out.scratch_worst = worst_scratch(*out.faces, sums_quadrics(options)) + kept;
+    out.scratch_worst =
+        worst_scratch(*out.faces, sums_quadrics(options)) + kept + worst_of_jumping(outlook, plan);
     out.scratch_expected = expected_scratch(*out.faces, plan, sums_quadrics(options)) + kept;
     // A rate measured once for one thread (bench/RESULTS.md), for want of knowing the machine.
     out.seconds_expected = static_cast<double>(*out.faces) / (2.2e7 * job.threads);
