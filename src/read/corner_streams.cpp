@@ -1,5 +1,6 @@
 #include "read/corner_streams.hpp"
 
+#include "base/pages.hpp"
 #include "base/parallel.hpp"
 #include "read/for_each_batch.hpp"
 
@@ -38,12 +39,9 @@ class PartBuffers {
  public:
   PartBuffers(Job& job, const CornerStreams::Plan& plan, std::vector<std::unique_ptr<ScratchFile>>& files)
       : bytes_(plan.buffer_bytes),
-        memory_(job.budget, plan.parts * bytes_ + (64 << 10)),
+        memory_(Pages::allocate(job.budget, plan.parts * bytes_, "sorting corners")),
         used_(plan.parts),
-        files_(files) {
-    if (!memory_.grow_to(plan.parts * bytes_))
-      (void)job.budget.reserve(plan.parts * bytes_, "sorting corners");
-  }
+        files_(files) {}
 
   void append(std::size_t part, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
@@ -62,7 +60,7 @@ class PartBuffers {
 
  private:
   std::size_t bytes_;  // of each part
-  GrowingPages memory_;
+  Pages memory_;
   std::vector<std::size_t> used_;
   std::vector<std::unique_ptr<ScratchFile>>& files_;
 };
@@ -157,11 +155,9 @@ void CornerStreams::look_up() {
   for (const auto& file : numbers_) corners += file->size() / sizeof(std::uint32_t);
   const ProgressMeter::Inner stage(job_.progress, "look up corners", corners, "corners");
   const std::uint64_t part_records = std::min(vertices_.size(), std::uint64_t{1} << plan_.part_bits);
-  const std::uint64_t part_bytes = part_records * packed_.size();
-  GrowingPages memory(job_.budget, part_bytes + (64 << 10));
+  const Pages memory = Pages::allocate(job_.budget, part_records * packed_.size(), "looking up corners");
   const Reservation chunks = job_.budget.reserve(
       plan_.chunks * plan_.chunk_corners * (sizeof(std::uint32_t) + packed_.size()), "looking up corners");
-  if (!memory.grow_to(part_bytes)) (void)job_.budget.reserve(part_bytes, "looking up corners");
   for (std::size_t part = 0; part < plan_.parts; ++part) {
     records_.push_back(std::make_unique<ScratchFile>(job_.scratch));
     if (numbers_[part]->size() > 0) {

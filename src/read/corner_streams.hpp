@@ -1,7 +1,6 @@
 // The vertices of faces that jump, brought together in scratch in the order of the faces.
 #pragma once
 
-#include "base/growing_pages.hpp"
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
 #include "read/packed_records.hpp"
@@ -27,7 +26,7 @@ class CornerStreams {
   // How memory is divided.
   struct Plan {
     unsigned part_bits = 0;         // a part has so many bits of vertex numbers
-    std::size_t parts = 0;          // a file each, at the most two at a time
+    std::size_t parts = 0;          // each a file
     std::size_t buffer_bytes = 0;   // of each part, while numbers are appended
     std::size_t chunk_corners = 0;  // looked up at once
     std::size_t chunks = 0;         // on their way at one time
