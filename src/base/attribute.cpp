@@ -4,6 +4,12 @@
 
 namespace winnow {
 
+std::vector<ScalarType> types_of(std::span<const Attribute> attributes) {
+  std::vector<ScalarType> types;
+  for (const Attribute& attribute : attributes) types.push_back(attribute.type);
+  return types;
+}
+
 double full_component(ScalarType type) {
   if (type == ScalarType::uint8) return 255;
   return type == ScalarType::uint16 ? 65535 : 1;

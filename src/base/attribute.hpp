@@ -38,6 +38,8 @@ struct CarriedAttributes {
   [[nodiscard]] std::size_t bytes() const { return attributes.size() * sizeof(double); }
 };
 
+std::vector<ScalarType> types_of(std::span<const Attribute> attributes);
+
 inline bool carries_normals(std::span<const Attribute> attributes) {
   return std::any_of(attributes.begin(), attributes.end(),
                      [](const Attribute& a) { return a.kind == AttributeKind::normal; });

@@ -17,6 +17,19 @@ void ProgressMeter::begin(const char* stage, std::uint64_t total, const char* un
   if (context_.progress) context_.progress({stage_, 0, total_, unit_});
 }
 
+ProgressMeter::Inner::Inner(ProgressMeter& meter, const char* stage, std::uint64_t total, const char* unit)
+    : meter_(meter), stage_(meter.stage_), unit_(meter.unit_), total_(meter.total_), done_(meter.done_) {
+  meter.begin(stage, total, unit);
+}
+
+ProgressMeter::Inner::~Inner() {
+  const std::scoped_lock lock(meter_.telling_);
+  meter_.stage_ = stage_;
+  meter_.unit_ = unit_;
+  meter_.total_ = total_;
+  meter_.done_ = done_;
+}
+
 void ProgressMeter::advance(std::uint64_t amount) {
   check_cancelled();
   const std::uint64_t done = done_.fetch_add(amount, std::memory_order_relaxed) + amount;

@@ -17,6 +17,21 @@ class ProgressMeter {
 
   void begin(const char* stage, std::uint64_t total, const char* unit);
 
+  // A stage inside of another, which goes on where it was when this goes.
+  class Inner {
+   public:
+    Inner(ProgressMeter& meter, const char* stage, std::uint64_t total, const char* unit);
+    ~Inner();
+    Inner(const Inner&) = delete;
+    Inner& operator=(const Inner&) = delete;
+
+   private:
+    ProgressMeter& meter_;
+    const char* stage_;
+    const char* unit_;
+    std::uint64_t total_, done_;
+  };
+
   // Counts `amount` more and throws Error(cancelled) if the caller asked to stop.
   void advance(std::uint64_t amount);
 

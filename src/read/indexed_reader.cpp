@@ -1,6 +1,11 @@
 #include "read/indexed_reader.hpp"
 
+#include <winnow/error.hpp>
+
+#include "read/locality.hpp"
+#include "read/packed_records.hpp"
 #include "read/ply_scalar.hpp"
+#include "read/slices.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +13,7 @@
 namespace winnow {
 
 void IndexedReader::begin_positions(PassCorners /*corners*/) {
+  if (streams_ != nullptr) streams_->rest();
   vertices_.wake();
   next_position_ = 0;
 }
@@ -75,10 +81,150 @@ std::vector<MeshReader::AttributeRange> IndexedReader::attribute_ranges() {
   return ranges;
 }
 
-std::vector<ScalarType> IndexedReader::carried_types() const {
-  std::vector<ScalarType> types;
-  for (const Attribute& attribute : facts_.choice.carried) types.push_back(attribute.type);
-  return types;
+void IndexedReader::begin_faces() {
+  next_face_ = 0;
+  held_.clear();
+  if (streams_ == nullptr) {
+    vertices_.wake();
+    std::optional<CornerStreams::Plan> plan;
+    if (sampled_ || !vertices_.larger_than_memory()) {
+      begin_indices();
+    } else {
+      plan = sample();
+    }
+    if (!plan) return;
+    bring_together(*plan);
+    next_face_ = 0;
+  }
+  vertices_.rest();
+  streams_->begin();
+  if (kept_ == nullptr) begin_indices();
+}
+
+bool IndexedReader::next_of_source(RawBatch& batch) {
+  batch = {};
+  if (!held_.empty()) {
+    batch = std::move(held_.front());
+    held_.pop_front();
+  } else if (!next_indices(batch)) {
+    return false;
+  }
+  batch.first = next_face_;
+  next_face_ += batch.count;
+  return true;
+}
+
+void IndexedReader::to_indices(RawBatch& batch) const {
+  if (!batch.indices.empty()) return;
+  corner_numbers(batch, batch.indices);
+  batch.status.assign(batch.count, FaceStatus::good);
+  batch.block.check_intact(source_->name());
+  batch.block = {};
+}
+
+bool IndexedReader::next_faces(RawBatch& batch) {
+  if (streams_ == nullptr) return next_of_source(batch);
+  if (kept_ == nullptr) {
+    if (!next_of_source(batch)) return false;
+    to_indices(batch);
+  } else {
+    batch = {};
+    batch.first = next_face_;
+    kept_->read(next_face_, memory_.batch_faces, batch);
+    next_face_ += batch.count;
+  }
+  if (batch.count > 0) streams_->add_records(batch);
+  return batch.count > 0;
+}
+
+void IndexedReader::decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const {
+  if (streams_ != nullptr) return slice_records(batch, vertices_, *streams_, slice, sink);
+  decode_indices(batch, slice, sink);
+  vertices_.check_intact(source_->name());
+  batch.block.check_intact(source_->name());
+}
+
+void IndexedReader::decode_indices(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const {
+  slice_indices(batch, vertices_, slice, sink);
+}
+
+void IndexedReader::corner_numbers(const RawBatch& batch, std::vector<std::uint32_t>& numbers) const {
+  numbers.assign(batch.indices.begin(), batch.indices.end());
+}
+
+// Streams read and write every corner's number and record twice in all, and the vertices once: in long
+// stretches, which is as fast as a disk can be. Lookups read pages from anywhere. So a few times as many
+// bytes have to be at stake before it is worth the scratch, and a mesh in a sensible order never comes near
+// that.
+std::optional<CornerStreams::Plan> IndexedReader::sample() {
+  sampled_ = true;
+  constexpr double worth_it = 4;
+  constexpr int stretches = 16;
+  constexpr std::size_t first_batches = 4;
+  Locality locality(vertices_);
+  std::vector<std::uint32_t> numbers;
+  RawBatch batch;
+  bool anywhere = true;
+  for (int i = 0; i < stretches && anywhere; ++i) {
+    batch = {};
+    anywhere = sample_indices(static_cast<double>(i) / (stretches - 1), batch);
+    if (!anywhere) break;
+    corner_numbers(batch, numbers);
+    locality.add_stretch(numbers);
+  }
+  begin_indices();
+  while (!anywhere && held_.size() < first_batches) {
+    batch = {};
+    if (!next_indices(batch)) break;
+    corner_numbers(batch, numbers);
+    locality.add_stretch(numbers);
+    held_.push_back(std::move(batch));
+  }
+  const PackedRecords packed(vertices_.layout());
+  // A surface has twice as many faces as vertices.
+  const std::uint64_t faces = facts_.faces.value_or(2 * vertices_.size());
+  const double vertex_bytes =
+      static_cast<double>(vertices_.size()) * static_cast<double>(vertices_.layout().stride);
+  const double streamed = vertex_bytes + static_cast<double>(faces) * 2 *
+                                             static_cast<double>(CornerStreams::bytes_a_face(packed.size()));
+  if (locality.lookup_bytes(faces) < worth_it * streamed) return {};
+  return CornerStreams::plan(vertices_.size(), packed.size(), vertices_.memory_limit(), job_.threads);
+}
+
+void IndexedReader::bring_together(const CornerStreams::Plan& plan) {
+  vertices_.rest();
+  auto streams = std::make_unique<CornerStreams>(job_, vertices_, plan);
+  memory_.batch_faces = std::min(memory_.batch_faces, plan.batch_faces);
+  if (!faces_come_again()) kept_ = std::make_unique<KeptFaces>(job_, 0);
+  const auto next = [&](RawBatch& batch) {
+    if (!next_of_source(batch)) return false;
+    if (kept_ != nullptr) {
+      to_indices(batch);
+      kept_->add(batch);
+    }
+    return true;
+  };
+  try {
+    streams->build(
+        next,
+        [this](const RawBatch& batch, std::vector<std::uint32_t>& numbers) {
+          corner_numbers(batch, numbers);
+          batch.block.check_intact(source_->name());
+        },
+        facts_.faces.value_or(0));
+  } catch (const Error& error) {
+    // A file that shrinks can look like many other things.
+    if (error.kind() == ErrorKind::bad_input) source_->check_whole();
+    throw;
+  }
+  source_->check_whole();
+  if (kept_ != nullptr) kept_->finish();
+  streams_ = std::move(streams);
+}
+
+void IndexedReader::rest() {
+  vertices_.rest();
+  if (streams_ != nullptr) streams_->rest();
 }
 
 }  // namespace winnow

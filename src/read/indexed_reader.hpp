@@ -1,13 +1,24 @@
 // What readers of formats with shared vertices have in common.
 #pragma once
 
+#include "read/corner_streams.hpp"
+#include "read/kept_faces.hpp"
 #include "read/mesh_reader.hpp"
 #include "read/vertex_store.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace winnow {
 
 // Positions and attributes are those of a VertexStore, which the derived class fills before anything is
-// asked.
+// asked. Faces are numbers of vertices, given by the derived class; where they jump over more vertices than
+// memory has room for, which a sample tells when faces are read for the first time, their vertices are
+// brought together in scratch.
 class IndexedReader : public MeshReader {
  public:
   IndexedReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
@@ -23,13 +34,30 @@ class IndexedReader : public MeshReader {
     vertices_.read_attributes(view.first, view.count, out);
   }
 
-  void rest() override { vertices_.rest(); }
+  void begin_faces() final;
+  bool next_faces(RawBatch& batch) final;
+  void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const final;
+
+  void rest() override;
   void check_whole() const override { source_->check_whole(); }
   [[nodiscard]] const std::string& name() const override { return source_->name(); }
 
  protected:
-  // Of facts_.choice.
-  [[nodiscard]] std::vector<ScalarType> carried_types() const;
+  // The faces from the first on, again if faces_come_again().
+  virtual void begin_indices() = 0;
+  // The next batch of them, of at most `memory_.batch_faces`; its `first` is the caller's to know.
+  virtual bool next_indices(RawBatch& batch) = 0;
+  virtual void decode_indices(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const;
+  // The numbers of a batch's corners, three a face.
+  virtual void corner_numbers(const RawBatch& batch, std::vector<std::uint32_t>& numbers) const;
+  [[nodiscard]] virtual bool faces_come_again() const = 0;
+  // Some faces from somewhere, the first for 0, the last for 1; false where they can only be read in order.
+  // begin_indices() follows.
+  virtual bool sample_indices(double /*place*/, RawBatch& /*batch*/) { return false; }
+  [[nodiscard]] std::uint64_t sample_begin(double place, std::uint64_t faces) const {
+    const std::uint64_t last = faces - std::min<std::uint64_t>(faces, memory_.batch_faces);
+    return std::min(last, static_cast<std::uint64_t>(place * static_cast<double>(last)));
+  }
 
   Job& job_;
   std::unique_ptr<ByteSource> source_;
@@ -37,7 +65,18 @@ class IndexedReader : public MeshReader {
   VertexStore vertices_;
 
  private:
+  // Begins the faces; says how to bring their vertices together where that is worth it.
+  std::optional<CornerStreams::Plan> sample();
+  void bring_together(const CornerStreams::Plan& plan);
+  bool next_of_source(RawBatch& batch);
+  void to_indices(RawBatch& batch) const;
+
   std::uint64_t next_position_ = 0;
+  std::uint64_t next_face_ = 0;
+  bool sampled_ = false;
+  std::deque<RawBatch> held_;               // read for the sample, and to be given out first
+  std::unique_ptr<KeptFaces> kept_;         // those that do not come again
+  std::unique_ptr<CornerStreams> streams_;  // where faces jump
 };
 
 }  // namespace winnow

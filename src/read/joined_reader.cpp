@@ -218,6 +218,7 @@ InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Form
     add(outlook.bytes, one.bytes);
     outlook.facts.double_positions |= one.facts.double_positions;
     outlook.vertices_kept |= one.vertices_kept;
+    outlook.vertex_bytes = std::max(outlook.vertex_bytes, one.vertex_bytes);
     outlook.faces_kept |= one.faces_kept;
     outlook.taken_in |= one.taken_in;
     if (!is_bare(one)) offers.push_back(one.facts.offer);

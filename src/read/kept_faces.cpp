@@ -16,6 +16,16 @@ void KeptFaces::add_degenerate() {
   add(degenerate);
 }
 
+void KeptFaces::add(const RawBatch& batch) {
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    if (batch.status[i] == FaceStatus::good) {
+      add(std::span(batch.indices).subspan(3 * i, 3));
+    } else {
+      add_degenerate();
+    }
+  }
+}
+
 void KeptFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch) const {
   batch.count = std::min<std::uint64_t>(most, size() - first);
   batch.indices.resize(3 * batch.count);

@@ -18,7 +18,8 @@ class KeptFaces {
 
   // Three indices a face, which need not be those of vertices.
   void add(std::span<const std::uint32_t> indices) { spool_.append(std::as_bytes(indices)); }
-  void add_degenerate();  // fewer than three corners
+  void add_degenerate();            // fewer than three corners
+  void add(const RawBatch& batch);  // of indices
   void finish() { spool_.finish(); }
 
   [[nodiscard]] std::uint64_t size() const { return spool_.size() / bytes_a_face; }

@@ -3,7 +3,6 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
-#include "read/slices.hpp"
 
 #include <algorithm>
 
@@ -46,7 +45,7 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   std::vector<bool> carried(offer.scalars.size());
   for (const std::size_t scalar : facts_.choice.scalar) carried[scalar] = true;
   KeptMesh mesh(job, vertices_, faces_, numbers_, std::move(carried), source_->name());
-  vertices_.begin_keeping(true, carried_types());
+  vertices_.begin_keeping(true, types_of(facts_.choice.carried));
   job.progress.begin("read the mesh", source_->size().value_or(0), "bytes");
   parse(*source_, memory.batch_faces, mesh);
   vertices_.finish_keeping();
@@ -65,24 +64,21 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   facts_.choice = choose_attributes(wish, facts_.offer, source_->name());
 }
 
-void KeptReader::begin_faces() {
-  vertices_.wake();
-  next_face_ = 0;
-}
-
-bool KeptReader::next_faces(RawBatch& batch) {
-  batch = {};
-  batch.first = next_face_;
-  faces_.read(next_face_, memory_.batch_faces, batch);
-  next_face_ += batch.count;
+bool KeptReader::read_faces(std::uint64_t first, RawBatch& batch) const {
+  faces_.read(first, memory_.batch_faces, batch);
   for (std::uint32_t& index : std::span(batch.indices).first(numbers_.used() ? batch.indices.size() : 0))
     index = numbers_.place_of(index);
   return batch.count > 0;
 }
 
-void KeptReader::decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const {
-  slice_indices(batch, vertices_, slice, sink);
-  vertices_.check_intact(source_->name());
+bool KeptReader::next_indices(RawBatch& batch) {
+  read_faces(next_kept_, batch);
+  next_kept_ += batch.count;
+  return batch.count > 0;
+}
+
+bool KeptReader::sample_indices(double place, RawBatch& batch) {
+  return read_faces(sample_begin(place, faces_.size()), batch);
 }
 
 }  // namespace winnow

@@ -72,15 +72,20 @@ class KeptReader : public IndexedReader {
              const AttributeWish& wish, const std::string& format, const AttributeOffer& offer,
              const Parse& parse);
 
-  void begin_faces() override;
-  bool next_faces(RawBatch& batch) override;
-  void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override;
   [[nodiscard]] std::uint64_t bytes() const override { return source_->size().value_or(source_->position()); }
 
+ protected:
+  void begin_indices() override { next_kept_ = 0; }
+  bool next_indices(RawBatch& batch) override;
+  bool sample_indices(double place, RawBatch& batch) override;
+  [[nodiscard]] bool faces_come_again() const override { return true; }
+
  private:
+  bool read_faces(std::uint64_t first, RawBatch& batch) const;
+
   KeptFaces faces_;
   VertexNumbers numbers_;
-  std::uint64_t next_face_ = 0;
+  std::uint64_t next_kept_ = 0;
 };
 
 }  // namespace winnow

@@ -38,6 +38,10 @@ struct RawBatch {
   std::vector<FaceStatus> status;      // of indices and corners
   std::uint64_t first = 0;
   std::uint64_t count = 0;  // triangles, or positions
+  // Of indices, where CornerStreams brought them together: the vertices' records, and where those of each of
+  // its parts begin.
+  std::vector<std::byte> records;
+  std::vector<std::uint32_t> records_begin;
 };
 
 using FaceSink = std::function<void(const FaceBatch&)>;
@@ -122,10 +126,11 @@ std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> so
 struct InputOutlook {
   InputFacts facts;
   std::optional<std::uint64_t> bytes;
-  bool copied_first = false;   // the whole input goes to scratch before anything else
-  bool vertices_kept = false;  // vertices are decoded into memory or scratch, not looked up in the file
-  bool faces_kept = false;     // faces stand before the vertices and wait in scratch
-  bool taken_in = false;       // all is parsed into memory or scratch before anything else
+  bool copied_first = false;       // the whole input goes to scratch before anything else
+  bool vertices_kept = false;      // vertices are decoded into memory or scratch, not looked up in the file
+  std::uint64_t vertex_bytes = 0;  // of one where they are looked up in the file
+  bool faces_kept = false;         // faces stand before the vertices and wait in scratch
+  bool taken_in = false;           // all is parsed into memory or scratch before anything else
   std::string compression;
 };
 InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access,

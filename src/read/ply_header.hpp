@@ -20,6 +20,11 @@ struct PlyProperty {
   PlyType count_type{};  // of a list
 };
 
+// x, y or z.
+inline bool is_coordinate(const PlyProperty& property) {
+  return !property.list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+}
+
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;

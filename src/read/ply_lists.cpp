@@ -14,9 +14,7 @@ void PlyLists::begin_record(RawBatch& batch) {
   values_.now_reading(element_.name.c_str(), records_);
   for (const PlyProperty& property : element_.properties) {
     if (&property == &list_) break;
-    values_.skip(property.type, property.list ? static_cast<std::uint64_t>(std::max<std::int64_t>(
-                                                    0, values_.integer(property.count_type)))
-                                              : 1);
+    skip_property(values_, property);
   }
   const std::int64_t count = values_.integer(list_.count_type);
   left_ = count < 0 ? 0 : static_cast<std::uint64_t>(count);
@@ -33,11 +31,7 @@ void PlyLists::begin_record(RawBatch& batch) {
 void PlyLists::end_record() {
   bool behind = false;
   for (const PlyProperty& property : element_.properties) {
-    if (behind) {
-      values_.skip(property.type, property.list ? static_cast<std::uint64_t>(std::max<std::int64_t>(
-                                                      0, values_.integer(property.count_type)))
-                                                : 1);
-    }
+    if (behind) skip_property(values_, property);
     behind |= &property == &list_;
   }
 }

@@ -8,6 +8,7 @@
 #include "read/ply_lists.hpp"
 #include "read/ply_scalar.hpp"
 #include "read/ply_values.hpp"
+#include "read/ply_vertices.hpp"
 #include "read/slices.hpp"
 
 #include <algorithm>
@@ -45,10 +46,6 @@ FaceElement find_faces(const PlyHeader& header, const std::string& name) {
     break;
   }
   return found;
-}
-
-bool is_coordinate(const PlyProperty& property) {
-  return !property.list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
 }
 
 InputFacts facts_of(const PlyHeader& header) {
@@ -116,7 +113,8 @@ class PlyReader final : public IndexedReader {
     check_size();
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex") {
-        load_vertices(element);
+        values_->sync();
+        PlyVertices(job_, *source_, *values_, header_.form, facts_).read(element, vertices_);
         vertices_loaded_ = true;
         if (faces_.element == nullptr || kept_faces_ != nullptr) break;
       } else if (&element == faces_.element) {
@@ -133,10 +131,12 @@ class PlyReader final : public IndexedReader {
     }
   }
 
-  void begin_faces() override {
-    vertices_.wake();
+  [[nodiscard]] std::uint64_t bytes() const override { return std::max(source_->position(), bytes_seen_); }
+
+ protected:
+  void begin_indices() override {
     if (faces_.element == nullptr) return;
-    next_face_ = 0;
+    next_kept_ = 0;
     if (kept_faces_ != nullptr) return;
     // The first time the source stands there already, and may not be seekable.
     if (source_->position() != faces_offset_ || lists_ != nullptr) {
@@ -146,23 +146,21 @@ class PlyReader final : public IndexedReader {
     lists_ = std::make_unique<PlyLists>(*faces_.element, *faces_.list, *values_, faces_.strips);
   }
 
-  bool next_faces(RawBatch& batch) override {
-    batch = {};
-    batch.first = next_face_;
+  bool next_indices(RawBatch& batch) override {
     if (faces_.element == nullptr) return false;
     if (kept_faces_ != nullptr) {
-      kept_faces_->read(next_face_, memory_.batch_faces, batch);
+      kept_faces_->read(next_kept_, memory_.batch_faces, batch);
+      next_kept_ += batch.count;
     } else if (!next_triangles(batch)) {
       // Some other polygon comes first; a few records on there may be triangles again.
       const bool fast_later = triangle_stride() != 0;
       lists_->read(batch, memory_.batch_faces, fast_later ? memory_.batch_faces / 4 : UINT64_MAX);
     }
-    next_face_ += batch.count;
     if (batch.count == 0) read_to_the_end();
     return batch.count > 0;
   }
 
-  void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override {
+  void decode_indices(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override {
     if (!batch.indices.empty()) {
       slice_indices(batch, vertices_, slice, sink);
     } else if (header_.form == PlyForm::big_endian) {
@@ -170,11 +168,38 @@ class PlyReader final : public IndexedReader {
     } else {
       decode_triangles<false>(batch, slice, sink);
     }
-    vertices_.check_intact(source_->name());
-    batch.block.check_intact(source_->name());
   }
 
-  [[nodiscard]] std::uint64_t bytes() const override { return std::max(source_->position(), bytes_seen_); }
+  void corner_numbers(const RawBatch& batch, std::vector<std::uint32_t>& numbers) const override {
+    if (!batch.indices.empty()) return IndexedReader::corner_numbers(batch, numbers);
+    const std::size_t stride = triangle_stride();
+    const bool swapped = header_.form == PlyForm::big_endian;
+    const std::byte* record = batch.block.bytes.data() + list_offset() + 1;
+    numbers.resize(3 * batch.count);
+    for (std::size_t i = 0; i < batch.count; ++i, record += stride) {
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        numbers[3 * i + corner] = load<std::uint32_t>(record + 4 * corner, swapped);
+    }
+  }
+
+  [[nodiscard]] bool faces_come_again() const override {
+    return kept_faces_ != nullptr || source_->seekable();
+  }
+
+  // Only where faces stand in records of one size, all triangles.
+  bool sample_indices(double place, RawBatch& batch) override {
+    if (faces_.element == nullptr) return false;
+    if (kept_faces_ != nullptr) {
+      kept_faces_->read(sample_begin(place, kept_faces_->size()), memory_.batch_faces, batch);
+      return true;
+    }
+    const std::size_t stride = triangle_stride();
+    if (stride == 0 || !source_->seekable()) return false;
+    values_->sync();
+    source_->seek(faces_offset_ + sample_begin(place, faces_.element->count) * stride);
+    const std::size_t wanted = std::min<std::uint64_t>(triangles_at_once(stride), faces_.element->count);
+    return take_triangles(stride, wanted, batch) == wanted;
+  }
 
  private:
   // A header that promises more than the file can hold is refused before anything is built on its counts.
@@ -196,145 +221,11 @@ class PlyReader final : public IndexedReader {
     }
   }
 
-  VertexLayout layout_of(const PlyElement& element) const {
-    VertexLayout layout;
-    layout.swapped = header_.form == PlyForm::big_endian;
-    std::array<bool, 3> found{};
-    std::size_t scalar = 0;
-    for (const PlyProperty& property : element.properties) {
-      if (!property.list && !is_coordinate(property) && carries(scalar++))
-        layout.attributes.push_back({layout.stride, property.type});
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (property.list || property.name != std::string(1, static_cast<char>('x' + axis))) continue;
-        layout.offset[axis] = layout.stride;
-        layout.type[axis] = property.type;
-        found[axis] = true;
-      }
-      layout.stride += size_of(property.type);
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (found[axis]) continue;
-      throw Error(ErrorKind::bad_input, "'" + source_->name() +
-                                            "': the PLY element 'vertex' has no property '" +
-                                            std::string(1, static_cast<char>('x' + axis)) + "'");
-    }
-    return layout;
-  }
-
-  // By number among the vertices' numbers other than coordinates.
-  [[nodiscard]] bool carries(std::size_t scalar) const {
-    return std::binary_search(facts_.choice.scalar.begin(), facts_.choice.scalar.end(), scalar);
-  }
-
-  void load_vertices(const PlyElement& element) {
-    if (element.count > UINT32_MAX) {
-      throw Error(ErrorKind::bad_input, "'" + source_->name() + "' says it has " + grouped(element.count) +
-                                            " vertices; indices of PLY count to 4,294,967,295");
-    }
-    if (element.count == 0) {
-      vertices_.begin_keeping(false);
-      return vertices_.finish_keeping();
-    }
-    const VertexLayout layout = layout_of(element);
-    const bool fixed = header_.form != PlyForm::ascii && element.fixed_size();
-    values_->sync();
-    if (fixed && !source_->map_name().empty()) {
-      const std::uint64_t bytes = element.count * layout.stride;
-      vertices_.map(source_->map_name(), source_->position(), element.count, layout);
-      source_->seek(source_->position() + bytes);
-      return;
-    }
-    job_.progress.begin("read vertices", element.count, "vertices");
-    vertices_.begin_keeping(facts_.double_positions, carried_types());
-    if (fixed) {
-      keep_fixed(element, layout);
-    } else {
-      keep_values(element);
-    }
-    vertices_.finish_keeping();
-  }
-
-  void keep_fixed(const PlyElement& element, const VertexLayout& layout) {
-    std::vector<double> xyz;
-    std::vector<double> attributes;
-    for (std::uint64_t done = 0; done < element.count;) {
-      const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 18) / layout.stride, 1, 8192);
-      const std::size_t count = std::min<std::uint64_t>(at_once, element.count - done);
-      const Block block = source_->take(count * layout.stride);
-      if (block.bytes.size() < count * layout.stride) {
-        throw Error(ErrorKind::bad_input, "'" + source_->name() + "' ends at byte " +
-                                              grouped(source_->position()) + ", inside vertex " +
-                                              grouped(done + block.bytes.size() / layout.stride) + " of " +
-                                              grouped(element.count) + ": it was cut short");
-      }
-      xyz.resize(3 * count);
-      attributes.clear();
-      const std::byte* record = block.bytes.data();
-      const bool floats =
-          !layout.swapped && layout.type == std::array{PlyType::float32, PlyType::float32, PlyType::float32};
-      for (std::size_t i = 0; i < count; ++i, record += layout.stride) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          xyz[3 * i + axis] =
-              floats ? load<float>(record + layout.offset[axis], false)
-                     : load_real(record + layout.offset[axis], layout.type[axis], layout.swapped);
-        }
-        for (const auto& [offset, type] : layout.attributes)
-          attributes.push_back(load_real(record + offset, type, layout.swapped));
-      }
-      vertices_.keep(xyz, attributes);
-      done += count;
-      job_.progress.advance(count);
-    }
-  }
-
-  void keep_values(const PlyElement& element) {
-    layout_of(element);  // for its checks
-    std::vector<double> xyz;
-    std::vector<double> attributes;
-    constexpr int skipped = -1;
-    constexpr int carried = 3;
-    std::vector<int> use;  // of each property: an axis, or ...
-    std::size_t scalar = 0;
-    for (const PlyProperty& property : element.properties) {
-      if (is_coordinate(property)) {
-        use.push_back(property.name[0] - 'x');
-      } else {
-        use.push_back(!property.list && carries(scalar++) ? carried : skipped);
-      }
-    }
-    for (std::uint64_t done = 0; done < element.count; ++done) {
-      values_->now_reading("vertex", done);
-      xyz.resize(xyz.size() + 3);
-      for (std::size_t i = 0; i < element.properties.size(); ++i) {
-        const PlyProperty& property = element.properties[i];
-        if (use[i] == skipped) {
-          skip_property(property);
-        } else if (use[i] == carried) {
-          attributes.push_back(values_->real(property.type));
-        } else {
-          xyz[xyz.size() - 3 + static_cast<std::size_t>(use[i])] = values_->real(property.type);
-        }
-      }
-      if (xyz.size() < 3 * 4096 && done + 1 < element.count) continue;
-      vertices_.keep(xyz, attributes);
-      job_.progress.advance(xyz.size() / 3);
-      xyz.clear();
-      attributes.clear();
-    }
-  }
-
-  void skip_property(const PlyProperty& property) {
-    std::uint64_t count = 1;
-    if (property.list)
-      count = static_cast<std::uint64_t>(std::max<std::int64_t>(0, values_->integer(property.count_type)));
-    values_->skip(property.type, count);
-  }
-
   void skip_element(const PlyElement& element) {
     if (element.properties.empty()) return;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values_->now_reading(element.name.c_str(), i);
-      for (const PlyProperty& property : element.properties) skip_property(property);
+      for (const PlyProperty& property : element.properties) skip_property(*values_, property);
       if (i % 4096 == 0) job_.progress.check_cancelled();
     }
   }
@@ -348,13 +239,7 @@ class PlyReader final : public IndexedReader {
       RawBatch batch;
       lists.read(batch, 4096);
       if (batch.count == 0) break;
-      for (std::size_t i = 0; i < batch.count; ++i) {
-        if (batch.status[i] == FaceStatus::good) {
-          kept_faces_->add(std::span(batch.indices).subspan(3 * i, 3));
-        } else {
-          kept_faces_->add_degenerate();
-        }
-      }
+      kept_faces_->add(batch);
       job_.progress.advance(batch.count);
     }
     kept_faces_->finish();
@@ -391,10 +276,18 @@ class PlyReader final : public IndexedReader {
     const std::uint64_t left = faces_.element->count - lists_->records();
     if (stride == 0 || left == 0 || !lists_->between_records()) return false;
     values_->sync();
-    // No more bytes at once than the plan has room for, however many properties a face has.
-    const std::size_t at_once =
-        std::clamp<std::size_t>(memory_.batch_faces * 72 / stride, 1, memory_.batch_faces);
-    const std::size_t wanted = std::min<std::uint64_t>(at_once, left);
+    lists_->pass_over(
+        take_triangles(stride, std::min<std::uint64_t>(triangles_at_once(stride), left), batch));
+    return batch.count > 0;
+  }
+
+  // No more bytes at once than the plan has room for, however many properties a face has.
+  [[nodiscard]] std::size_t triangles_at_once(std::size_t stride) const {
+    return std::clamp<std::size_t>(memory_.batch_faces * 72 / stride, 1, memory_.batch_faces);
+  }
+
+  // As many of the wanted records as are triangles; returns how many.
+  std::size_t take_triangles(std::size_t stride, std::size_t wanted, RawBatch& batch) {
     batch.block = source_->take(wanted * stride);
     const std::size_t whole = batch.block.bytes.size() / stride;
     const std::byte* count = batch.block.bytes.data() + list_offset();
@@ -403,8 +296,7 @@ class PlyReader final : public IndexedReader {
     source_->give_back(batch.block.bytes.size() - triangles * stride);
     batch.block.bytes = batch.block.bytes.first(triangles * stride);
     batch.count = triangles;
-    lists_->pass_over(triangles);
-    return triangles > 0;
+    return triangles;
   }
 
   template <bool Swapped>
@@ -444,7 +336,7 @@ class PlyReader final : public IndexedReader {
   std::uint64_t faces_offset_ = 0;
   std::unique_ptr<PlyLists> lists_;
   std::unique_ptr<KeptFaces> kept_faces_;
-  std::uint64_t next_face_ = 0;
+  std::uint64_t next_kept_ = 0;
   std::uint64_t bytes_seen_ = 0;
 };
 
@@ -464,6 +356,7 @@ InputOutlook look_at_ply(ByteSource& source, const AttributeWish& wish) {
   outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, source.name());
   const PlyElement* vertex = header.find("vertex");
   outlook.vertices_kept = vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
+  if (vertex != nullptr && !outlook.vertices_kept) outlook.vertex_bytes = vertex->smallest_size();
   const FaceElement faces = find_faces(header, source.name());
   outlook.faces_kept = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
   return outlook;

@@ -118,6 +118,13 @@ class AsciiValues final : public PlyValues {
 
 }  // namespace
 
+void skip_property(PlyValues& values, const PlyProperty& property) {
+  std::uint64_t count = 1;
+  if (property.list)
+    count = static_cast<std::uint64_t>(std::max<std::int64_t>(0, values.integer(property.count_type)));
+  values.skip(property.type, count);
+}
+
 std::unique_ptr<PlyValues> make_ply_values(ByteSource& source, PlyForm form) {
   if (form == PlyForm::ascii) return std::make_unique<AsciiValues>(source);
   return std::make_unique<BinaryValues>(source, form == PlyForm::big_endian);

@@ -34,6 +34,9 @@ class PlyValues {
   std::uint64_t number_ = 0;
 };
 
+// Passes over the value, or the list, of a property.
+void skip_property(PlyValues& values, const PlyProperty& property);
+
 std::unique_ptr<PlyValues> make_ply_values(ByteSource& source, PlyForm form);
 
 }  // namespace winnow

@@ -4,8 +4,11 @@
 
 namespace winnow {
 
-void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index,
-                    FaceBatch& slice) {
+namespace {
+
+// The range of the vertices, all of which there are afterwards; nothing where there is none at all.
+std::optional<VertexRange> check_numbers(const VertexStore& vertices,
+                                         const std::array<std::uint32_t*, 3>& index, FaceBatch& slice) {
   const std::uint64_t size = vertices.size();
   slice.index = {index[0], index[1], index[2]};
   // As signed numbers, which the plainest vector instructions compare.
@@ -33,7 +36,7 @@ void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*
       for (auto& corner : slice.position) {
         for (auto& axis : corner) std::fill_n(axis.begin(), slice.count, 0.0);
       }
-      return;
+      return {};
     }
     range = {UINT32_MAX, 0};
     for (std::uint32_t* corner : index) {
@@ -43,7 +46,15 @@ void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*
       }
     }
   }
-  vertices.gather({index[0], index[1], index[2]}, range, slice.count, slice);
+  return range;
+}
+
+}  // namespace
+
+void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index,
+                    FaceBatch& slice) {
+  if (const auto range = check_numbers(vertices, index, slice))
+    vertices.gather({index[0], index[1], index[2]}, *range, slice.count, slice);
 }
 
 namespace {
@@ -65,10 +76,9 @@ void for_each_slice(const RawBatch& batch, FaceBatch& slice, const FaceSink& sin
   }
 }
 
-}  // namespace
-
-void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch& slice,
-                   const FaceSink& sink) {
+// The same with the vertices' numbers side by side.
+template <typename Fill>
+void for_each_slice_of_indices(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink, Fill fill) {
   std::array<std::array<std::uint32_t, FaceBatch::capacity>, 3> index;
   for_each_slice(batch, slice, sink, [&](std::uint64_t from) {
     for (std::size_t i = 0; i < slice.count; ++i) {
@@ -76,7 +86,25 @@ void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch
         index[corner][i] = batch.indices[3 * (from + i) + corner];
       }
     }
-    gather_checked(vertices, {index[0].data(), index[1].data(), index[2].data()}, slice);
+    fill({index[0].data(), index[1].data(), index[2].data()});
+  });
+}
+
+}  // namespace
+
+void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch& slice,
+                   const FaceSink& sink) {
+  for_each_slice_of_indices(batch, slice, sink, [&](const std::array<std::uint32_t*, 3>& index) {
+    gather_checked(vertices, index, slice);
+  });
+}
+
+void slice_records(const RawBatch& batch, const VertexStore& vertices, const CornerStreams& streams,
+                   FaceBatch& slice, const FaceSink& sink) {
+  CornerStreams::Cursors cursors = batch.records_begin;
+  for_each_slice_of_indices(batch, slice, sink, [&](const std::array<std::uint32_t*, 3>& index) {
+    check_numbers(vertices, index, slice);
+    streams.gather(batch, cursors, {index[0], index[1], index[2]}, slice.count, slice);
   });
 }
 

@@ -1,6 +1,7 @@
 // From raw batches that are decoded already to face batches.
 #pragma once
 
+#include "read/corner_streams.hpp"
 #include "read/mesh_reader.hpp"
 #include "read/vertex_store.hpp"
 
@@ -14,6 +15,10 @@ void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch
 // names no vertex, and the slice's status says so.
 void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index,
                     FaceBatch& slice);
+
+// The same of batches whose vertices were brought together.
+void slice_records(const RawBatch& batch, const VertexStore& vertices, const CornerStreams& streams,
+                   FaceBatch& slice, const FaceSink& sink);
 
 // Batches of corner positions.
 void slice_corners(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink);

@@ -151,34 +151,41 @@ void load_attributes(const std::byte* record, const VertexLayout& layout, std::s
   }
 }
 
+[[noreturn]] void cannot_read(std::uint64_t at) {
+  throw Error(ErrorKind::bad_input,
+              "cannot read a vertex at byte " + grouped(at) + "; was the file shortened while it was read?");
+}
+
 }  // namespace
 
-void VertexStore::gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index,
-                                std::size_t count, FaceBatch& out) const {
-  out.single = is_plain<float>(layout_) || floats_;
+void VertexStore::gather_records(const std::byte* records, const VertexLayout& layout,
+                                 const std::array<const std::uint32_t*, 3>& index, std::size_t count,
+                                 FaceBatch& out) const {
+  out.single = is_plain<float>(layout) || floats_;
   for (std::size_t corner = 0; corner < 3; ++corner) {
     if (floats_) {
-      gather_plain<double>(base, layout_.stride, index[corner], count, out.single_position[corner]);
+      gather_plain<double>(records, layout.stride, index[corner], count, out.single_position[corner]);
     } else if (out.single) {
-      gather_plain<float>(base + layout_.offset[0], layout_.stride, index[corner], count,
+      gather_plain<float>(records + layout.offset[0], layout.stride, index[corner], count,
                           out.single_position[corner]);
-    } else if (is_plain<double>(layout_)) {
-      gather_plain<double>(base + layout_.offset[0], layout_.stride, index[corner], count,
+    } else if (is_plain<double>(layout)) {
+      gather_plain<double>(records + layout.offset[0], layout.stride, index[corner], count,
                            out.position[corner]);
     } else {
       for (std::size_t i = 0; i < count; ++i) {
-        const std::byte* record = base + std::size_t{index[corner][i]} * layout_.stride;
+        const std::byte* record = records + std::size_t{index[corner][i]} * layout.stride;
         for (std::size_t axis = 0; axis < 3; ++axis) {
           out.position[corner][axis][i] =
-              load_real(record + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+              load_real(record + layout.offset[axis], layout.type[axis], layout.swapped);
         }
       }
     }
   }
-  if (layout_.attributes.empty()) return;
+  out.attributes.resize(3 * FaceBatch::capacity * layout.attributes.size());
+  if (layout.attributes.empty()) return;
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (std::size_t i = 0; i < count; ++i)
-      load_attributes(base + std::size_t{index[corner][i]} * layout_.stride, layout_, corner, i, out);
+      load_attributes(records + std::size_t{index[corner][i]} * layout.stride, layout, corner, i, out);
   }
 }
 
@@ -186,13 +193,13 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
                                     FaceBatch& out) const {
   std::vector<std::byte> record(layout_.stride);
   out.single = false;
+  out.attributes.resize(3 * FaceBatch::capacity * layout_.attributes.size());
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint64_t at = file_offset_ + std::uint64_t{index[corner][i]} * layout_.stride;
       if (::pread(fd_, record.data(), record.size(), static_cast<off_t>(at)) !=
           static_cast<ssize_t>(record.size())) {
-        throw Error(ErrorKind::bad_input, "cannot read a vertex at byte " + grouped(at) +
-                                              "; was the file shortened while it was read?");
+        cannot_read(at);
       }
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double value =
@@ -207,16 +214,13 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
 void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, VertexRange range,
                          std::size_t count, FaceBatch& out) const {
   if (count == 0) return;
-  out.attributes.resize(3 * FaceBatch::capacity * layout_.attributes.size());
-  if (window_ == nullptr) return gather_mapped(kept_->data(), index, count, out);
+  if (window_ == nullptr) return gather_records(kept_->data(), layout_, index, count, out);
   ahead_->reached(file_offset_ + range.lowest * layout_.stride,
                   file_offset_ + (range.highest + std::uint64_t{1}) * layout_.stride);
   if (watched_) {
     const std::uint64_t begin = range.lowest * layout_.stride;
     const std::uint64_t end = range.highest * layout_.stride + layout_.stride;
-    // One batch alone may use a quarter; faces that jump farther are read one vertex at a time, which is
-    // slow but touches no page.
-    if (end - begin > memory_limit_ / 4) return gather_by_reading(index, count, out);
+    if (too_wide(range)) return gather_by_reading(index, count, out);
     if (resident_.touch(begin, end) > memory_limit_ / 2) {
       const std::scoped_lock lock(dropping_);
       resident_.clear();
@@ -224,7 +228,7 @@ void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, Verte
       resident_.touch(begin, end);
     }
   }
-  gather_mapped(window_->data(), index, count, out);
+  gather_records(window_->data(), layout_, index, count, out);
 }
 
 const std::byte* VertexStore::stretch(std::uint64_t first, std::size_t count) const {
@@ -274,6 +278,18 @@ void VertexStore::read_attributes(std::uint64_t first, std::size_t count, std::v
   for (std::size_t i = 0; i < count; ++i, record += layout_.stride) {
     for (const VertexLayout::Number& number : layout_.attributes)
       out.push_back(load_real(record + number.offset, number.type, layout_.swapped));
+  }
+}
+
+void VertexStore::read_records(std::uint64_t first, std::size_t count, std::byte* out) const {
+  std::uint64_t at = file_offset_ + first * layout_.stride;
+  for (std::size_t left = count * layout_.stride; left > 0;) {
+    const ssize_t done = ::pread(fd_, out, left, static_cast<off_t>(at));
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) cannot_read(at);
+    out += done;
+    at += static_cast<std::uint64_t>(done);
+    left -= static_cast<std::size_t>(done);
   }
 }
 

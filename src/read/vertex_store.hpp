@@ -10,6 +10,7 @@
 
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -66,6 +67,11 @@ class VertexStore {
   void gather(const std::array<const std::uint32_t*, 3>& index, VertexRange range, std::size_t count,
               FaceBatch& out) const;
 
+  // The same of records of another layout that somebody brought together: `index[corner][face]` counts these.
+  void gather_records(const std::byte* records, const VertexLayout& layout,
+                      const std::array<const std::uint32_t*, 3>& index, std::size_t count,
+                      FaceBatch& out) const;
+
   // Positions in their order: `count` from `first` on, side by side into `out`.
   void read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const;
 
@@ -74,7 +80,20 @@ class VertexStore {
 
   // Calls each(record, count) with all records in their order, stretch by stretch.
   void for_each_stretch(const std::function<void(const std::byte*, std::size_t)>& each) const;
+
+  // Where not all records may be resident at a time, what gather() does with faces that jump is slow.
+  [[nodiscard]] bool larger_than_memory() const { return watched_; }
+  [[nodiscard]] std::uint64_t memory_limit() const { return memory_limit_; }
   [[nodiscard]] const VertexLayout& layout() const { return layout_; }
+  // One batch alone may use a quarter; faces that jump farther are read one vertex at a time, which is slow
+  // but touches no page.
+  [[nodiscard]] bool too_wide(VertexRange range) const {
+    return (range.highest - range.lowest + std::uint64_t{1}) * layout_.stride > memory_limit_ / 4;
+  }
+  static constexpr std::uint64_t resident_block = std::uint64_t{1} << 16;
+
+  // Whole records from `first` on, read into `out` past the mapping; only where larger_than_memory().
+  void read_records(std::uint64_t first, std::size_t count, std::byte* out) const;
 
   // Between passes the pages of a mapping need not stay.
   void rest();
@@ -91,7 +110,7 @@ class VertexStore {
     void clear();
 
    private:
-    static constexpr unsigned block_bits = 16;
+    static constexpr unsigned block_bits = std::countr_zero(resident_block);
     std::vector<std::atomic<std::uint8_t>> touched_;
     std::atomic<std::uint64_t> resident_{0};
   };
@@ -99,8 +118,6 @@ class VertexStore {
   void open_mapping(const std::string& path, std::uint64_t offset, std::uint64_t bytes);
   // Records that are read in order.
   const std::byte* stretch(std::uint64_t first, std::size_t count) const;
-  void gather_mapped(const std::byte* base, const std::array<const std::uint32_t*, 3>& index,
-                     std::size_t count, FaceBatch& out) const;
   void gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
                          FaceBatch& out) const;
 

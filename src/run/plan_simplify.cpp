@@ -1,6 +1,7 @@
 #include <winnow/simplify.hpp>
 
 #include "io/arena.hpp"
+#include "read/corner_streams.hpp"
 #include "read/kept_faces.hpp"
 #include "run/attributes.hpp"
 #include "run/input.hpp"
@@ -43,6 +44,23 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   return passes;
 }
 
+// Bytes of what is needed of a vertex.
+std::uint64_t vertex_record(const InputFacts& facts) {
+  std::uint64_t bytes = 3 * (facts.double_positions ? sizeof(double) : sizeof(float));
+  for (const Attribute& attribute : facts.choice.carried) bytes += size_of(attribute.type);
+  return bytes;
+}
+
+// Scratch at the most where faces jump over more vertices than their share of memory has room for.
+std::uint64_t worst_of_jumping(const InputOutlook& outlook, const MemoryPlan& plan) {
+  const std::uint64_t record = vertex_record(outlook.facts);
+  const std::uint64_t looked_up = std::max(outlook.vertices_kept ? record : 0, outlook.vertex_bytes);
+  if (outlook.facts.vertices.value_or(0) * looked_up <= plan.reader.vertices) return 0;
+  // Of a pipe the faces wait, too.
+  const std::uint64_t face = outlook.vertices_kept ? KeptFaces::bytes_a_face : 0;
+  return outlook.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
+}
+
 }  // namespace
 
 SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
@@ -63,11 +81,9 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   out.vertices = outlook.facts.vertices;
   if (out.faces) {
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
-    std::uint64_t vertex = outlook.facts.double_positions ? 24 : 12;
-    for (const Attribute& attribute : outlook.facts.choice.carried) vertex += size_of(attribute.type);
-    if (outlook.vertices_kept) kept += out.vertices.value_or(0) * vertex;
+    if (outlook.vertices_kept) kept += out.vertices.value_or(0) * vertex_record(outlook.facts);
     if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
-    out.scratch_worst = worst_scratch(*out.faces, needs) + kept;
+    out.scratch_worst = worst_scratch(*out.faces, needs) + kept + worst_of_jumping(outlook, plan);
     out.scratch_expected = expected_scratch(*out.faces, plan, needs) + kept;
     // A rate measured once for one thread (bench/RESULTS.md), for want of knowing the machine.
     out.seconds_expected = static_cast<double>(*out.faces) / (2.2e7 * job.threads);

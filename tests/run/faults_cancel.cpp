@@ -115,6 +115,15 @@ TEST_CASE("a run is cancelled in every stage", "[faults][threads]") {
                     {"keep faces", "cluster", "write"});
 }
 
+TEST_CASE("a run over faces that jump is cancelled in every stage", "[faults][threads]") {
+  const Directory directory;
+  const std::string ply = directory.file("scan.ply");
+  generate("scan", 1'500'000, ply, {.shuffle = true});
+  SimplifyOptions coarse = with_cell();
+  coarse.cell = 0.05;
+  check_every_stage(directory, ply, coarse, {"sort corners", "look up corners", "cluster", "write"});
+}
+
 TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]") {
   const Directory directory;
   // Several tiles, so that there is a log to be cut, and a second round.

@@ -96,6 +96,25 @@ TEST_CASE("scratch that outgrows the largest file is refused", "[faults]") {
   CHECK(directory.names() == before);
 }
 
+TEST_CASE("scratch for faces that jump that outgrows the largest file is refused", "[faults]") {
+  const Directory directory;
+  const Directory scratch;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", 1'300'000, input, {.shuffle = true});
+  const Words options{"--cell", "0.05", "--threads", "2"};
+  const std::string memory = smallest_memory(input, options);
+  // Their numbers, and their positions.
+  for (const std::uint64_t most : {limit / 2, 3 * limit}) {
+    check_refused(run_winnow(Words{"simplify", input, "-o", directory.file("out.ply"), "--scratch",
+                                   scratch.path(), "--memory", memory} +
+                                 options,
+                             {.largest_file = most}),
+                  scratch.path());
+    CHECK(scratch.names().empty());
+    CHECK(directory.names() == Words{"scan.ply"});
+  }
+}
+
 TEST_CASE("a full disk for the output is refused", "[faults]") {
   const Directory directory;
   const SmallDisk disk(directory.file("disk"), "1m");

@@ -1,5 +1,6 @@
 // The same bytes of attributes, too, whatever the threads, the memory and the way in.
 #include "support/attributes.hpp"
+#include "support/random.hpp"
 #include "support/simplified.hpp"
 
 namespace winnow::test {
@@ -41,6 +42,26 @@ TEST_CASE("the same attributes through a pipe that is read once", "[same_bytes]"
   const std::string text = directory.file("text.ply");
   write_attributed(text, read_attributed(input), usual_columns(), PlyForm::ascii);
   CHECK(simplified(directory, text, options).hash == one.hash);
+}
+
+TEST_CASE("the same attributes of faces that jump over more vertices than memory has room for",
+          "[same_bytes]") {
+  const Directory directory;
+  AttributedMesh mesh = generated(directory.path(), 1'300'000);
+  const std::string coherent = directory.file("scan.ply");
+  write_attributed(coherent, mesh, usual_columns());
+  Random random(77);
+  random.shuffle(mesh.faces);
+  const std::string shuffled = directory.file("shuffled.ply");
+  write_attributed(shuffled, mesh, usual_columns());
+  const Words options{"--cell", "0.02", "--threads", "2"};
+  const Simplified want = simplified(directory, coherent, options);
+  const Simplified small =
+      simplified(directory, shuffled, options + Words{"--memory", smallest_memory(shuffled, options)});
+  // Each corner's number, position and attributes.
+  CHECK(small.report["spilled_bytes"] >= 3 * (4 + 12 + 8) * mesh.faces.size());
+  CHECK(small.hash == want.hash);
+  CHECK(small.report["attributes"] == want.report["attributes"]);
 }
 
 }  // namespace winnow::test

@@ -31,4 +31,39 @@ TEST_CASE("the same bytes from faces in a scattered order", "[same_bytes]") {
   }
 }
 
+TEST_CASE("the same bytes from faces that jump over more vertices than memory has room for", "[same_bytes]") {
+  const Directory directory;
+  const std::string coherent = directory.file("scan.ply");
+  const std::string shuffled = directory.file("shuffled.ply");
+  constexpr std::uint64_t faces = 1'300'000;
+  generate("scan", faces, coherent);
+  generate("scan", faces, shuffled, {.shuffle = true});
+  const auto piped = [&](const Words& options) {
+    const std::string output = directory.file("piped.ply");
+    Program program(Words{"simplify", "-", "-o", output, "--json"} + options, {.in = "|"});
+    CHECK(program.write(bytes_of_file(shuffled)));
+    CHECK(program.wait().code == 0);
+    return hash_of_file(output);
+  };
+  for (const Words& options :
+       {Words{"--cell", "0.02", "--threads", "2"}, Words{"--faces", "10k", "--threads", "1"}}) {
+    INFO(joined(options));
+    const Simplified want = simplified(directory, coherent, options);
+    const Words little = options + Words{"--memory", smallest_memory(shuffled, options), "--force"};
+    const Simplified small = simplified(directory, shuffled, little);
+    // Each corner's number and position.
+    CHECK(small.report["spilled_bytes"] >= 3 * 16 * faces);
+    CHECK(small.report["input"] == want.report["input"]);
+    CHECK(small.hash == want.hash);
+    CHECK(piped(little) == want.hash);
+  }
+  // The order of the faces is kept, too.
+  const std::string large = directory.file("large.stl");
+  const std::string small = directory.file("small.stl");
+  winnow_ok({"convert", shuffled, "-o", large, "-q"});
+  const std::string memory = smallest_memory_of({"convert", shuffled, "--threads", "2"});
+  winnow_ok({"convert", shuffled, "-o", small, "-q", "--threads", "2", "--memory", memory});
+  CHECK(hash_of_file(small) == hash_of_file(large));
+}
+
 }  // namespace winnow::test
