@@ -1,5 +1,7 @@
 #include "base/text.hpp"
 
+#include "base/budget.hpp"
+
 #include <array>
 #include <charconv>
 #include <cstdio>

@@ -48,7 +48,7 @@ struct PricedCollapse {
 class Offers {
  public:
   explicit Offers(VertexNumber vertices)
-      : queue_(vertices), partner_(vertices, no_number), stale_(vertices, 0), postponed_(vertices) {}
+      : queue_(vertices), partner_(vertices, no_number), state_(vertices, settled), postponed_(vertices) {}
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
     return PriceQueue::memory(vertices) + vertices * (sizeof(VertexNumber) + 1 + sizeof(Candidate));
@@ -63,27 +63,30 @@ class Offers {
 
   // All anew.
   void set(VertexNumber v, const Candidate& candidate) {
-    postponed_[v] = {};
+    state_[v] = settled;
     replace(v, candidate);
   }
 
   // An edge that turned out to be dearer gets its turn at its price, at the latest when no other is left.
   void postpone(VertexNumber v, const Candidate& candidate) {
-    if (candidate.before(postponed_[v])) postponed_[v] = candidate;
+    if ((state_[v] & waiting) == 0 || candidate.before(postponed_[v])) postponed_[v] = candidate;
+    state_[v] |= waiting;
   }
 
   // What follows after an edge that was refused or postponed.
   void go_on(VertexNumber v, const Candidate& next) {
-    replace(v, postponed_[v].before(next) ? std::exchange(postponed_[v], {}) : next);
+    const bool back = (state_[v] & waiting) != 0 && postponed_[v].before(next);
+    if (back) state_[v] &= static_cast<std::uint8_t>(~waiting);
+    replace(v, back ? postponed_[v] : next);
   }
 
   // The offer is made anew when its turn comes: prices mostly rise, so that it keeps its turn until then. A
   // vertex without an offer gets its turn at once.
   void make_stale(VertexNumber v) {
-    stale_[v] = 1;
+    state_[v] |= out_of_date;
     if (!queue_.holds(v)) queue_.set(v, 0);
   }
-  [[nodiscard]] bool stale(VertexNumber v) const { return stale_[v] != 0; }
+  [[nodiscard]] bool stale(VertexNumber v) const { return (state_[v] & out_of_date) != 0; }
 
   [[nodiscard]] Candidate of(VertexNumber v) const {
     return queue_.holds(v) ? Candidate{queue_.price(v), partner_[v]} : Candidate{};
@@ -93,8 +96,11 @@ class Offers {
   [[nodiscard]] VertexNumber cheapest() const { return queue_.top().vertex; }
 
  private:
+  static constexpr std::uint8_t settled = 0;
+  static constexpr std::uint8_t out_of_date = 1;
+  static constexpr std::uint8_t waiting = 2;  // with a postponed edge
+
   void replace(VertexNumber v, const Candidate& candidate) {
-    stale_[v] = 0;
     partner_[v] = candidate.partner;
     if (candidate.exists()) {
       queue_.set(v, candidate.price);
@@ -105,8 +111,8 @@ class Offers {
 
   PriceQueue queue_;
   std::vector<VertexNumber> partner_;
-  std::vector<std::uint8_t> stale_;
-  std::vector<Candidate> postponed_;
+  std::vector<std::uint8_t> state_;
+  std::vector<Candidate> postponed_;  // of those that are waiting
 };
 
 // How far to go: down to so many faces, or up to this price, whichever comes first.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace winnow {
 
@@ -29,24 +30,22 @@ double FarthestPoints::price(const Collapse& edge, double price) {
   // As soon as both are this near, no more needs to be known.
   const double near = std::sqrt(price / weight);
   const Point& to = edge.position;
-  const Point& of_kept = point_[edge.kept];
-  const Point& of_removed = point_[edge.removed];
-  double kept_square = square_between(of_kept, to);
-  double removed_square = square_between(of_removed, to);
-  const auto approach = [&](VertexNumber moving, VertexNumber other) {
-    mesh_.for_each_corner(moving, [&](FaceNumber, VertexNumber w, VertexNumber x) {
-      if (w == other || x == other) return;
-      const auto nearer = [&](double& square, const Point& point) {
-        if (square <= near) return;
+  // What was collapsed into an end lies beside its faces, mostly.
+  const auto square_left = [&](const Point& point, VertexNumber end, VertexNumber other) {
+    double square = square_between(point, to);
+    for (const auto& [moving, gone] : {std::pair{end, other}, std::pair{other, end}}) {
+      mesh_.for_each_corner(moving, [&, gone = gone](FaceNumber, VertexNumber w, VertexNumber x) {
+        if (square <= near || w == gone || x == gone) return;
         const Triangle face{to, mesh_.position(w), mesh_.position(x)};
         square = std::min(square, square_between(point, closest_point(point, face)));
-      };
-      nearer(kept_square, of_kept);
-      nearer(removed_square, of_removed);
-    });
+      });
+    }
+    return square;
   };
-  approach(edge.kept, edge.removed);
-  approach(edge.removed, edge.kept);
+  const Point& of_kept = point_[edge.kept];
+  const Point& of_removed = point_[edge.removed];
+  const double kept_square = square_left(of_kept, edge.kept, edge.removed);
+  const double removed_square = square_left(of_removed, edge.removed, edge.kept);
   const double square = std::max(kept_square, removed_square);
   next_ = kept_square >= removed_square ? of_kept : of_removed;
   return std::max(price, weight * square * square);
