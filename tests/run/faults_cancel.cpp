@@ -98,9 +98,9 @@ SimplifyOptions with_faces() {
 TEST_CASE("a run is cancelled in every stage", "[faults][threads]") {
   const Directory directory;
   const std::string ply = directory.file("scan.ply");
-  generate("scan", 100'000, ply);
+  generate("scan", 40'000, ply);
   const std::string stl = directory.file("scan.stl");
-  generate("scan", 100'000, stl);
+  generate("scan", 40'000, stl);
   const std::string packed_ply = gzip_file(ply);
   const std::string packed_stl = zstd_file(stl);
   check_every_stage(directory, ply, with_cell(), {"cluster", "write"});
