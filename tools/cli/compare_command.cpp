@@ -2,19 +2,16 @@
 
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_text.hpp"
 
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 
-#include <nlohmann/json.hpp>
-
 namespace winnow::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Arguments {
   std::string original, simplified, colored, picture;
@@ -25,10 +22,7 @@ struct Arguments {
 
 Json json_of(const CompareReport::Mesh& mesh) {
   return {{"faces", mesh.faces},
-          {"bad_faces",
-           {{"degenerate", mesh.bad_faces.degenerate},
-            {"non_finite", mesh.bad_faces.non_finite},
-            {"out_of_range", mesh.bad_faces.out_of_range}}},
+          {"bad_faces", json_of_bad_faces(mesh.bad_faces)},
           {"area", mesh.area},
           {"volume", mesh.volume ? Json(*mesh.volume) : Json(nullptr)},
           {"samples", mesh.samples}};
@@ -83,9 +77,7 @@ std::string fixed(double value, int digits) {
 }
 
 void show(const CompareReport& report, std::ostream& out) {
-  const auto line = [&](const char* name, const std::string& text) {
-    out << "  " << name << std::string(14 - std::string_view(name).size(), ' ') << text << "\n";
-  };
+  const Lines line(out, 14);
   const auto distances = [&](const char* name, const Distances& d) {
     const auto one = [&](double length) {
       std::array<char, 64> text{};
@@ -126,7 +118,7 @@ void show(const CompareReport& report, std::ostream& out) {
                          show_count(report.simplified.bad_faces.total()) + " of the simplified mesh");
   }
   line("time", show_seconds(report.seconds) + ", peak memory " + show_bytes(report.peak_memory_bytes));
-  for (const std::string& note : report.notes) line("note", note);
+  line.notes(report.notes);
 }
 
 void run(const Arguments& arguments) {

@@ -1,9 +1,9 @@
 #include <winnow/convert.hpp>
 #include <winnow/error.hpp>
 
-#include "json_text.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_text.hpp"
 
 #include <iostream>
 #include <memory>
@@ -11,8 +11,6 @@
 namespace winnow::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Arguments {
   std::string input, output, from;
@@ -22,20 +20,13 @@ struct Arguments {
 };
 
 Json json_of(const ConvertReport& report) {
-  const BadFaces& bad = report.input.bad_faces;
   return {{"input",
            {{"format", report.input.format},
             {"faces", report.input.faces},
             {"vertices", report.input.vertices},
             {"bytes", report.input.bytes},
-            {"bad_faces",
-             {{"degenerate", bad.degenerate},
-              {"non_finite", bad.non_finite},
-              {"out_of_range", bad.out_of_range}}}}},
-          {"output",
-           {{"faces", report.output.faces},
-            {"vertices", report.output.vertices},
-            {"bytes", report.output.bytes}}},
+            {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
+          {"output", json_of_output(report.output)},
           {"attributes", {{"carried", report.attributes.carried}, {"dropped", report.attributes.dropped}}},
           {"welded", report.welded},
           {"doubled_faces", report.doubled_faces},
@@ -48,24 +39,18 @@ Json json_of(const ConvertReport& report) {
 }
 
 void show(const ConvertReport& report, std::ostream& out) {
-  const auto line = [&](const char* name, const std::string& text) {
-    out << "  " << name << std::string(10 - std::string_view(name).size(), ' ') << text << "\n";
-  };
+  const Lines line(out, 10);
   line("input", report.input.format + ", " + show_bytes(report.input.bytes));
   line("faces", show_count(report.output.faces));
   line("vertices", show_count(report.output.vertices) + (report.welded ? "  (equal positions are one)" : ""));
   line("file", show_bytes(report.output.bytes));
   if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
-  line("time", show_seconds(report.seconds.total) + "  (" +
-                   show_rate(static_cast<double>(report.input.faces) / report.seconds.total) + "faces/s)");
-  line("memory",
-       show_bytes(report.peak_memory_bytes) + " at its peak" +
-           (report.peak_scratch_bytes > 0 ? ", and " + show_bytes(report.peak_scratch_bytes) + " of scratch"
-                                          : ""));
+  line("time", show_time(report.seconds.total, report.input.faces));
+  line("memory", show_memory(report.peak_memory_bytes, report.peak_scratch_bytes));
   if (report.input.bad_faces.total() > 0) line("bad faces", show_bad_faces(report.input.bad_faces));
   if (report.doubled_faces > 0)
     line("doubled", show_count(report.doubled_faces) + " faces left out that another has all corners of");
-  for (const std::string& note : report.notes) line("note", note);
+  line.notes(report.notes);
 }
 
 void run(const Arguments& arguments) {
@@ -96,17 +81,13 @@ void add_convert(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("convert", "Write a mesh of any size in another format, in bounded memory");
-  command->add_option("input", arguments->input, "PLY or STL, also in .gz or .zst; - is standard input")
-      ->required()
-      ->type_name("IN");
+  command->add_option("input", arguments->input, input_help)->required()->type_name("IN");
   command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
   const std::string result = "What the result is";
   command
       ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")
       ->group(result);
-  command->add_option("--from", arguments->from, "Input format, where the content does not tell: ply, stl")
-      ->type_name("FORMAT")
-      ->group(result);
+  add_from(*command, arguments->from)->group(result);
   arguments->written.add_to(*command, result);
   arguments->common.add_to(*command, true);
   command->footer(

@@ -1,9 +1,9 @@
 #include <winnow/error.hpp>
 #include <winnow/info.hpp>
 
-#include "json_text.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_text.hpp"
 
 #include <iostream>
 #include <memory>
@@ -11,8 +11,6 @@
 namespace winnow::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Arguments {
   std::string input, from;
@@ -24,10 +22,7 @@ Json json_of(const InfoReport& report) {
             {"bytes", report.bytes},
             {"faces", report.faces},
             {"vertices", report.vertices},
-            {"bad_faces",
-             {{"degenerate", report.bad_faces.degenerate},
-              {"non_finite", report.bad_faces.non_finite},
-              {"out_of_range", report.bad_faces.out_of_range}}},
+            {"bad_faces", json_of_bad_faces(report.bad_faces)},
             {"zero_area", report.zero_area},
             {"box", nullptr},
             {"area", report.area},
@@ -53,9 +48,7 @@ std::string triple(const std::array<double, 3>& values) {
 }
 
 void show(const InfoReport& report, std::ostream& out) {
-  const auto line = [&](const char* name, const std::string& text) {
-    out << "  " << name << std::string(12 - std::string_view(name).size(), ' ') << text << "\n";
-  };
+  const Lines line(out, 12);
   line("format", report.format + ", " + show_bytes(report.bytes));
   line("faces", show_count(report.faces));
   if (report.vertices > 0) line("vertices", show_count(report.vertices));
@@ -82,7 +75,7 @@ void show(const InfoReport& report, std::ostream& out) {
                               " name a vertex that does not exist");
   if (report.zero_area > 0) line("zero area", show_count(report.zero_area) + " faces");
   for (const std::string& attribute : report.attributes) line("also", attribute);
-  for (const std::string& note : report.notes) line("note", note);
+  line.notes(report.notes);
 }
 
 void run(const Arguments& arguments) {
@@ -105,11 +98,8 @@ void run(const Arguments& arguments) {
 void add_info(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("info", "Tell what is in a mesh file of any size");
-  command->add_option("input", arguments->input, input_names)->required()->type_name("IN");
-  command
-      ->add_option("--from", arguments->from,
-                   std::string("Input format, where the content does not tell: ") + input_formats)
-      ->type_name("FORMAT");
+  command->add_option("input", arguments->input, input_help)->required()->type_name("IN");
+  add_from(*command, arguments->from);
   arguments->common.add_to(*command, true);
   command->footer(
       "Examples:\n"

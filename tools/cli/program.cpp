@@ -92,6 +92,7 @@ constexpr std::array<std::pair<std::string_view, Format>, 7> formats{{{"ply", Fo
                                                                       {"gltf", Format::gltf},
                                                                       {"m", Format::m}}};
 constexpr std::size_t written_formats = 5;
+constexpr const char* input_formats = "ply, stl, obj, off, m, gltf";
 
 Format format_called(const std::string& text, std::size_t known, const std::string& refusal) {
   if (text.empty() || text == "auto") return Format::automatic;
@@ -102,6 +103,13 @@ Format format_called(const std::string& text, std::size_t known, const std::stri
 }
 
 }  // namespace
+
+CLI::Option* add_from(CLI::App& command, std::string& from) {
+  return command
+      .add_option("--from", from,
+                  std::string("Input format, where the content does not tell: ") + input_formats)
+      ->type_name("FORMAT");
+}
 
 Format parse_input_format(const std::string& text) {
   return format_called(text, formats.size(), std::string("--from takes one of ") + input_formats);

@@ -40,10 +40,12 @@ class ProgressBar {
 // beside a regular file, else to TMPDIR or /var/tmp (/tmp may be memory). Throws Error(usage).
 void prepare(Context& context, const CommonOptions& options, const std::string& output);
 
-// What is read, as --from and help texts say it.
-inline constexpr const char* input_formats = "ply, stl, obj, off, m, gltf";
-inline constexpr const char* input_names =
+// What every command says of its input.
+inline constexpr const char* input_help =
     "PLY, STL, OBJ, OFF, .m or glTF, also in .gz or .zst; - is standard input";
+
+// The option --from.
+CLI::Option* add_from(CLI::App& command, std::string& from);
 
 // Of a format that is read, or is written.
 Format parse_input_format(const std::string& text);
@@ -64,9 +66,6 @@ inline constexpr const char* output_help =
 
 // For reports: standard output, or standard error where standard output carries the mesh.
 std::ostream& report_stream(const std::string& output);
-
-// The summary of a run, or its report as JSON, as the options ask for.
-void tell(const SimplifyReport& report, const CommonOptions& options);
 
 // One file a command.
 void add_simplify(CLI::App& app);

@@ -1,6 +1,7 @@
 #include <winnow/checkpoint.hpp>
 
 #include "program.hpp"
+#include "simplify_report.hpp"
 
 #include <memory>
 

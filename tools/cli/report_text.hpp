@@ -1,0 +1,48 @@
+// What the reports of several commands say alike, as JSON and as lines for people.
+#pragma once
+
+#include <winnow/simplify.hpp>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace winnow::cli {
+
+using Json = nlohmann::ordered_json;
+
+// Names in it may come from a file: what is no UTF-8 becomes the sign for that.
+inline std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+Json json_of_bad_faces(const BadFaces& bad);
+
+// How large a written mesh is.
+template <typename Output>
+Json json_of_output(const Output& output) {
+  return {{"faces", output.faces}, {"vertices", output.vertices}, {"bytes", output.bytes}};
+}
+
+// Lines of a name and what is said of it, which begins in the same column.
+class Lines {
+ public:
+  Lines(std::ostream& out, std::size_t column) : out_(out), column_(column) {}
+
+  void operator()(const std::string& name, const std::string& text) const;
+  void notes(const std::vector<std::string>& notes) const;
+
+ private:
+  std::ostream& out_;
+  std::size_t column_;
+};
+
+// "0.45 s  (12 Mfaces/s)"
+std::string show_time(double seconds, std::uint64_t faces);
+// "12 MiB at its peak, and 3 MiB of scratch"
+std::string show_memory(std::uint64_t peak, std::uint64_t scratch);
+
+}  // namespace winnow::cli

@@ -1,0 +1,206 @@
+#include "simplify_report.hpp"
+
+#include <winnow/checkpoint.hpp>
+#include <winnow/simplify.hpp>
+
+#include "numbers.hpp"
+#include "program.hpp"
+#include "report_text.hpp"
+
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <utility>
+
+namespace winnow::cli {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, Refine>, 4> refine_names{{{"none", Refine::none},
+                                                                      {"quadric", Refine::quadric},
+                                                                      {"volume", Refine::volume},
+                                                                      {"importance", Refine::importance}}};
+
+}  // namespace
+
+Refine refine_called(const std::string& name) {
+  for (const auto& [word, refine] : refine_names) {
+    if (name == word) return refine;
+  }
+  return Refine::none;
+}
+
+const char* name_of(Refine refine) {
+  for (const auto& [word, value] : refine_names) {
+    if (refine == value) return word;
+  }
+  return "";
+}
+
+namespace {
+
+Json json_of(const std::optional<Resumed>& resumed) {
+  if (!resumed) return nullptr;
+  return {{"clustered", resumed->clustered},
+          {"rounds", resumed->rounds},
+          {"tiles", resumed->tiles},
+          {"written", resumed->written}};
+}
+
+Json json_of(const SimplifyReport& report) {
+  return {
+      {"input",
+       {{"faces", report.input.faces},
+        {"vertices", report.input.vertices},
+        {"bytes", report.input.bytes},
+        {"cropped_faces", report.input.cropped_faces},
+        {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
+      {"output", json_of_output(report.output)},
+      {"target", {{"faces", report.target_faces ? Json(*report.target_faces) : Json(nullptr)}}},
+      {"refine",
+       {{"cost", name_of(report.refine.cost)},
+        {"tiles", report.refine.tiles},
+        {"collapses", report.refine.collapses},
+        {"max_error", report.refine.max_error},
+        {"stopped_by", report.refine.stopped_by.empty() ? Json(nullptr) : Json(report.refine.stopped_by)}}},
+      {"attributes",
+       {{"carried", report.attributes.carried},
+        {"dropped", report.attributes.dropped},
+        {"ignored_values", report.attributes.ignored}}},
+      {"cell_size", report.cell_size},
+      {"cells", report.cells},
+      {"turned_faces", report.turned_faces},
+      {"fused_faces", report.fused_faces},
+      {"clamped_faces", report.clamped_faces},
+      {"error_bound", report.error_bound},
+      {"runs", report.runs},
+      {"spilled_bytes", report.spilled_bytes},
+      {"peak_scratch_bytes", report.peak_scratch_bytes},
+      {"peak_memory_bytes", report.peak_memory_bytes},
+      {"seconds",
+       {{"total", report.seconds.total},
+        {"read", report.seconds.read},
+        {"cluster", report.seconds.cluster},
+        {"refine", report.seconds.refine},
+        {"write", report.seconds.write}}},
+      {"resumed", json_of(report.resumed)},
+      {"notes", report.notes}};
+}
+
+// What had been done before.
+std::string describe(const Resumed& resumed) {
+  if (resumed.written) return "all was done";
+  if (!resumed.clustered) return "nothing was done yet";
+  std::string text = "the input was read";
+  if (resumed.rounds > 0)
+    text += ", " + show_count(resumed.rounds) + (resumed.rounds == 1 ? " round" : " rounds") + " refined";
+  if (resumed.tiles > 0)
+    text +=
+        ", " + show_count(resumed.tiles) + (resumed.tiles == 1 ? " tile" : " tiles") + " of the next tried";
+  return text;
+}
+
+std::string percent(double part) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(),
+                part < 0.001 ? "%.4f %%"
+                : part < 0.1 ? "%.2f %%"
+                             : "%.1f %%",
+                part * 100);
+  return text.data();
+}
+
+void show(const SimplifyReport& report, std::ostream& out) {
+  const Lines line(out, 10);
+  const double part = report.input.faces == 0 ? 0
+                                              : static_cast<double>(report.output.faces) /
+                                                    static_cast<double>(report.input.faces);
+  line("faces", show_count(report.input.faces) + " -> " + show_count(report.output.faces) + "  (" +
+                    percent(part) + ")");
+  std::string vertices = show_count(report.output.vertices);
+  if (report.input.vertices > 0) vertices = show_count(report.input.vertices) + " -> " + vertices;
+  line("vertices", vertices);
+  line("file", show_bytes(report.input.bytes) + " -> " + show_bytes(report.output.bytes));
+  const bool refined = report.refine.cost != Refine::none;
+  if (report.cell_size > 0) {
+    line("cell", show_length(report.cell_size) +
+                     (refined ? "  (clustered first)"
+                              : "  (no vertex is farther than " + show_length(report.error_bound) +
+                                    " from the surface)"));
+  }
+  if (refined) {
+    line("refined", show_count(report.refine.collapses) + " edges collapsed by " +
+                        name_of(report.refine.cost) + ", " + show_count(report.refine.tiles) +
+                        (report.refine.tiles == 1 ? " tile" : " tiles"));
+  }
+  if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
+  if (report.resumed) line("resumed", describe(*report.resumed));
+  line("time", show_time(report.seconds.total, report.input.faces));
+  line("memory", show_memory(report.peak_memory_bytes, report.peak_scratch_bytes));
+  const BadFaces& bad = report.input.bad_faces;
+  if (bad.total() > 0) line("bad faces", show_bad_faces(bad));
+  if (report.input.cropped_faces > 0)
+    line("cropped", show_count(report.input.cropped_faces) + " faces, not wholly inside of the box");
+  if (report.clamped_faces > 0)
+    line("weights",
+         show_count(report.clamped_faces) + " faces span so many cells that their weight was limited");
+  line.notes(report.notes);
+}
+
+Json json_of(const SimplifyPlan& plan) {
+  const auto optional = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
+  Json memory = Json::object();
+  for (const SimplifyPlan::Part& part : plan.memory) memory[part.name] = part.bytes;
+  return {{"memory", memory},
+          {"smallest_memory", plan.smallest_memory},
+          {"passes", plan.passes},
+          {"faces", optional(plan.faces)},
+          {"vertices", optional(plan.vertices)},
+          {"scratch_worst", optional(plan.scratch_worst)},
+          {"scratch_expected", optional(plan.scratch_expected)},
+          {"seconds_expected", optional(plan.seconds_expected)}};
+}
+
+void show(const SimplifyPlan& plan, std::ostream& out) {
+  out << "input\n  faces     " << (plan.faces ? show_count(*plan.faces) : "not known before it is read")
+      << "\n";
+  if (plan.vertices) out << "  vertices  " << show_count(*plan.vertices) << "\n";
+  out << "passes\n";
+  for (std::size_t i = 0; i < plan.passes.size(); ++i) out << "  " << i + 1 << ". " << plan.passes[i] << "\n";
+  out << "memory\n";
+  for (const SimplifyPlan::Part& part : plan.memory) {
+    const std::string size = show_bytes(part.bytes);
+    out << "  " << std::string(10 - std::min<std::size_t>(9, size.size()), ' ') << size << "  " << part.name
+        << "\n";
+  }
+  out << "  the smallest budget that works: " << show_bytes(plan.smallest_memory) << "\n";
+  if (plan.scratch_worst) {
+    out << "scratch\n  about " << show_bytes(*plan.scratch_expected)
+        << " for a coherent scan at a tenth of its faces, never more than " << show_bytes(*plan.scratch_worst)
+        << "\n";
+  }
+  if (plan.seconds_expected)
+    out << "time\n  about " << show_seconds(*plan.seconds_expected) << " where the disk keeps up\n";
+}
+
+}  // namespace
+
+void tell(const SimplifyReport& report, const CommonOptions& options) {
+  std::ostream& out = report_stream(report.output.name);
+  if (options.json) {
+    out << text_of(json_of(report)) << "\n";
+  } else if (!options.quiet) {
+    show(report, out);
+  }
+}
+
+void tell(const SimplifyPlan& plan, const CommonOptions& options) {
+  if (options.json) {
+    std::cout << text_of(json_of(plan)) << "\n";
+  } else {
+    show(plan, std::cout);
+  }
+}
+
+}  // namespace winnow::cli

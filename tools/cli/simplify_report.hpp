@@ -1,0 +1,18 @@
+// What `winnow simplify` and `winnow resume` say when they are done, and --dry-run before.
+#pragma once
+
+#include "program.hpp"
+
+#include <string>
+
+namespace winnow::cli {
+
+// Of the words that --refine takes; `none` for any other.
+Refine refine_called(const std::string& name);
+const char* name_of(Refine refine);
+
+// The summary of a run, or its report as JSON, as the options ask for.
+void tell(const SimplifyReport& report, const CommonOptions& options);
+void tell(const SimplifyPlan& plan, const CommonOptions& options);
+
+}  // namespace winnow::cli
