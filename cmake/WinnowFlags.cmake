@@ -5,6 +5,10 @@
 add_library(winnow_flags INTERFACE)
 target_compile_options(winnow_flags INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_compile_options(winnow_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor)
+# Sources compiled as one are not meant to know each other's names.
+if(WINNOW_UNITY)
+  target_compile_options(winnow_flags INTERFACE -Wno-shadow -Wshadow=local)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(winnow_flags INTERFACE -Wno-restrict)  # false alarms on std::string (GCC bug 105329)
 endif()

@@ -40,6 +40,11 @@ struct CarriedAttributes {
 
 std::vector<ScalarType> types_of(std::span<const Attribute> attributes);
 
+// Whether it has the name of a normal's part, of whatever kind it is.
+inline bool names_normal(const Attribute& attribute) {
+  return attribute.name == "nx" || attribute.name == "ny" || attribute.name == "nz";
+}
+
 inline bool carries_normals(std::span<const Attribute> attributes) {
   return std::any_of(attributes.begin(), attributes.end(),
                      [](const Attribute& a) { return a.kind == AttributeKind::normal; });

@@ -23,7 +23,10 @@ class AttributeScale {
   static constexpr std::int64_t not_finite = INT64_MIN;
 
   [[nodiscard]] std::int64_t fixed(double stored) const {
-    if (!table_.empty()) return table_[static_cast<std::size_t>(stored)];
+    if (!table_.empty()) {
+      const bool there = stored >= 0 && stored < static_cast<double>(table_.size());
+      return there ? table_[static_cast<std::size_t>(stored)] : not_finite;
+    }
     return scaled(attribute_.kind == AttributeKind::color ? mean_of_stored(attribute_, stored) : stored);
   }
 

@@ -69,15 +69,27 @@ class Offers {
 
   // An edge that turned out to be dearer gets its turn at its price, at the latest when no other is left.
   void postpone(VertexNumber v, const Candidate& candidate) {
-    if ((state_[v] & waiting) == 0 || candidate.before(postponed_[v])) postponed_[v] = candidate;
+    if ((state_[v] & waiting) == 0) {
+      postponed_[v] = candidate;
+    } else {
+      state_[v] |= forgot;
+      if (candidate.before(postponed_[v])) postponed_[v] = candidate;
+    }
     state_[v] |= waiting;
   }
 
-  // What follows after an edge that was refused or postponed.
+  // What follows after an edge that was refused or postponed. Where nothing does and an edge was forgotten
+  // for a cheaper one, which was refused when its turn came, all are looked at again: that one is out now.
   void go_on(VertexNumber v, const Candidate& next) {
-    const bool back = (state_[v] & waiting) != 0 && postponed_[v].before(next);
-    if (back) state_[v] &= static_cast<std::uint8_t>(~waiting);
-    replace(v, back ? postponed_[v] : next);
+    if ((state_[v] & waiting) != 0 && postponed_[v].before(next)) {
+      state_[v] &= static_cast<std::uint8_t>(~waiting);
+      replace(v, postponed_[v]);
+    } else if (!next.exists() && (state_[v] & forgot) != 0) {
+      state_[v] = settled;
+      make_stale(v);
+    } else {
+      replace(v, next);
+    }
   }
 
   // The offer is made anew when its turn comes: prices mostly rise, so that it keeps its turn until then. A
@@ -99,6 +111,7 @@ class Offers {
   static constexpr std::uint8_t settled = 0;
   static constexpr std::uint8_t out_of_date = 1;
   static constexpr std::uint8_t waiting = 2;  // with a postponed edge
+  static constexpr std::uint8_t forgot = 4;   // another
 
   void replace(VertexNumber v, const Candidate& candidate) {
     partner_[v] = candidate.partner;

@@ -40,8 +40,12 @@ AttributeKind kind_of(const Attribute& attribute, const std::vector<Attribute>& 
   const auto offered = [&](std::string_view name) {
     return std::any_of(all.begin(), all.end(), [&](const Attribute& a) { return a.name == name; });
   };
+  const auto real = [&](std::string_view name) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Attribute& a) { return a.name == name && !is_integer(a.type); });
+  };
   if (among(normal_names, attribute.name) && !is_integer(attribute.type) &&
-      std::all_of(normal_names.begin(), normal_names.end(), offered)) {
+      std::all_of(normal_names.begin(), normal_names.end(), real)) {
     return AttributeKind::normal;
   }
   const bool component =

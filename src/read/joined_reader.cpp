@@ -50,6 +50,7 @@ class JoinedReader final : public MeshReader {
         formats.push_back(facts.format);
       add(facts_.faces, facts.faces);
       add(facts_.vertices, facts.vertices);
+      facts_.polygons |= facts.polygons;
       facts_.double_positions |= facts.double_positions;
       facts_.normals &= facts.normals;
       if (!bare_) offers.push_back(facts.offer);
@@ -148,8 +149,13 @@ class JoinedReader final : public MeshReader {
     // Each file has them in an order of its own.
     const std::vector<Attribute>& here = reader_->facts().choice.carried;
     for (const Attribute& attribute : facts_.choice.carried) {
-      const auto found = std::find_if(here.begin(), here.end(),
-                                      [&](const Attribute& one) { return one.name == attribute.name; });
+      const auto found = std::find_if(here.begin(), here.end(), [&](const Attribute& one) {
+        return one.name == attribute.name && one.type == attribute.type;
+      });
+      if (found == here.end()) {
+        throw Error(ErrorKind::bad_input,
+                    "'" + names_[part] + "' lacks '" + attribute.name + "' by now: it was changed meanwhile");
+      }
       place_.push_back(static_cast<std::size_t>(found - here.begin()));
     }
   }
@@ -216,6 +222,7 @@ InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Form
     add(outlook.facts.faces, one.facts.faces);
     add(outlook.facts.vertices, one.facts.vertices);
     add(outlook.bytes, one.bytes);
+    outlook.facts.polygons |= one.facts.polygons;
     outlook.facts.double_positions |= one.facts.double_positions;
     outlook.vertices_kept |= one.vertices_kept;
     outlook.vertex_bytes = std::max(outlook.vertex_bytes, one.vertex_bytes);

@@ -23,6 +23,7 @@ struct InputFacts {
   std::string format;                     // for people: "PLY binary little-endian"
   std::optional<std::uint64_t> faces;     // records; a polygon may become several triangles
   std::optional<std::uint64_t> vertices;  // absent for formats without
+  bool polygons = false;                  // of the records may be
   bool double_positions = false;
   bool normals = false;
   std::vector<std::string> attributes;  // "vertex: nx, ny, nz (float)"

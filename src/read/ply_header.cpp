@@ -126,6 +126,8 @@ class HeaderParser {
     if (words.size() < 3) fail("declares an element without a name or a count");
     PlyElement element;
     element.name = words[1];
+    if (header_.find(element.name) != nullptr)
+      fail("declares the element '" + std::string(words[1].substr(0, 40)) + "' a second time");
     const auto [end, error] =
         std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
     // Beyond 2^48 nothing can be stored, and sizes in bytes would no longer fit into 64 bits.

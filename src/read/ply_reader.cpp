@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 namespace winnow {
 
@@ -46,6 +47,35 @@ FaceElement find_faces(const PlyHeader& header, const std::string& name) {
     break;
   }
   return found;
+}
+
+// Size of a face's record if it is a triangle and nothing but the list has a variable size, and the list has
+// the types that nearly every file uses; else 0.
+std::size_t triangle_stride(const PlyHeader& header, const FaceElement& faces) {
+  if (header.form == PlyForm::ascii || faces.strips || size_of(faces.list->count_type) != 1 ||
+      !(faces.list->type == PlyType::int32 || faces.list->type == PlyType::uint32)) {
+    return 0;
+  }
+  std::size_t size = 13;
+  for (const PlyProperty& property : faces.element->properties) {
+    if (&property == faces.list) continue;
+    if (property.list) return 0;
+    size += size_of(property.type);
+  }
+  return size;
+}
+
+// The size of the whole says whether all faces are triangles.
+bool surely_triangles(const PlyHeader& header, const FaceElement& faces, std::optional<std::uint64_t> size) {
+  if (faces.element == nullptr) return true;
+  const std::size_t stride = triangle_stride(header, faces);
+  if (stride == 0 || !size) return false;
+  std::uint64_t bytes = header.bytes;
+  for (const PlyElement& element : header.elements) {
+    if (&element != faces.element && !element.fixed_size()) return false;
+    bytes += element.count * (&element == faces.element ? stride : element.smallest_size());
+  }
+  return bytes == *size;
 }
 
 InputFacts facts_of(const PlyHeader& header) {
@@ -129,6 +159,7 @@ class PlyReader final : public IndexedReader {
     if (faces_.element != nullptr && !vertices_loaded_) {
       throw Error(ErrorKind::bad_input, "'" + source_->name() + "' has faces but no element 'vertex'");
     }
+    facts_.polygons = !surely_triangles(header_, faces_, source_->size());
   }
 
   [[nodiscard]] std::uint64_t bytes() const override { return std::max(source_->position(), bytes_seen_); }
@@ -245,21 +276,7 @@ class PlyReader final : public IndexedReader {
     kept_faces_->finish();
   }
 
-  // Size of a face's record if it is a triangle and nothing but the list has a variable size, and the list
-  // has the types that nearly every file uses; else 0.
-  [[nodiscard]] std::size_t triangle_stride() const {
-    if (header_.form == PlyForm::ascii || faces_.strips || size_of(faces_.list->count_type) != 1 ||
-        !(faces_.list->type == PlyType::int32 || faces_.list->type == PlyType::uint32)) {
-      return 0;
-    }
-    std::size_t size = 13;
-    for (const PlyProperty& property : faces_.element->properties) {
-      if (&property == faces_.list) continue;
-      if (property.list) return 0;
-      size += size_of(property.type);
-    }
-    return size;
-  }
+  [[nodiscard]] std::size_t triangle_stride() const { return winnow::triangle_stride(header_, faces_); }
 
   [[nodiscard]] std::size_t list_offset() const {
     std::size_t offset = 0;
@@ -358,6 +375,7 @@ InputOutlook look_at_ply(ByteSource& source, const AttributeWish& wish) {
   outlook.vertices_kept = vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
   if (vertex != nullptr && !outlook.vertices_kept) outlook.vertex_bytes = vertex->smallest_size();
   const FaceElement faces = find_faces(header, source.name());
+  outlook.facts.polygons = !surely_triangles(header, faces, source.size());
   outlook.faces_kept = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
   return outlook;
 }

@@ -68,6 +68,7 @@ void VertexStore::begin_keeping(bool double_positions, std::span<const ScalarTyp
     layout_.stride += size_of(attribute);
   }
   kept_ = std::make_unique<Spool>(job_, memory_limit_);
+  count_ = 0;
 }
 
 namespace {

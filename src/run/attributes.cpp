@@ -29,7 +29,7 @@ AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encode
   AttributeWish wish;
   wish.names = options.attributes;
   wish.refusal = [&encoder, normals = options.normals](const Attribute& attribute) -> std::string {
-    if (normals && attribute.kind == AttributeKind::normal)
+    if (normals && names_normal(attribute))
       return "normals of the input, as --normals computes those of the result:";
     return encoder.attribute_refusal(attribute);
   };

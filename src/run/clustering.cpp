@@ -33,7 +33,7 @@ constexpr std::uint64_t always_full = std::uint64_t{1} << 20;
 constexpr double cell_for_error = 1.5;
 
 std::uint64_t count_faces(Job& job, MeshReader& reader) {
-  if (reader.facts().faces) return *reader.facts().faces;
+  if (reader.facts().faces && !reader.facts().polygons) return *reader.facts().faces;
   std::atomic<std::uint64_t> count{0};
   job.progress.begin("count faces", 0, "faces");
   reader.begin_faces();

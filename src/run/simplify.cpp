@@ -65,10 +65,12 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
     report.seconds.read = watch.seconds();
   }
   const std::vector<Attribute> attributes = clustered.attributes;
-  // Where the input's normals are no attributes of the output, its own stand in for them.
+  // Where the input's normals are no attributes of the output, its own stand in for them, unless the names
+  // are taken.
+  const bool taken = std::any_of(attributes.begin(), attributes.end(), names_normal);
   const bool normals =
-      options.normals ||
-      (carries_normals(attributes) ? encoder.normals_apart() : clustered.normals && !options.attributes);
+      options.normals || (carries_normals(attributes) ? encoder.normals_apart()
+                                                      : clustered.normals && !options.attributes && !taken);
   const bool exact = clustered.double_positions;
   const bool doubles = writes_doubles(options.encoding, exact);
   ClusteredMesh mesh;

@@ -67,6 +67,9 @@ void check(const SimplifyOptions& options) {
   if (options.detail && cost_of(options) == Refine::none) {
     throw Error(ErrorKind::usage, "--detail says what refinement starts from; it has no meaning without");
   }
+  if (options.borders == Borders::keep && cost_of(options) == Refine::none) {
+    throw Error(ErrorKind::usage, "--boundary keep goes with refinement; clustering moves every vertex");
+  }
   if (!(options.max_normal_deviation > 0 && options.max_normal_deviation <= 90)) {
     throw Error(ErrorKind::usage,
                 "--max-normal-deviation takes an angle above 0 and at most 90 degrees, not " +

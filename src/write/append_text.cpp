@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace winnow {
 
@@ -41,7 +42,8 @@ void append_rounded(std::vector<std::byte>& out, double value, ScalarType type) 
 
 void append_real(std::vector<std::byte>& out, double value) {
   const std::size_t begin = out.size();
-  append_number(out, static_cast<float>(value));
+  constexpr double most = std::numeric_limits<float>::max();
+  append_number(out, static_cast<float>(std::clamp(value, -most, most)));
   const bool whole = std::all_of(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
                                  [](std::byte b) { return b != std::byte{'.'} && b != std::byte{'e'}; });
   if (whole) append_text(out, ".0");

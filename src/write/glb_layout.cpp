@@ -164,6 +164,20 @@ Point glb_offset(const MeshShape& shape) {
   return offset;
 }
 
+namespace {
+
+// No other length is allowed; for a vertex that has no normal one is as good as another.
+std::array<float, 3> unit_normal(const std::array<float, 3>& normal) {
+  const Point exact{normal[0], normal[1], normal[2]};
+  const double square = dot(exact, exact);
+  if (std::abs(square - 1) <= 1e-6) return normal;
+  if (!(square > 0)) return {0, 0, 1};
+  const Point of_one = unit(exact);
+  return {static_cast<float>(of_one[0]), static_cast<float>(of_one[1]), static_cast<float>(of_one[2])};
+}
+
+}  // namespace
+
 std::uint64_t glb_stride(const MeshShape& shape) {
   return ((shape.normals ? 6 : 3) + color_components(shape)) * sizeof(float);
 }
@@ -176,9 +190,7 @@ void append_glb_vertices(const MeshShape& shape, const Point& offset, std::span<
     for (std::size_t axis = 0; axis < 3; ++axis)
       append(out, static_cast<float>(vertex.position[axis] - offset[axis]));
     if (shape.normals) {
-      // A normal of no length is not allowed; any other is as good for a vertex that has none.
-      const bool none = vertex.normal == std::array<float, 3>{};
-      append(out, none ? std::array{0.0F, 0.0F, 1.0F} : vertex.normal);
+      append(out, unit_normal(vertex.normal));
     }
     for (std::size_t i = 0; i < components; ++i) {
       const double component = std::clamp(colors.component(vertex, i), 0.0, 1.0);

@@ -143,6 +143,16 @@ TEST_CASE("elements without what they need are refused") {
   }
 }
 
+TEST_CASE("an element that is declared twice is refused") {
+  const std::string vertex = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string more = "property float quality\n";
+  for (const std::string& first : {vertex, vertex + more}) {
+    check_refused("ply\nformat ascii 1.0\n" + first + vertex +
+                  "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                  "0 0 0 0\n0 0 0\n3 0 0 0\n");
+  }
+}
+
 TEST_CASE("what is no number in an ASCII file is refused with its line") {
   const std::string good = header("ascii", "element vertex 3\n" + xyz + "element face 1\n" + list) +
                            "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";

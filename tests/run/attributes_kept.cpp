@@ -3,6 +3,7 @@
 #include "support/attributes.hpp"
 #include "support/simplified.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -100,6 +101,39 @@ TEST_CASE("normals that --normals computes stand in for those of the input") {
   REQUIRE(run.json()["attributes"]["dropped"].size() == 1);
   CHECK_THAT(run.json()["attributes"]["dropped"][0].get<std::string>(), Catch::Contains("nx, ny, nz"));
   CHECK(run.json()["notes"].size() == 1);
+}
+
+TEST_CASE("normals in whole numbers are carried, and no others stand beside them") {
+  const Directory directory;
+  const std::string in = directory.file("in.ply");
+  const std::string out = directory.file("out.ply");
+  const auto always = [](double value) { return [value](const Point&) { return value; }; };
+  write_attributed(in, generated(directory.path(), 4000),
+                   {{"nx", ScalarType::int8, always(0)},
+                    {"ny", ScalarType::int8, always(0)},
+                    {"nz", ScalarType::int8, always(127)}});
+  const std::vector<std::string> position{"float x", "float y", "float z"};
+  winnow_ok({"simplify", in, "-o", out, "--faces", "500", "-q", "--force"});
+  CHECK(read_attributed(out).properties == position + Words{"char nx", "char ny", "char nz"});
+  winnow_ok({"simplify", in, "-o", out, "--faces", "500", "-q", "--force", "--normals"});
+  CHECK(read_attributed(out).properties == position + Words{"float nx", "float ny", "float nz"});
+}
+
+TEST_CASE("of a name that a file has twice the number of the common type is carried") {
+  const Directory directory;
+  const AttributedMesh mesh = generated(directory.path(), 4000);
+  const auto always = [](double value) { return [value](const Point&) { return value; }; };
+  const std::string one = directory.file("one.ply");
+  const std::string two = directory.file("two.ply");
+  const std::string out = directory.file("out.ply");
+  write_attributed(one, mesh, {{"red", ScalarType::uint8, always(200)}});
+  write_attributed(two, mesh,
+                   {{"red", ScalarType::float32, always(1e12)}, {"red", ScalarType::uint8, always(200)}});
+  for (const Words& inputs : {Words{one, two}, Words{two, one}}) {
+    winnow_ok(Words{"simplify"} + inputs + Words{"-o", out, "--faces", "500", "-q", "--force"});
+    const std::vector<double> red = read_attributed(out).columns.at("red");
+    CHECK(std::all_of(red.begin(), red.end(), [](double value) { return value == 200; }));
+  }
 }
 
 TEST_CASE("an STL carries nothing and says so") {

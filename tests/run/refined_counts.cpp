@@ -1,8 +1,13 @@
 // The count that was asked for: exactly, and where the surface does not allow it, that is said.
 #include <winnow/error.hpp>
 
+#include "support/files.hpp"
+#include "support/ply_file.hpp"
 #include "support/program.hpp"
 #include "support/refined_file.hpp"
+
+#include <cmath>
+#include <cstdio>
 
 #include <catch2/catch.hpp>
 
@@ -83,6 +88,37 @@ TEST_CASE("a ratio is a count") {
   const RefinedFile out = refine_file(directory, whale(), options);
   CHECK(out.report.target_faces == 3210);
   CHECK(out.report.output.faces == 3210);
+}
+
+TEST_CASE("a ratio is one of triangles, of a file of other polygons too") {
+  const Directory directory;
+  constexpr std::int64_t side = 40;
+  Polygons quads;
+  for (std::int64_t i = 0; i <= side; ++i) {
+    for (std::int64_t j = 0; j <= side; ++j) {
+      const auto x = static_cast<double>(i);
+      const auto y = static_cast<double>(j);
+      quads.vertices.push_back({x, y, std::sin(x / 5) * std::cos(y / 7)});
+      const std::int64_t v = i * (side + 1) + j;
+      if (i < side && j < side) quads.faces.push_back({v, v + side + 1, v + side + 2, v + 1});
+    }
+  }
+  SimplifyOptions options;
+  options.ratio = 0.5;
+  for (const PlyForm form : {PlyForm::ascii, PlyForm::little_endian}) {
+    PlyStyle style;
+    style.form = form;
+    const std::string path = directory.file("quads.ply");
+    write_file(path, ply_file(quads, style));
+    const RefinedFile out = refine_file(directory, path, options);
+    CHECK(out.report.target_faces == side * side);
+    CHECK(out.report.input.faces == 2 * side * side);
+    Context context;
+    context.scratch = directory.path();
+    const std::string both = directory.file("both.ply");
+    CHECK(simplify(context, std::vector{path, path}, both, options).target_faces == 2 * side * side);
+    std::remove(both.c_str());
+  }
 }
 
 TEST_CASE("clustering first changes nothing about the count") {

@@ -30,7 +30,13 @@ TEST_CASE("a written GLB holds the mesh that it is of") {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           CHECK(static_cast<double>(glb.positions[i][axis]) == mesh.vertices[i].position[axis]);
         }
-        if (normals) CHECK(glb.normals[i] == mesh.vertices[i].normal);
+        if (normals) {
+          // Which are of any length here.
+          const auto& given = mesh.vertices[i].normal;
+          const Point one = unit({given[0], given[1], given[2]});
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            CHECK(double{glb.normals[i].at(axis)} == Approx(one.at(axis)).margin(1e-6));
+        }
       }
       for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) CHECK(glb.faces[i][k] == mesh.faces[i].vertex[k]);
@@ -72,11 +78,14 @@ TEST_CASE("a GLB near the origin is not moved") {
   CHECK(glb_file(encoded(*make_glb_encoder(), mesh, random)).offset == Point{});
 }
 
-TEST_CASE("a normal of no length becomes one of one") {
+TEST_CASE("a normal of no length, or of another, becomes one of one") {
   Random random(633);
   EncodedExample mesh = example_mesh(random, 3, 1, true, false);
   mesh.vertices[1].normal = {0, 0, 0};
-  CHECK(glb_file(encoded(*make_glb_encoder(), mesh, random)).normals[1] == std::array{0.0F, 0.0F, 1.0F});
+  mesh.vertices[2].normal = {0, -5, 0};
+  const GlbFile glb = glb_file(encoded(*make_glb_encoder(), mesh, random));
+  CHECK(glb.normals[1] == std::array{0.0F, 0.0F, 1.0F});
+  CHECK(glb.normals[2] == std::array{0.0F, -1.0F, 0.0F});
 }
 
 TEST_CASE("a GLB beyond 4 GiB and coordinates beyond floats are refused") {

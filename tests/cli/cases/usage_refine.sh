@@ -22,4 +22,7 @@ simplify --faces 10 --max-normal-deviation flat
 echo "# names"
 simplify --faces 10 --refine best
 simplify --faces 10 --boundary free
+echo "# boundary"
+simplify --cell 1 --boundary keep
+simplify --faces 10 --refine none --boundary keep
 [[ -z $(ls) ]]
