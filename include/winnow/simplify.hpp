@@ -65,9 +65,9 @@ struct SimplifyOptions {
   bool strict = false;  // the first bad face of the input is an error
 
   // Only the faces all of whose corners lie in this box (its sides included), in model units: its low and its
-  // high corner. The others are counted, and neither they nor vertices outside have any influence. The
-  // lattice of `cell` then hangs on the low corner; `ratio` is of the faces that are left. Default: all
-  // faces.
+  // high corner. The others are counted, and neither they nor vertices outside have any influence, but that a
+  // number out there may be the largest of its attribute. The lattice of `cell` then hangs on the low corner;
+  // `ratio` is of the faces that are left. Default: all faces.
   std::optional<std::array<std::array<double, 3>, 2>> crop;
 
   Format from = Format::automatic;
