@@ -146,7 +146,7 @@ class OffParser {
   // The keyword and three counts, on as many lines as they take.
   void read_header() {
     TextBlock block;
-    std::optional<Keyword> keyword;
+    std::optional<Vertices> vertices;
     std::array<std::uint64_t, 3> counts{};
     std::size_t found = 0;
     while (found < counts.size() && blocks_.next(block)) {
@@ -155,10 +155,11 @@ class OffParser {
         LineWords words(line);
         for (std::string_view word = words.next(); !word.empty() && found < counts.size();
              word = words.next()) {
-          if (!keyword) {
-            keyword = keyword_of(word);
+          if (!vertices) {
+            const std::optional<Keyword> keyword = keyword_of(word);
             if (!keyword) fail(block, word, "expected 'OFF', not '" + std::string(word.substr(0, 40)) + "'");
             check_prefix(block, *keyword);
+            vertices = vertices_of(*keyword);
             if (keyword->behind.empty()) continue;
             word = keyword->behind;
           }
@@ -187,11 +188,10 @@ class OffParser {
     left_ = counts[0];
     faces_ = counts[1];
     // What the keyword says and the first vertices do not bear out was not offered.
-    const Vertices vertices = vertices_of(*keyword);
-    const std::size_t normals = vertices.normals ? 3 : 0;
-    if (vertices.colors && mesh_.carried().size() < normals + 3) {
+    const std::size_t normals = vertices->normals ? 3 : 0;
+    if (vertices->colors && mesh_.carried().size() < normals + 3) {
       mesh_.pass_over("colours");
-      if (vertices.texture) mesh_.pass_over("texture coordinates");
+      if (vertices->texture) mesh_.pass_over("texture coordinates");
     }
   }
 

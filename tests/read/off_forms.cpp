@@ -1,6 +1,7 @@
 // OFF with any header, comments anywhere, polygons, colours.
 #include "support/job.hpp"
 #include "support/reading.hpp"
+#include "support/sources.hpp"
 #include "support/text_meshes.hpp"
 
 #include <catch2/catch.hpp>
@@ -44,6 +45,18 @@ TEST_CASE("headers of OFF") {
   }
   CHECK(std::string(test::error_of([] { faces_of("OFF BINARY\n" + std::string(200, '\1')); }).what())
             .find("binary OFF") != std::string::npos);
+}
+
+TEST_CASE("the header of an OFF may stretch over several blocks") {
+  // Two numbers are no colour, which is said when the whole header was read.
+  const std::string file = "STCOFF\n# " + std::string(3000, 'x') +
+                           "\n3 1 0\n0 0 0 7 7 0 0\n1 0 0 7 7 0 0\n0 1 0 7 7 0 0\n3 0 1 2\n";
+  test::TestJob test;
+  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
+                                  Access::once, {test::usual_vertex_memory, 8});
+  CHECK(test::read_faces(test.job, *reader).size() == 1);
+  CHECK(reader->facts().offer.unread ==
+        std::vector<std::string>{"colours", "texture coordinates", "numbers behind vertices"});
 }
 
 TEST_CASE("faces of an OFF that are none are told apart") {
