@@ -3,6 +3,7 @@
 #include "base/pages.hpp"
 #include "base/parallel.hpp"
 #include "read/for_each_batch.hpp"
+#include "read/parts.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -14,56 +15,14 @@ namespace winnow {
 
 namespace {
 
-// Files that may be open at a time, of the thousand that a process usually has.
+// Two files each are open at a time, of the thousand that a process usually may have.
 constexpr std::size_t most_parts = 256;
 // Lookups in a part of this size find most in a core's caches; so many parts are still written to in long
 // stretches.
 constexpr std::uint64_t usual_part_bytes = std::uint64_t{8} << 20;
 constexpr std::size_t usual_parts = 64;
 
-constexpr std::size_t usual_buffer_bytes = std::size_t{1} << 16;
 constexpr std::size_t usual_chunk_corners = std::size_t{1} << 14;
-
-// The bits of a part's vertex numbers, so that its records take at most `bytes`.
-unsigned bits_for(std::uint64_t bytes, std::size_t record_bytes) {
-  const std::uint64_t records = std::min<std::uint64_t>(bytes / record_bytes, UINT32_MAX);
-  return static_cast<unsigned>(std::bit_width(std::max<std::uint64_t>(records, 1)) - 1);
-}
-
-std::uint64_t parts_of(std::uint64_t vertices, unsigned part_bits) {
-  return (vertices + (std::uint64_t{1} << part_bits) - 1) >> part_bits;
-}
-
-// Bytes on their way to the streams of all parts, side by side.
-class PartBuffers {
- public:
-  PartBuffers(Job& job, const CornerStreams::Plan& plan, std::vector<std::unique_ptr<ScratchFile>>& files)
-      : bytes_(plan.buffer_bytes),
-        memory_(Pages::allocate(job.budget, plan.parts * bytes_, "sorting corners")),
-        used_(plan.parts),
-        files_(files) {}
-
-  void append(std::size_t part, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-      const std::size_t length = std::min(bytes.size(), bytes_ - used_[part]);
-      std::memcpy(memory_.data() + part * bytes_ + used_[part], bytes.data(), length);
-      used_[part] += length;
-      bytes = bytes.subspan(length);
-      if (used_[part] == bytes_) flush(part);
-    }
-  }
-
-  void flush(std::size_t part) {
-    files_[part]->append({memory_.data() + part * bytes_, used_[part]});
-    used_[part] = 0;
-  }
-
- private:
-  std::size_t bytes_;  // of each part
-  Pages memory_;
-  std::vector<std::size_t> used_;
-  std::vector<std::unique_ptr<ScratchFile>>& files_;
-};
 
 // The usual sizes of a record get loops of their own.
 template <std::size_t Bytes>
@@ -90,14 +49,14 @@ std::optional<CornerStreams::Plan> CornerStreams::plan(std::uint64_t vertices, s
                                                        std::uint64_t memory, unsigned threads) {
   if (vertices == 0 || memory / 2 < record_bytes) return {};
   Plan plan;
-  plan.part_bits = bits_for(memory / 2, record_bytes);
-  const unsigned usual_bits = bits_for(usual_part_bytes, record_bytes);
+  plan.part_bits = part_bits_for(memory / 2, record_bytes);
+  const unsigned usual_bits = part_bits_for(usual_part_bytes, record_bytes);
   while (plan.part_bits > usual_bits && parts_of(vertices, plan.part_bits - 1) <= usual_parts)
     --plan.part_bits;
   const std::uint64_t parts = parts_of(vertices, plan.part_bits);
   if (parts > most_parts) return {};
   plan.parts = parts;
-  plan.buffer_bytes = std::min<std::uint64_t>(usual_buffer_bytes, memory / parts);
+  plan.buffer_bytes = part_buffer_bytes(memory, parts);
   plan.chunks = std::min<std::size_t>(2 * std::size_t{threads} + 1, 9);
   plan.chunk_corners = std::min<std::uint64_t>(
       usual_chunk_corners, memory / 4 / (plan.chunks * (sizeof(std::uint32_t) + record_bytes)));
@@ -118,9 +77,8 @@ void CornerStreams::build(const NextFaces& next, const CornerNumbers& numbers, s
 
 void CornerStreams::sort_by_part(const NextFaces& next, const CornerNumbers& numbers, std::uint64_t count) {
   const ProgressMeter::Inner stage(job_.progress, "sort corners", count, "faces");
-  for (std::size_t part = 0; part < plan_.parts; ++part)
-    numbers_.push_back(std::make_unique<ScratchFile>(job_.scratch));
-  PartBuffers buffers(job_, plan_, numbers_);
+  numbers_ = part_files(job_, plan_.parts);
+  PartBuffers buffers(job_, plan_.buffer_bytes, numbers_);
   struct Item {
     RawBatch batch;
     std::vector<std::uint32_t> given, sorted, begins;
@@ -147,7 +105,7 @@ void CornerStreams::sort_by_part(const NextFaces& next, const CornerNumbers& num
           begin = end;
         }
       });
-  for (std::size_t part = 0; part < plan_.parts; ++part) buffers.flush(part);
+  buffers.finish();
 }
 
 void CornerStreams::look_up() {

@@ -84,17 +84,16 @@ std::vector<MeshReader::AttributeRange> IndexedReader::attribute_ranges() {
 void IndexedReader::begin_faces() {
   next_face_ = 0;
   held_.clear();
-  if (streams_ == nullptr) {
+  if (streams_ == nullptr && sorted_ == nullptr) {
     vertices_.wake();
-    std::optional<CornerStreams::Plan> plan;
-    if (sampled_ || !vertices_.larger_than_memory()) {
-      begin_indices();
-    } else {
-      plan = sample();
-    }
-    if (!plan) return;
-    bring_together(*plan);
+    if (sampled_ || !vertices_.larger_than_memory()) return begin_indices();
+    begin_first_time();
+    if (streams_ == nullptr && sorted_ == nullptr) return;
     next_face_ = 0;
+  }
+  if (sorted_ != nullptr) {
+    vertices_.wake();
+    return sorted_->begin();
   }
   vertices_.rest();
   streams_->begin();
@@ -123,6 +122,13 @@ void IndexedReader::to_indices(RawBatch& batch) const {
 }
 
 bool IndexedReader::next_faces(RawBatch& batch) {
+  if (sorted_ != nullptr) {
+    batch = {};
+    batch.first = next_face_;
+    if (!sorted_->next(memory_.batch_faces, batch)) return false;
+    next_face_ += batch.count;
+    return true;
+  }
   if (streams_ == nullptr) return next_of_source(batch);
   if (kept_ == nullptr) {
     if (!next_of_source(batch)) return false;
@@ -153,15 +159,17 @@ void IndexedReader::corner_numbers(const RawBatch& batch, std::vector<std::uint3
 }
 
 // Streams read and write every corner's number and record twice in all, and the vertices once: in long
-// stretches, which is as fast as a disk can be. Lookups read pages from anywhere. So a few times as many
-// bytes have to be at stake before it is worth the scratch, and a mesh in a sensible order never comes near
-// that.
-std::optional<CornerStreams::Plan> IndexedReader::sample() {
+// stretches, which is as fast as a disk can be. Sorted faces are a third of that. Lookups read pages from
+// anywhere. So a few times as many bytes have to be at stake before it is worth the scratch, and a mesh in a
+// sensible order never comes near that.
+void IndexedReader::begin_first_time() {
   sampled_ = true;
   constexpr double worth_it = 4;
+  // Each of the others costs a few lookups somewhere, as long as they are few.
+  constexpr double most_far = 0.01;
   constexpr int stretches = 16;
   constexpr std::size_t first_batches = 4;
-  Locality locality(vertices_);
+  Locality locality(vertices_, SortedFaces::near_bytes(vertices_.memory_limit()));
   std::vector<std::uint32_t> numbers;
   RawBatch batch;
   bool anywhere = true;
@@ -187,39 +195,60 @@ std::optional<CornerStreams::Plan> IndexedReader::sample() {
       static_cast<double>(vertices_.size()) * static_cast<double>(vertices_.layout().stride);
   const double streamed = vertex_bytes + static_cast<double>(faces) * 2 *
                                              static_cast<double>(CornerStreams::bytes_a_face(packed.size()));
-  if (locality.lookup_bytes(faces) < worth_it * streamed) return {};
-  return CornerStreams::plan(vertices_.size(), packed.size(), vertices_.memory_limit(), job_.threads);
+  if (locality.lookup_bytes(faces) < worth_it * streamed) return;
+  const std::uint64_t memory = vertices_.memory_limit();
+  if (memory_.any_order && locality.far_part() <= most_far) {
+    if (const auto plan = SortedFaces::plan(vertices_.size(), vertices_.layout().stride, memory))
+      return sort(*plan);
+  }
+  if (const auto plan = CornerStreams::plan(vertices_.size(), packed.size(), memory, job_.threads))
+    bring_together(*plan);
 }
 
-void IndexedReader::bring_together(const CornerStreams::Plan& plan) {
+void IndexedReader::take_in(const std::function<void(const NextFaces&)>& build) {
   vertices_.rest();
-  auto streams = std::make_unique<CornerStreams>(job_, vertices_, plan);
-  memory_.batch_faces = std::min(memory_.batch_faces, plan.batch_faces);
-  if (!faces_come_again()) kept_ = std::make_unique<KeptFaces>(job_, 0);
-  const auto next = [&](RawBatch& batch) {
-    if (!next_of_source(batch)) return false;
-    if (kept_ != nullptr) {
-      to_indices(batch);
-      kept_->add(batch);
-    }
-    return true;
-  };
   try {
-    streams->build(
-        next,
-        [this](const RawBatch& batch, std::vector<std::uint32_t>& numbers) {
-          corner_numbers(batch, numbers);
-          batch.block.check_intact(source_->name());
-        },
-        facts_.faces.value_or(0));
+    build([this](RawBatch& batch) { return next_of_source(batch); });
   } catch (const Error& error) {
     // A file that shrinks can look like many other things.
     if (error.kind() == ErrorKind::bad_input) source_->check_whole();
     throw;
   }
   source_->check_whole();
+}
+
+void IndexedReader::bring_together(const CornerStreams::Plan& plan) {
+  auto streams = std::make_unique<CornerStreams>(job_, vertices_, plan);
+  memory_.batch_faces = std::min(memory_.batch_faces, plan.batch_faces);
+  if (!faces_come_again()) kept_ = std::make_unique<KeptFaces>(job_, 0);
+  take_in([&](const NextFaces& next) {
+    const auto keeping = [&](RawBatch& batch) {
+      if (!next(batch)) return false;
+      if (kept_ != nullptr) {
+        to_indices(batch);
+        kept_->add(batch);
+      }
+      return true;
+    };
+    streams->build(
+        keeping,
+        [this](const RawBatch& batch, std::vector<std::uint32_t>& numbers) {
+          corner_numbers(batch, numbers);
+          batch.block.check_intact(source_->name());
+        },
+        facts_.faces.value_or(0));
+  });
   if (kept_ != nullptr) kept_->finish();
   streams_ = std::move(streams);
+}
+
+void IndexedReader::sort(const SortedFaces::Plan& plan) {
+  auto sorted = std::make_unique<SortedFaces>(job_, plan);
+  take_in([&](const NextFaces& next) {
+    sorted->build(
+        next, [this](RawBatch& batch) { to_indices(batch); }, facts_.faces.value_or(0));
+  });
+  sorted_ = std::move(sorted);
 }
 
 void IndexedReader::rest() {

@@ -4,11 +4,13 @@
 #include "read/corner_streams.hpp"
 #include "read/kept_faces.hpp"
 #include "read/mesh_reader.hpp"
+#include "read/sorted_faces.hpp"
 #include "read/vertex_store.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -65,9 +67,13 @@ class IndexedReader : public MeshReader {
   VertexStore vertices_;
 
  private:
-  // Begins the faces; says how to bring their vertices together where that is worth it.
-  std::optional<CornerStreams::Plan> sample();
+  // Begins the faces, and sorts them or brings their vertices together where that is worth it.
+  void begin_first_time();
+  // What goes for both: they take in the faces from the first on, by take_in(next).
+  using NextFaces = std::function<bool(RawBatch&)>;
+  void take_in(const std::function<void(const NextFaces&)>& build);
   void bring_together(const CornerStreams::Plan& plan);
+  void sort(const SortedFaces::Plan& plan);
   bool next_of_source(RawBatch& batch);
   void to_indices(RawBatch& batch) const;
 
@@ -77,6 +83,7 @@ class IndexedReader : public MeshReader {
   std::deque<RawBatch> held_;               // read for the sample, and to be given out first
   std::unique_ptr<KeptFaces> kept_;         // those that do not come again
   std::unique_ptr<CornerStreams> streams_;  // where faces jump
+  std::unique_ptr<SortedFaces> sorted_;     // where only the next face is far away, and any order will do
 };
 
 }  // namespace winnow

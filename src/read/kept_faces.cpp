@@ -1,16 +1,8 @@
 #include "read/kept_faces.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace winnow {
-
-namespace {
-
-// Numbers that no three vertices of one face have: the first is of none, see MeshReader's indices.
-constexpr std::array<std::uint32_t, 3> degenerate{UINT32_MAX, UINT32_MAX - 1, UINT32_MAX - 2};
-
-}  // namespace
 
 void KeptFaces::add_degenerate() {
   add(degenerate);
@@ -26,17 +18,21 @@ void KeptFaces::add(const RawBatch& batch) {
   }
 }
 
-void KeptFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch) const {
-  batch.count = std::min<std::uint64_t>(most, size() - first);
-  batch.indices.resize(3 * batch.count);
+void KeptFaces::restore_status(RawBatch& batch) {
   batch.status.assign(batch.count, FaceStatus::good);
-  spool_.read(first * bytes_a_face, std::as_writable_bytes(std::span(batch.indices)));
   for (std::size_t i = 0; i < batch.count; ++i) {
     const auto face = std::span(batch.indices).subspan(3 * i, 3);
     if (face[0] != UINT32_MAX || !std::equal(face.begin(), face.end(), degenerate.begin())) continue;
     std::fill(face.begin(), face.end(), 0);
     batch.status[i] = FaceStatus::degenerate;
   }
+}
+
+void KeptFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch) const {
+  batch.count = std::min<std::uint64_t>(most, size() - first);
+  batch.indices.resize(3 * batch.count);
+  spool_.read(first * bytes_a_face, std::as_writable_bytes(std::span(batch.indices)));
+  restore_status(batch);
 }
 
 }  // namespace winnow

@@ -4,6 +4,7 @@
 #include "io/spool.hpp"
 #include "read/mesh_reader.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -15,6 +16,12 @@ class KeptFaces {
   static constexpr std::uint64_t bytes_a_face = 12;
 
   KeptFaces(Job& job, std::uint64_t memory_limit) : spool_(job, memory_limit) {}
+
+  // How a face of fewer than three corners is kept: numbers that no three vertices of one face have. The
+  // first is of none, see MeshReader's indices.
+  static constexpr std::array<std::uint32_t, 3> degenerate{UINT32_MAX, UINT32_MAX - 1, UINT32_MAX - 2};
+  // The status of faces whose indices were kept.
+  static void restore_status(RawBatch& batch);
 
   // Three indices a face, which need not be those of vertices.
   void add(std::span<const std::uint32_t> indices) { spool_.append(std::as_bytes(indices)); }

@@ -12,7 +12,8 @@ namespace winnow {
 // vertices: a simulation of what VertexStore::gather() does.
 class Locality {
  public:
-  explicit Locality(const VertexStore& vertices) : vertices_(vertices) {}
+  // `near`: bytes of records by which the vertices of one face may be apart.
+  Locality(const VertexStore& vertices, std::uint64_t near) : vertices_(vertices), near_(near) {}
 
   // Faces that follow each other: three vertex numbers each, which need not be of any.
   void add_stretch(std::span<const std::uint32_t> numbers);
@@ -20,8 +21,15 @@ class Locality {
   // Bytes that lookups of so many faces read, in pages.
   [[nodiscard]] double lookup_bytes(std::uint64_t faces) const;
 
+  // The part of the faces whose vertices are not near each other.
+  [[nodiscard]] double far_part() const {
+    return seen_ == 0 ? 0 : static_cast<double>(far_) / static_cast<double>(seen_);
+  }
+
  private:
   const VertexStore& vertices_;
+  std::uint64_t near_;
+  std::uint64_t seen_ = 0, far_ = 0;
   std::uint64_t faces_ = 0;
   std::uint64_t bytes_ = 0;
 };

@@ -110,10 +110,11 @@ class MeshReader {
   InputFacts facts_;
 };
 
-// Memory that a reader may use besides the blocks in flight.
+// Memory that a reader may use besides the blocks in flight, and how freely.
 struct ReaderMemory {
   std::uint64_t vertices = 0;      // for stored or mapped vertices
   std::size_t batch_faces = 8192;  // faces a raw batch
+  bool any_order = false;          // of faces will do, where another than that of the file is faster
 };
 
 // Finds the format by content where `format` says automatic. Takes the source; copies it to scratch first

@@ -30,7 +30,10 @@ namespace {
 // What is left to be read, or to be taken from a checkpoint.
 Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const AttributeWish& wish,
                   const MemoryPlan& plan, const Stopwatch& watch, SimplifyReport& report) {
-  const std::unique_ptr<MeshReader> reader = input.reader(options, wish, plan.reader);
+  ReaderMemory reading = plan.reader;
+  // The first bad face is to be named.
+  reading.any_order = !options.strict;
+  const std::unique_ptr<MeshReader> reader = input.reader(options, wish, reading);
   CarriedAttributes attributes = take_attributes(job, *reader, report);
   Clustering clustering(job, *reader, options, std::move(attributes), plan, report);
   const double opened = watch.seconds();

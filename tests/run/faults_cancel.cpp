@@ -121,6 +121,8 @@ TEST_CASE("a run over faces that jump is cancelled in every stage", "[faults][th
   generate("scan", 1'500'000, ply, {.shuffle = true});
   SimplifyOptions coarse = with_cell();
   coarse.cell = 0.05;
+  check_every_stage(directory, ply, coarse, {"sort faces", "cluster", "write"});
+  coarse.strict = true;
   check_every_stage(directory, ply, coarse, {"sort corners", "look up corners", "cluster", "write"});
 }
 

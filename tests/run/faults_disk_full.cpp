@@ -101,18 +101,20 @@ TEST_CASE("scratch for faces that jump that outgrows the largest file is refused
   const Directory scratch;
   const std::string input = directory.file("scan.ply");
   generate("scan", 1'300'000, input, {.shuffle = true});
-  const Words options{"--cell", "0.05", "--threads", "2"};
-  const std::string memory = smallest_memory(input, options);
-  // Their numbers, and their positions.
-  for (const std::uint64_t most : {limit / 2, 3 * limit}) {
+  const auto check = [&](const Words& options, std::uint64_t most) {
     check_refused(run_winnow(Words{"simplify", input, "-o", directory.file("out.ply"), "--scratch",
-                                   scratch.path(), "--memory", memory} +
+                                   scratch.path(), "--memory", smallest_memory(input, options)} +
                                  options,
                              {.largest_file = most}),
                   scratch.path());
     CHECK(scratch.names().empty());
     CHECK(directory.names() == Words{"scan.ply"});
-  }
+  };
+  // The faces themselves, in any order; in theirs, the numbers of their vertices, and their positions.
+  const Words options{"--cell", "0.05", "--threads", "2"};
+  check(options, limit / 2);
+  check(options + Words{"--strict"}, limit / 2);
+  check(options + Words{"--strict"}, 3 * limit);
 }
 
 TEST_CASE("a full disk for the output is refused", "[faults]") {

@@ -45,18 +45,25 @@ TEST_CASE("the same bytes from faces that jump over more vertices than memory ha
     CHECK(program.wait().code == 0);
     return hash_of_file(output);
   };
+  const auto little = [&](const Words& options) {
+    return options + Words{"--memory", smallest_memory(shuffled, options), "--force"};
+  };
   for (const Words& options :
        {Words{"--cell", "0.02", "--threads", "2"}, Words{"--faces", "10k", "--threads", "1"}}) {
     INFO(joined(options));
     const Simplified want = simplified(directory, coherent, options);
-    const Words little = options + Words{"--memory", smallest_memory(shuffled, options), "--force"};
-    const Simplified small = simplified(directory, shuffled, little);
-    // Each corner's number and position.
-    CHECK(small.report["spilled_bytes"] >= 3 * 16 * faces);
-    CHECK(small.report["input"] == want.report["input"]);
-    CHECK(small.hash == want.hash);
-    CHECK(piped(little) == want.hash);
+    // Sorted by their vertices; in their order, with each corner's position.
+    for (const bool strict : {false, true}) {
+      const Words same = strict ? options + Words{"--strict"} : options;
+      const Simplified small = simplified(directory, shuffled, little(same));
+      CHECK(small.report["spilled_bytes"] >= (strict ? 3 * 16 : 12) * faces);
+      CHECK(small.report["input"] == want.report["input"]);
+      CHECK(small.hash == want.hash);
+    }
+    CHECK(piped(little(options)) == want.hash);
   }
+  const Words whole{"--faces", "1.2M", "--detail", "full"};
+  CHECK(simplified(directory, shuffled, little(whole)).hash == simplified(directory, coherent, whole).hash);
   // The order of the faces is kept, too.
   const std::string large = directory.file("large.stl");
   const std::string small = directory.file("small.stl");

@@ -1,0 +1,106 @@
+#include "read/sorted_faces.hpp"
+
+#include "base/parallel.hpp"
+#include "read/for_each_batch.hpp"
+#include "read/kept_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+
+namespace winnow {
+
+namespace {
+
+// Files that are open at a time, of the thousand that a process usually may have.
+constexpr std::size_t most_parts = 512;
+
+using Face = std::array<std::uint32_t, 3>;
+static_assert(sizeof(Face) == KeptFaces::bytes_a_face);
+
+}  // namespace
+
+std::uint64_t SortedFaces::near_bytes(std::uint64_t memory) {
+  return memory / 16;
+}
+
+// Faces of one part span the part and twice what is near: together what VertexStore looks up in its mapping
+// at once. Small parts bring more cells together.
+std::optional<SortedFaces::Plan> SortedFaces::plan(std::uint64_t vertices, std::size_t record_bytes,
+                                                   std::uint64_t memory) {
+  const std::uint64_t part_bytes = memory / 8;
+  if (vertices == 0 || near_bytes(memory) < record_bytes) return {};
+  Plan plan;
+  plan.near = near_bytes(memory) / record_bytes;
+  plan.part_bits = part_bits_for(part_bytes, record_bytes);
+  constexpr std::uint64_t usual_part_bytes = std::uint64_t{1} << 20;
+  const unsigned usual_bits = part_bits_for(usual_part_bytes, record_bytes);
+  while (plan.part_bits > usual_bits && parts_of(vertices, plan.part_bits - 1) < most_parts) --plan.part_bits;
+  plan.parts = parts_of(vertices, plan.part_bits) + 1;
+  if (plan.parts > most_parts) return {};
+  plan.buffer_bytes = part_buffer_bytes(memory, plan.parts) / sizeof(Face) * sizeof(Face);
+  if (plan.buffer_bytes == 0) return {};
+  return plan;
+}
+
+std::size_t SortedFaces::part_of(const std::uint32_t* face) const {
+  const auto [low, high] = std::minmax({face[0], face[1], face[2]});
+  const std::size_t part = face[0] >> plan_.part_bits;
+  return high - low > plan_.near || part >= plan_.parts - 1 ? plan_.parts - 1 : part;
+}
+
+void SortedFaces::build(const std::function<bool(RawBatch&)>& next,
+                        const std::function<void(RawBatch&)>& indices, std::uint64_t count) {
+  const ProgressMeter::Inner stage(job_.progress, "sort faces", count, "faces");
+  files_ = part_files(job_, plan_.parts);
+  PartBuffers buffers(job_, plan_.buffer_bytes, files_);
+  struct Item {
+    RawBatch batch;
+    std::vector<std::uint32_t> ends;  // of each part, in ...
+    std::vector<Face> sorted;
+  };
+  pipeline<Item>(
+      batches_in_flight(job_.threads), [&](Item& item) { return next(item.batch); },
+      [&](Item& item) {
+        indices(item.batch);
+        job_.progress.advance(item.batch.count);
+        std::vector<std::uint32_t>& given = item.batch.indices;
+        for (std::size_t i = 0; i < item.batch.count; ++i) {
+          if (item.batch.status[i] != FaceStatus::good)
+            std::copy(KeptFaces::degenerate.begin(), KeptFaces::degenerate.end(), &given[3 * i]);
+        }
+        item.ends.assign(plan_.parts + 1, 0);
+        for (std::size_t i = 0; i < item.batch.count; ++i) ++item.ends[part_of(&given[3 * i]) + 1];
+        std::partial_sum(item.ends.begin(), item.ends.end(), item.ends.begin());
+        item.sorted.resize(item.batch.count);
+        for (std::size_t i = 0; i < item.batch.count; ++i)
+          std::copy_n(&given[3 * i], 3, item.sorted[item.ends[part_of(&given[3 * i])]++].begin());
+        item.batch = {};
+      },
+      [&](const Item& item) {
+        // Each beginning went on to its part's end.
+        std::uint32_t begin = 0;
+        for (std::size_t part = 0; part < plan_.parts; ++part) {
+          buffers.append(part, std::as_bytes(std::span(item.sorted).subspan(begin, item.ends[part] - begin)));
+          begin = item.ends[part];
+        }
+      });
+  buffers.finish();
+}
+
+bool SortedFaces::next(std::size_t most, RawBatch& batch) {
+  while (part_ < files_.size() && place_ * sizeof(Face) == files_[part_]->size()) {
+    ++part_;
+    place_ = 0;
+  }
+  if (part_ == files_.size()) return false;
+  batch.count = std::min<std::uint64_t>(most, files_[part_]->size() / sizeof(Face) - place_);
+  batch.indices.resize(3 * batch.count);
+  files_[part_]->read(place_ * sizeof(Face), std::as_writable_bytes(std::span(batch.indices)));
+  place_ += batch.count;
+  KeptFaces::restore_status(batch);
+  return true;
+}
+
+}  // namespace winnow
