@@ -14,12 +14,6 @@ namespace {
 
 using Edge = std::pair<CellKey, CellKey>;
 
-CellKey key_of(const Grid& grid, const Point& p) {
-  return morton_key(static_cast<std::uint32_t>(grid.cell_of(p[0], 0)),
-                    static_cast<std::uint32_t>(grid.cell_of(p[1], 1)),
-                    static_cast<std::uint32_t>(grid.cell_of(p[2], 2)));
-}
-
 std::vector<CellFace> cell_faces(const std::vector<Triangle>& faces, const Grid& grid,
                                  std::uint64_t memory = std::uint64_t{8} << 20) {
   TestJob here;

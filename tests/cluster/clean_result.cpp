@@ -21,12 +21,6 @@ Cells sorted(Cells cells) {
   return cells;
 }
 
-CellKey key_of(const Grid& grid, const Point& p) {
-  return morton_key(static_cast<std::uint32_t>(grid.cell_of(p[0], 0)),
-                    static_cast<std::uint32_t>(grid.cell_of(p[1], 1)),
-                    static_cast<std::uint32_t>(grid.cell_of(p[2], 2)));
-}
-
 void check_clean(const PlainMesh& mesh, const std::vector<Triangle>& faces, const Grid& grid) {
   // What should be there, by the definition.
   std::set<Cells> right;

@@ -35,12 +35,6 @@ std::size_t faces_that_show_their_backs(const PlainMesh& mesh) {
   return backs;
 }
 
-CellKey key_of(const Grid& grid, const Point& p) {
-  return morton_key(static_cast<std::uint32_t>(grid.cell_of(p[0], 0)),
-                    static_cast<std::uint32_t>(grid.cell_of(p[1], 1)),
-                    static_cast<std::uint32_t>(grid.cell_of(p[2], 2)));
-}
-
 // Opposite pairs, and windings by the net count, as the definition says; keys in ascending order.
 struct Fusing {
   std::uint64_t fused = 0;

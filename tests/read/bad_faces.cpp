@@ -58,13 +58,13 @@ void in_every_form(Check check) {
   }
 }
 
-const std::vector<test::Point> square{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+const std::vector<test::Point> corners_of_square{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
 
 }  // namespace
 
 TEST_CASE("indices of no vertex are out of range, negative ones too") {
   in_every_form([](test::PlyStyle style) {
-    test::Polygons mesh{square,
+    test::Polygons mesh{corners_of_square,
                         {{0, 1, 2}, {0, 1, 4}, {5, 6, 7}, {0, 30000, 2}, {1, 2, 3}, {0, 1, 2, 4}, {3, 2, 1}}};
     std::uint64_t more = 0;
     if (style.index != PlyType::uint32) {
@@ -81,7 +81,7 @@ TEST_CASE("indices of no vertex are out of range, negative ones too") {
 TEST_CASE("the highest index of 32 bits is out of range, not minus one") {
   test::PlyStyle style;
   style.index = PlyType::uint32;
-  const test::Polygons mesh{square, {{0, 1, 2}, {0, 1, 4294967295}, {0, 2147483648, 2}}};
+  const test::Polygons mesh{corners_of_square, {{0, 1, 2}, {0, 1, 4294967295}, {0, 2147483648, 2}}};
   for (int form = 0; form < 3; ++form) {
     style.form = static_cast<PlyForm>(form);
     check_counts(counts_of(ply_file(mesh, style)), 3, {0, 0, 2});
@@ -89,7 +89,7 @@ TEST_CASE("the highest index of 32 bits is out of range, not minus one") {
 }
 
 TEST_CASE("corners that are not finite are told, whatever else the vertex list holds") {
-  std::vector<test::Point> vertices = square;
+  std::vector<test::Point> vertices = corners_of_square;
   for (const double bad : {nan, infinity, -infinity}) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       vertices.push_back({0, 0, 0});
@@ -104,7 +104,7 @@ TEST_CASE("corners that are not finite are told, whatever else the vertex list h
 }
 
 TEST_CASE("repeated corners are degenerate, by index and by position") {
-  std::vector<test::Point> vertices = square;
+  std::vector<test::Point> vertices = corners_of_square;
   vertices.push_back({1, 0, -0.0});  // the second vertex again: minus nothing is nothing
   const test::Polygons mesh{vertices,
                             {{0, 1, 2}, {0, 0, 1}, {1, 2, 1}, {2, 3, 3}, {1, 4, 0}, {2, 1, 4}, {0, 4, 2}}};
@@ -144,7 +144,7 @@ TEST_CASE("bad faces of an STL are told apart as those of a PLY") {
 TEST_CASE("the first bad face is remembered with what is wrong") {
   test::Random random(260);
   for (int round = 0; round < 20; ++round) {
-    test::Polygons mesh{square, {}};
+    test::Polygons mesh{corners_of_square, {}};
     mesh.faces.assign(3000, {0, 1, 2});
     const std::size_t bad = random.below(2500);
     mesh.faces[bad] = {0, 1, 9};
@@ -153,7 +153,7 @@ TEST_CASE("the first bad face is remembered with what is wrong") {
     CHECK(counts.first_bad.face == bad);
     CHECK(std::string(counts.first_bad.what).find("vertex") != std::string::npos);
   }
-  CHECK(counts_of(test::ply_file({square, {{0, 1, 2}}}, {})).first_bad.face == UINT64_MAX);
+  CHECK(counts_of(test::ply_file({corners_of_square, {{0, 1, 2}}}, {})).first_bad.face == UINT64_MAX);
 }
 
 TEST_CASE("a face that is left out is not counted as too large either") {

@@ -22,15 +22,13 @@ using test::Json;
 
 namespace {
 
-const std::vector<test::Point> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-
 test::Polygons triangles(test::Random& random, std::size_t vertices, std::size_t faces) {
   return test::as_floats(test::random_polygons(random, vertices, faces, 3));
 }
 
 // The faces of a file of this one mesh, placed by a node.
 std::vector<test::SeenFace> placed(const Json& nodes) {
-  GltfBuilder file = test::gltf_of({square, {{0, 1, 2}, {0, 2, 3}}}, 5123);
+  GltfBuilder file = test::gltf_of({test::unit_square.vertices, {{0, 1, 2}, {0, 2, 3}}}, 5123);
   file.json["nodes"] = nodes;
   return faces_of(file.glb());
 }
@@ -78,8 +76,8 @@ TEST_CASE("strips, fans and triangles without indices of a glTF") {
 
 TEST_CASE("an index of a glTF names no other primitive's vertex") {
   GltfBuilder file;
-  const std::size_t first = file.positions(square);
-  const std::size_t second = file.positions(square);
+  const std::size_t first = file.positions(test::unit_square.vertices);
+  const std::size_t second = file.positions(test::unit_square.vertices);
   const std::size_t indices = file.indices({0, 1, 4, 0, 1, 2}, 5125);
   Json primitives = Json::array();
   for (const std::size_t positions : {first, second, first})
@@ -134,7 +132,7 @@ TEST_CASE("nodes of a glTF move, turn, stretch and mirror") {
   CHECK(mirrored[0].corner[1] == test::Point{0, 0, 0});
   // Twice, and a node that is in no scene.
   CHECK(placed({{{"mesh", 0}}, {{"mesh", 0}, {"translation", {0, 0, 1}}}}).size() == 4);
-  GltfBuilder file = test::gltf_of({square, {{0, 1, 2}}});
+  GltfBuilder file = test::gltf_of({test::unit_square.vertices, {{0, 1, 2}}});
   file.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}}};
   file.json["scenes"] = {{{"nodes", {1}}}};
   file.json["scene"] = 0;
@@ -261,7 +259,7 @@ TEST_CASE("buffer views packed by EXT_meshopt_compression") {
 
 TEST_CASE("what of glTF is not read is said") {
   const auto refused = [](const std::function<void(Json&)>& change) {
-    GltfBuilder file = test::gltf_of({square, {{0, 1, 2}}});
+    GltfBuilder file = test::gltf_of({test::unit_square.vertices, {{0, 1, 2}}});
     change(file.json);
     const Error error = test::error_of([&] { faces_of(file.glb()); });
     CHECK(error.kind() == ErrorKind::bad_input);
@@ -278,7 +276,7 @@ TEST_CASE("what of glTF is not read is said") {
         std::string::npos);
   CHECK(refused([](Json& json) { json["asset"]["version"] = "1.0"; }).find("version 2") != std::string::npos);
   test::TestJob test;
-  GltfBuilder file = test::gltf_of({square, {{0, 1, 2}}});
+  GltfBuilder file = test::gltf_of({test::unit_square.vertices, {{0, 1, 2}}});
   file.json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 1}});
   CHECK(faces_of(test.job, std::make_unique<test::MemorySource>(file.glb())).size() == 1);
   REQUIRE(test.job.notes.size() == 1);

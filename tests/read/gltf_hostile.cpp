@@ -16,8 +16,6 @@ using test::Json;
 
 namespace {
 
-const test::Polygons square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-
 // How many faces it has; nothing where it is refused.
 std::optional<std::size_t> read(const std::string& content, bool pipe = false) {
   try {
@@ -36,13 +34,13 @@ std::optional<std::size_t> read(const std::string& content, bool pipe = false) {
 }  // namespace
 
 TEST_CASE("a GLB cut at every byte is an error") {
-  const std::string file = test::gltf_of(square).glb();
+  const std::string file = test::gltf_of(test::unit_square).glb();
   REQUIRE(read(file) == 2);
   for (std::size_t length = 0; length < file.size(); ++length) {
     CAPTURE(length);
     for (const bool pipe : {false, true}) CHECK_FALSE(read(file.substr(0, length), pipe));
   }
-  const std::string json = test::gltf_of(square).gltf();
+  const std::string json = test::gltf_of(test::unit_square).gltf();
   for (std::size_t length = 0; length < json.size(); ++length) CHECK_FALSE(read(json.substr(0, length)));
 }
 
@@ -73,7 +71,7 @@ TEST_CASE("counts, sizes and indices of a glTF that its file does not hold are r
                                         "/scene"};
   for (const std::string& place : places) {
     for (const Json& value : wrong) {
-      GltfBuilder file = test::gltf_of(square);
+      GltfBuilder file = test::gltf_of(test::unit_square);
       file.json["nodes"] = {{{"mesh", 0}, {"children", {1}}}, {{"translation", {0, 0, 0}}}};
       file.json["scenes"] = {{{"nodes", {0}}}};
       file.json["scene"] = 0;
@@ -96,7 +94,7 @@ TEST_CASE("counts, sizes and indices of a glTF that its file does not hold are r
 
 TEST_CASE("nodes of a glTF in a circle, or with two parents, are refused") {
   const auto with_nodes = [](const Json& nodes, const Json& roots) {
-    GltfBuilder file = test::gltf_of(square);
+    GltfBuilder file = test::gltf_of(test::unit_square);
     file.json["nodes"] = nodes;
     file.json["scenes"] = {{{"nodes", roots}}};
     return read(file.glb());
@@ -109,7 +107,7 @@ TEST_CASE("nodes of a glTF in a circle, or with two parents, are refused") {
 
 TEST_CASE("JSON of a glTF may be nested and long, but not beyond the budget") {
   const auto with = [](const std::string& extras) {
-    std::string text = test::gltf_of(square).gltf();
+    std::string text = test::gltf_of(test::unit_square).gltf();
     text.insert(text.rfind('}'), ",\"extras\":" + extras);
     return read(text);
   };
@@ -125,7 +123,7 @@ TEST_CASE("JSON of a glTF may be nested and long, but not beyond the budget") {
 TEST_CASE("bytes of a glTF changed at random are an error or another mesh, nothing worse") {
   test::Random random(520);
   for (int round = 0; round < 1500; ++round) {
-    GltfBuilder builder = test::gltf_of(square, 5123);
+    GltfBuilder builder = test::gltf_of(test::unit_square, 5123);
     builder.json["nodes"] = {{{"mesh", 0}, {"rotation", {0, 0, 0, 1}}}};
     std::string file = random.chance(0.5) ? builder.glb() : builder.gltf();
     for (std::uint64_t changes = random.between(1, 5); changes > 0; --changes) {

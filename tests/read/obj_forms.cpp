@@ -18,8 +18,6 @@ std::vector<test::SeenFace> both_ways(const std::string& file) {
   return faces;
 }
 
-const test::Polygons square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-
 }  // namespace
 
 TEST_CASE("an OBJ of any style is the mesh that was written") {
@@ -47,12 +45,12 @@ TEST_CASE("corners of an OBJ: alone, with texture, with normal, counted from the
         "f -4 -3 -2\nf -4 -2 -1", "f 1 2 3 4", "f 1// 2// 3//\nf 1/ 3/ 4/", "f +1 +2 +3\nf 1 3 4\n",
         "f 1 \\\n 2 \\\r\n 3\nf 1\\\n 3 4 # 5", "\n\nf\t1  2\t3 \n# f 1 2 3\n  f 1 3 4  "}) {
     CAPTURE(faces);
-    CHECK(difference(both_ways(vertices + faces), as_fans(square)) == "");
+    CHECK(difference(both_ways(vertices + faces), as_fans(test::unit_square)) == "");
   }
   // Faces before all vertices, and between them.
-  CHECK(difference(both_ways("f 1 2 3 4\n" + vertices), as_fans(square)) == "");
-  CHECK(difference(both_ways("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nf 1 3 4\nv 0 1 0"), as_fans(square)) ==
-        "");
+  CHECK(difference(both_ways("f 1 2 3 4\n" + vertices), as_fans(test::unit_square)) == "");
+  CHECK(difference(both_ways("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nf 1 3 4\nv 0 1 0"),
+                   as_fans(test::unit_square)) == "");
 }
 
 TEST_CASE("names in an OBJ are no vertices and no faces") {
@@ -60,7 +58,7 @@ TEST_CASE("names in an OBJ are no vertices and no faces") {
       "mtllib f 1 2 3\ng v 9 9 9\no f\nusemtl v\ns 1\nv 0 0 0 1.0\nv 1 0 0 0.5 0.5 0.5\nvn 1 2 3\nvt 5 5\n"
       "v 1 1 0 1 0.5 0.5 0.5\nv 0 1 0\ng An f Three Other Things\nusemtl \\\n f\nf 1 2 3\nl 1 2\np 1\nf 1 3 "
       "4\n";
-  CHECK(difference(both_ways(file), as_fans(square)) == "");
+  CHECK(difference(both_ways(file), as_fans(test::unit_square)) == "");
 }
 
 TEST_CASE("faces of an OBJ that are none are told apart") {

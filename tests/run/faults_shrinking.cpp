@@ -16,18 +16,18 @@ namespace winnow::test {
 
 namespace {
 
-enum class Access { mapped, read };
+enum class Route { mapped, read };
 
 // Runs on a copy of `input` that is cut to `length` bytes when `stage` begins: to the byte the same place
 // each time.
 void check_shrinking(const Directory& directory, const std::string& input, const SimplifyOptions& options,
-                     const std::string& stage, std::uint64_t length, Access access) {
+                     const std::string& stage, std::uint64_t length, Route route) {
   const std::string copy = directory.file("copy");
   std::filesystem::copy_file(input, copy, std::filesystem::copy_options::overwrite_existing);
   const std::string output = directory.file("out.ply");
   Context context;
   context.threads = 2;
-  context.map_input = access == Access::mapped;
+  context.map_input = route == Route::mapped;
   bool cut = false;
   context.progress = [&](const Progress& progress) {
     if (cut || progress.stage != stage) return;
@@ -42,7 +42,7 @@ void check_shrinking(const Directory& directory, const std::string& input, const
     message = error.what();
   }
   INFO(input << " cut to " << length << " bytes in stage '" << stage << "', "
-             << (access == Access::mapped ? "mapped" : "read") << ": " << message);
+             << (route == Route::mapped ? "mapped" : "read") << ": " << message);
   CHECK(cut);
   CHECK(code == 3);
   CHECK(message.find("shortened") != std::string::npos);
@@ -111,15 +111,15 @@ TEST_CASE("a file that shrinks while it is mapped is an error", "[faults]") {
   const std::string ascii = ascii_file(stl, directory.file("ascii.stl"));
   for (const std::string& input : {ply, stl, ascii}) {
     for (const std::uint64_t length : lengths(input)) {
-      check_shrinking(directory, input, with_cell(0.05), "cluster", length, Access::mapped);
-      check_shrinking(directory, input, with_cell(0.05), "cluster", length, Access::read);
+      check_shrinking(directory, input, with_cell(0.05), "cluster", length, Route::mapped);
+      check_shrinking(directory, input, with_cell(0.05), "cluster", length, Route::read);
     }
   }
   for (const std::string& input : {ply, stl}) {
-    check_shrinking(directory, input, with_faces(5000), "sample", size_of_file(input) / 5, Access::mapped);
-    check_shrinking(directory, input, with_faces(5000), "cluster", size_of_file(input) / 2, Access::mapped);
-    check_shrinking(directory, input, refined(5000), "weld", size_of_file(input) / 5, Access::mapped);
-    check_shrinking(directory, input, refined(5000), "join faces", size_of_file(input) / 2, Access::mapped);
+    check_shrinking(directory, input, with_faces(5000), "sample", size_of_file(input) / 5, Route::mapped);
+    check_shrinking(directory, input, with_faces(5000), "cluster", size_of_file(input) / 2, Route::mapped);
+    check_shrinking(directory, input, refined(5000), "weld", size_of_file(input) / 5, Route::mapped);
+    check_shrinking(directory, input, refined(5000), "join faces", size_of_file(input) / 2, Route::mapped);
   }
 }
 
@@ -128,8 +128,8 @@ TEST_CASE("a file of polygons that shrinks while it is mapped is an error", "[fa
   const Directory directory;
   const std::string quads = quads_file(directory.file("quads.ply"), 300);
   for (const std::uint64_t length : lengths(quads)) {
-    check_shrinking(directory, quads, with_cell(20), "cluster", length, Access::mapped);
-    check_shrinking(directory, quads, with_cell(20), "cluster", length, Access::read);
+    check_shrinking(directory, quads, with_cell(20), "cluster", length, Route::mapped);
+    check_shrinking(directory, quads, with_cell(20), "cluster", length, Route::read);
   }
 }
 
@@ -139,10 +139,9 @@ TEST_CASE("an ASCII PLY that shrinks while it is mapped is an error", "[faults]"
   const std::string binary = directory.file("scan.ply");
   generate("scan", 100'000, binary);
   const std::string ascii = ascii_file(binary, directory.file("ascii.ply"));
-  check_shrinking(directory, ascii, with_cell(0.05), "read vertices", size_of_file(ascii) / 5,
-                  Access::mapped);
+  check_shrinking(directory, ascii, with_cell(0.05), "read vertices", size_of_file(ascii) / 5, Route::mapped);
   check_shrinking(directory, ascii, with_cell(0.05), "cluster", size_of_file(ascii) - 2 * 4096,
-                  Access::mapped);
+                  Route::mapped);
 }
 
 // Within a page there is no SIGBUS: the lost bytes read as zeros.
@@ -154,7 +153,7 @@ TEST_CASE("a file that loses its last bytes while it is mapped is an error", "[f
     generate("scan", 100'000, input);
     const std::uint64_t size = size_of_file(input);
     check_shrinking(directory, input, with_cell(0.05), "cluster",
-                    size - std::min<std::uint64_t>(30, size % 4096), Access::mapped);
+                    size - std::min<std::uint64_t>(30, size % 4096), Route::mapped);
   }
 }
 

@@ -15,18 +15,6 @@ void check_same(const Simplified& a, const Simplified& b) {
   }
 }
 
-Simplified through_pipe(const Directory& directory, const std::string& input, const Words& options) {
-  const std::string output = directory.file("piped.ply");
-  Program program(Words{"simplify", "-", "-o", output, "--json"} + options, {.in = "|"});
-  CHECK(program.write(bytes_of_file(input)));
-  const Run run = program.wait();
-  INFO(run.err);
-  REQUIRE(run.code == 0);
-  Simplified result{hash_of_file(output), run.json()};
-  ::unlink(output.c_str());
-  return result;
-}
-
 }  // namespace
 
 TEST_CASE("the same refined bytes with any threads budget and way in", "[same_bytes]") {
@@ -47,7 +35,7 @@ TEST_CASE("the same refined bytes with any threads budget and way in", "[same_by
         simplified(directory, input, options + Words{"--threads", "4", "--memory", smallest});
     spilled += small.report["spilled_bytes"].get<std::uint64_t>();
     check_same(one, small);
-    check_same(one, through_pipe(directory, input, options + Words{"--threads", "2"}));
+    check_same(one, simplified_by_pipe(directory, input, options + Words{"--threads", "2"}));
   }
   // Not each has to: how much fits depends on how the threads divide the work.
   CHECK(spilled > 0);
@@ -60,7 +48,7 @@ TEST_CASE("the same refined bytes of an STL from any source", "[same_bytes]") {
   const Words options{"--faces", "5k"};
   const Simplified one = simplified(directory, input, options + Words{"--threads", "1"});
   check_same(one, simplified(directory, input, options + Words{"--threads", "4"}));
-  check_same(one, through_pipe(directory, input, options));
+  check_same(one, simplified_by_pipe(directory, input, options));
   CHECK(simplified(directory, zstd_file(input), options).hash == one.hash);
 }
 

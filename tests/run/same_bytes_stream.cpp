@@ -10,25 +10,12 @@ const std::vector<Words> all_resolutions{{"--cell", "0.02"},
                                          {"--faces", "5000", "--refine", "none"},
                                          {"--ratio", "20%", "--refine", "none"}};
 
-Simplified through_pipe(const Directory& directory, const std::string& bytes, const Words& options) {
-  const std::string output = directory.file("piped.ply");
-  Program program(Words{"simplify", "-", "-o", output, "--json"} + options, {.in = "|"});
-  CHECK(program.write(bytes));
-  const Run run = program.wait();
-  INFO(run.err);
-  REQUIRE(run.code == 0);
-  Simplified result{hash_of_file(output), run.json()};
-  ::unlink(output.c_str());
-  return result;
-}
-
 void compare_routes(const std::string& surface, const std::string& format) {
   const Directory directory;
   const std::string input = directory.file(surface + "." + format);
   generate(surface, 60'000, input);
   const std::string gzip = gzip_file(input);
   const std::string zstd = zstd_file(input);
-  const std::string bytes = bytes_of_file(input);
   for (const Words& options : all_resolutions) {
     INFO(surface << "." << format << " " << joined(options));
     const Simplified file = simplified(directory, input, options);
@@ -36,9 +23,9 @@ void compare_routes(const std::string& surface, const std::string& format) {
     CHECK(simplified(directory, gzip, options).hash == file.hash);
     CHECK(simplified(directory, zstd, options).hash == file.hash);
     CHECK(simplified(directory, "-", options, {.in = zstd}).hash == file.hash);
-    const Simplified piped = through_pipe(directory, bytes, options);
+    const Simplified piped = simplified_by_pipe(directory, input, options);
     CHECK(piped.hash == file.hash);
-    CHECK(through_pipe(directory, bytes_of_file(gzip), options).hash == file.hash);
+    CHECK(simplified_by_pipe(directory, gzip, options).hash == file.hash);
     for (const char* count : {"input", "output", "cells", "turned_faces", "fused_faces", "clamped_faces",
                               "cell_size", "runs", "notes"}) {
       INFO(count);
@@ -62,8 +49,8 @@ TEST_CASE("a pipe whose vertices do not fit into memory gives the same bytes", "
   generate("scan", 1'600'000, input);
   const Words options{"--cell", "0.02", "--threads", "1"};
   const Simplified file = simplified(directory, input, options);
-  const Simplified piped = through_pipe(directory, bytes_of_file(input),
-                                        options + Words{"--memory", smallest_memory(input, options)});
+  const Simplified piped =
+      simplified_by_pipe(directory, input, options + Words{"--memory", smallest_memory(input, options)});
   CHECK(file.report["spilled_bytes"] == 0);
   CHECK(piped.report["spilled_bytes"] > 0);
   CHECK(piped.hash == file.hash);

@@ -41,6 +41,13 @@ PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& set
 // Empty where both are the same to the bit.
 std::string difference(const PlainMesh& a, const PlainMesh& b);
 
+// The cell that holds a position, by the definition.
+inline CellKey key_of(const Grid& grid, const Point& p) {
+  return morton_key(static_cast<std::uint32_t>(grid.cell_of(p[0], 0)),
+                    static_cast<std::uint32_t>(grid.cell_of(p[1], 1)),
+                    static_cast<std::uint32_t>(grid.cell_of(p[2], 2)));
+}
+
 // Over the box of the faces, in cells of this edge.
 ClusterSettings settings_over(const std::vector<Triangle>& faces, double cell,
                               Placement placement = Placement::mean);

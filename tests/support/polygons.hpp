@@ -24,6 +24,8 @@ struct SeenFace {
   std::array<Point, 3> corner{};
 };
 
+inline const Polygons unit_square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+
 // Empty where both are the same, to the bit (any two NaN are).
 std::string difference(const std::vector<SeenFace>& a, const std::vector<SeenFace>& b);
 std::string difference(const std::vector<Point>& a, const std::vector<Point>& b);

@@ -1,6 +1,7 @@
 // Runs of `winnow simplify` whose outputs are compared.
 #pragma once
 
+#include "base/vector.hpp"
 #include "support/files.hpp"
 #include "support/program.hpp"
 
@@ -14,6 +15,9 @@
 namespace winnow::test {
 
 using Words = std::vector<std::string>;
+
+// Else the one below would hide that of positions.
+using winnow::operator+;
 
 inline Words operator+(Words words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
@@ -39,6 +43,20 @@ inline Simplified simplified(const Directory& directory, const std::string& inpu
   const Run run = winnow_ok(Words{"simplify", input, "-o", path, "--json"} + options, setup);
   Simplified result{hash_of_file(path), run.json()};
   ::unlink(path.c_str());
+  return result;
+}
+
+// The same through a pipe.
+inline Simplified simplified_by_pipe(const Directory& directory, const std::string& input,
+                                     const Words& options) {
+  const std::string output = directory.file("piped.ply");
+  Program program(Words{"simplify", "-", "-o", output, "--json"} + options, {.in = "|"});
+  CHECK(program.write(bytes_of_file(input)));
+  const Run run = program.wait();
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  Simplified result{hash_of_file(output), run.json()};
+  ::unlink(output.c_str());
   return result;
 }
 

@@ -13,7 +13,7 @@ namespace winnow::cli {
 
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::string original, simplified, colored, picture;
   std::string samples = "1M";
   bool force = false;
@@ -121,7 +121,7 @@ void show(const CompareReport& report, std::ostream& out) {
   line.notes(report.notes);
 }
 
-void run(const Arguments& arguments) {
+void run_compare(const CompareArguments& arguments) {
   CompareOptions options;
   options.samples = parse_count("--samples", arguments.samples);
   options.colored = arguments.colored;
@@ -146,7 +146,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_compare(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", "Measure how far a simplified mesh is from its original");
   command->add_option("original", arguments->original, "Of any size: it is streamed; - is standard input")
       ->required()
@@ -177,7 +177,7 @@ void add_compare(CLI::App& app) {
       "  winnow compare scan.ply small.ply\n"
       "  winnow compare scan.ply small.ply --json --samples 10M\n"
       "  winnow compare scan.ply small.ply --colored distances.ply --picture distances.png");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_compare(*arguments); });
 }
 
 }  // namespace winnow::cli

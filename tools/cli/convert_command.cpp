@@ -12,7 +12,7 @@ namespace winnow::cli {
 
 namespace {
 
-struct Arguments {
+struct ConvertArguments {
   std::string input, output, from;
   bool strict = false;
   OutputOptions written;
@@ -53,7 +53,7 @@ void show(const ConvertReport& report, std::ostream& out) {
   line.notes(report.notes);
 }
 
-void run(const Arguments& arguments) {
+void run_convert(const ConvertArguments& arguments) {
   ConvertOptions options;
   options.from = parse_input_format(arguments.from);
   options.to = parse_output_format(arguments.written.to);
@@ -78,7 +78,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_convert(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command =
       app.add_subcommand("convert", "Write a mesh of any size in another format, in bounded memory");
   command->add_option("input", arguments->input, input_help)->required()->type_name("IN");
@@ -98,7 +98,7 @@ void add_convert(CLI::App& app) {
       "  winnow convert scan.stl -o scan.ply.zst\n"
       "  winnow convert tile.ply -o tile.obj --positions double\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_convert(*arguments); });
 }
 
 }  // namespace winnow::cli

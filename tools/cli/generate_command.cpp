@@ -13,7 +13,7 @@ namespace winnow::cli {
 
 namespace {
 
-struct Arguments {
+struct GenerateArguments {
   std::string surface, output, to;
   std::string faces = "1M";
   std::vector<double> offset;
@@ -22,7 +22,7 @@ struct Arguments {
   CommonOptions common;
 };
 
-void run(const Arguments& arguments) {
+void run_generate(const GenerateArguments& arguments) {
   GenerateOptions options;
   options.surface = arguments.surface == "scan"      ? Surface::scan
                     : arguments.surface == "terrain" ? Surface::terrain
@@ -59,7 +59,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_generate(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* command = app.add_subcommand("generate", "Make a surface of any size, for tests and benches");
   command
       ->add_option("surface", arguments->surface,
@@ -100,7 +100,7 @@ void add_generate(CLI::App& app) {
       "  winnow generate scan --faces 20M -o scan.ply\n"
       "  winnow generate terrain --faces 5M --offset 431000,5412000,300 -o tile.ply\n"
       "  winnow generate scan --faces 1G -o - | winnow simplify - -o small.ply --faces 1M --memory 256M");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_generate(*arguments); });
 }
 
 }  // namespace winnow::cli

@@ -12,7 +12,7 @@ namespace winnow::cli {
 
 namespace {
 
-struct Arguments {
+struct InfoArguments {
   std::string input, from;
   CommonOptions common;
 };
@@ -78,7 +78,7 @@ void show(const InfoReport& report, std::ostream& out) {
   line.notes(report.notes);
 }
 
-void run(const Arguments& arguments) {
+void run_info(const InfoArguments& arguments) {
   Context context;
   prepare(context, arguments.common, "-");
   InfoReport report;
@@ -96,7 +96,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand("info", "Tell what is in a mesh file of any size");
   command->add_option("input", arguments->input, input_help)->required()->type_name("IN");
   add_from(*command, arguments->from);
@@ -106,7 +106,7 @@ void add_info(CLI::App& app) {
       "  winnow info scan.ply\n"
       "  winnow info scan.stl --json\n"
       "  zstdcat scan.ply.zst | winnow info - --memory 2G");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_info(*arguments); });
 }
 
 }  // namespace winnow::cli

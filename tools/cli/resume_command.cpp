@@ -9,12 +9,12 @@ namespace winnow::cli {
 
 namespace {
 
-struct Arguments {
+struct ResumeArguments {
   Checkpoint checkpoint;
   CommonOptions common;
 };
 
-void run(const Arguments& arguments) {
+void run_resume(const ResumeArguments& arguments) {
   Context context;
   prepare(context, arguments.common, "-");
   if (arguments.common.scratch.empty()) context.scratch.clear();  // that is the checkpoint's directory
@@ -29,7 +29,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_resume(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ResumeArguments>();
   CLI::App* command =
       app.add_subcommand("resume", "Go on with a run of simplify --checkpoint that was killed");
   command->add_option("directory", arguments->checkpoint.directory, "What --checkpoint named")
@@ -55,7 +55,7 @@ void add_resume(CLI::App& app) {
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input or checkpoint, 4 memory or disk or in "
       "use,"
       "\n130 interrupted.");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_resume(*arguments); });
 }
 
 }  // namespace winnow::cli

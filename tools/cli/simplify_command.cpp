@@ -17,7 +17,7 @@ namespace winnow::cli {
 
 namespace {
 
-struct Arguments {
+struct SimplifyArguments {
   std::vector<std::string> inputs;
   std::string output, crop;
   std::string cell, grid, faces, ratio, error;
@@ -31,7 +31,7 @@ struct Arguments {
   CommonOptions common;
 };
 
-SimplifyOptions options_of(const Arguments& arguments) {
+SimplifyOptions options_of(const SimplifyArguments& arguments) {
   SimplifyOptions options;
   if (!arguments.cell.empty()) options.cell = parse_length("--cell", arguments.cell);
   if (!arguments.grid.empty()) options.grid = parse_count("--grid", arguments.grid);
@@ -68,7 +68,7 @@ SimplifyOptions options_of(const Arguments& arguments) {
   return options;
 }
 
-void run(const Arguments& arguments) {
+void run_simplify(const SimplifyArguments& arguments) {
   const SimplifyOptions options = options_of(arguments);
   Context context;
   prepare(context, arguments.common, arguments.output);
@@ -93,7 +93,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_simplify(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SimplifyArguments>();
   CLI::App* command = app.add_subcommand("simplify", "Make a mesh of any size small, in bounded memory");
   command->add_option("input", arguments->inputs, std::string(input_help) + "; several files are one model")
       ->required()
@@ -206,7 +206,7 @@ void add_simplify(CLI::App& app) {
       "  winnow simplify part-*.ply -o all.ply --faces 5M --crop 0,0,-10,500,500,90\n"
       "  zstdcat scan.ply.zst | winnow simplify - -o - --cell 2.5 | next-stage\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_simplify(*arguments); });
 }
 
 }  // namespace winnow::cli
