@@ -1,5 +1,6 @@
 // A result is the same with next to no memory.
 #include "support/clustering.hpp"
+#include "support/sanitized.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -27,7 +28,8 @@ TEST_CASE("tables, faces and results that spill give the same mesh", "[threads]"
   std::vector<Triangle> again = ball(160, 0.1);
   for (const auto& [name, mesh, cell] :
        {std::tuple{"soup", &faces, 0.004}, std::tuple{"ball", &again, 0.012}}) {
-    for (const Placement placement : {Placement::mean, Placement::quadric}) {
+    for (const Placement placement : {Placement::quadric, Placement::mean}) {
+      if (sanitized && placement == Placement::mean) continue;  // has no code of its own here
       const bool quadrics = placement == Placement::quadric;
       const ClusterSettings settings = settings_over(*mesh, cell, placement);
       const PlainMesh right = cluster(*mesh, settings, {.memory = {1 << 28, 1 << 26, 1 << 26, 1 << 26, 16}});

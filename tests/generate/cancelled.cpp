@@ -9,7 +9,7 @@ namespace winnow {
 
 TEST_CASE("a cancelled run stops and leaves nothing") {
   for (const char* name : {"mesh.ply", "mesh.stl"}) {
-    const TestDirectory directory;
+    const test::Directory directory;
     Context context;
     context.threads = 2;
     context.progress = [&](const Progress& progress) {
@@ -22,13 +22,13 @@ TEST_CASE("a cancelled run stops and leaves nothing") {
       cancelled = error.kind() == ErrorKind::cancelled;
     }
     CHECK(cancelled);
-    CHECK(directory.empty());
+    CHECK(directory.names().empty());
   }
 }
 
 TEST_CASE("progress counts the faces and never runs back") {
   for (const char* name : {"mesh.ply", "mesh.stl"}) {
-    const TestDirectory directory;
+    const test::Directory directory;
     Context context;
     context.threads = 2;
     std::uint64_t done = 0;

@@ -32,7 +32,7 @@ TEST_CASE("positions near the origin are written in single precision") {
 }
 
 TEST_CASE("an offset that single precision cannot follow is told") {
-  const TestDirectory directory;
+  const test::Directory directory;
   Context context;
   int notices = 0;
   context.notice = [&](const std::string&) { ++notices; };

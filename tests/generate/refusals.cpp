@@ -13,7 +13,7 @@ namespace {
 
 void check_refused(const GenerateOptions& options, const std::string& name, ErrorKind kind,
                    std::uint64_t memory = std::uint64_t{64} << 20) {
-  const TestDirectory directory;
+  const test::Directory directory;
   Context context;
   context.memory = memory;
   bool refused = false;
@@ -25,7 +25,7 @@ void check_refused(const GenerateOptions& options, const std::string& name, Erro
     CHECK(refused);
   }
   CHECK(refused);
-  CHECK(directory.empty());
+  CHECK(directory.names().empty());
 }
 
 }  // namespace

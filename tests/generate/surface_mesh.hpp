@@ -5,16 +5,12 @@
 
 #include "base/vector.hpp"
 #include "generate/surface.hpp"
+#include "support/files.hpp"
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,43 +57,16 @@ inline std::map<DirectedEdge, int> directed_edges(const SurfaceMesh& mesh) {
   return edges;
 }
 
-// A directory that goes with the test.
-class TestDirectory {
- public:
-  TestDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "winnow-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    path_ = name;
-  }
-  ~TestDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TestDirectory(const TestDirectory&) = delete;
-  TestDirectory& operator=(const TestDirectory&) = delete;
-
-  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-  [[nodiscard]] bool empty() const { return std::filesystem::is_empty(path_); }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string bytes_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // The bytes that `options` make.
 inline std::string generated(GenerateOptions options, Format format = Format::ply, unsigned threads = 1,
                              std::uint64_t memory = std::uint64_t{64} << 20) {
-  const TestDirectory directory;
+  const test::Directory directory;
   Context context;
   context.threads = threads;
   context.memory = memory;
   options.to = format;
   generate(context, directory.file("mesh"), options);
-  return bytes_of(directory.file("mesh"));
+  return test::bytes_of_file(directory.file("mesh"));
 }
 
 }  // namespace winnow
