@@ -4,9 +4,11 @@
 #include "base/scalar_type.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace winnow {
@@ -40,9 +42,16 @@ struct CarriedAttributes {
 
 std::vector<ScalarType> types_of(std::span<const Attribute> attributes);
 
+// The parts of a normal along the axes.
+inline constexpr std::array<std::string_view, 3> normal_names{"nx", "ny", "nz"};
+
 // Whether it has the name of a normal's part, of whatever kind it is.
 inline bool names_normal(const Attribute& attribute) {
-  return attribute.name == "nx" || attribute.name == "ny" || attribute.name == "nz";
+  return std::find(normal_names.begin(), normal_names.end(), attribute.name) != normal_names.end();
+}
+// The axis of one that does.
+inline std::size_t axis_of_normal(const Attribute& attribute) {
+  return static_cast<std::size_t>(attribute.name[1] - 'x');
 }
 
 inline bool carries_normals(std::span<const Attribute> attributes) {

@@ -49,24 +49,7 @@ const char* name_of(ScalarType type) {
 }
 
 void store_rounded(double value, ScalarType type, std::byte* at) {
-  switch (type) {
-    case ScalarType::int8:
-      return store<std::int8_t>(value, at);
-    case ScalarType::uint8:
-      return store<std::uint8_t>(value, at);
-    case ScalarType::int16:
-      return store<std::int16_t>(value, at);
-    case ScalarType::uint16:
-      return store<std::uint16_t>(value, at);
-    case ScalarType::int32:
-      return store<std::int32_t>(value, at);
-    case ScalarType::uint32:
-      return store<std::uint32_t>(value, at);
-    case ScalarType::float32:
-      return store<float>(value, at);
-    case ScalarType::float64:
-      return store<double>(value, at);
-  }
+  with_type(type, [&]<typename Number>(Number) { store<Number>(value, at); });
 }
 
 }  // namespace winnow

@@ -24,8 +24,7 @@ std::string human_bytes(std::uint64_t bytes) {
 }
 
 std::string size_option(std::uint64_t bytes) {
-  constexpr std::uint64_t unit = std::uint64_t{1} << 20;
-  return std::to_string(bytes / unit + (bytes % unit != 0 ? 1 : 0)) + "M";
+  return std::to_string(bytes / mebibyte + (bytes % mebibyte != 0 ? 1 : 0)) + "M";
 }
 
 std::string grouped(std::uint64_t count) {

@@ -11,7 +11,6 @@ namespace winnow {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> normal_names{"nx", "ny", "nz"};
 constexpr std::array<std::string_view, 6> component_names{"red",         "green",         "blue",
                                                           "diffuse_red", "diffuse_green", "diffuse_blue"};
 // These only all three together.
@@ -80,14 +79,20 @@ class Dropped {
                               const std::string& input) {
   std::vector<std::string> all;
   for (const Attribute& attribute : offer.scalars) all.push_back(attribute.name);
+  const auto not_common = [&](std::string_view one) { return among(offer.not_common, one); };
+  const bool differs =
+      not_common(name) ||
+      (name == "normals" && std::any_of(normal_names.begin(), normal_names.end(), not_common)) ||
+      (name == "colors" && std::any_of(color_names.begin(), color_names.end(), not_common));
   std::string message = "'" + input + "': '" + name + "' is ";
   if (among(offer.lists, name)) {
     message += "a list at each vertex, which cannot be averaged";
   } else {
-    message += among(offer.not_common, name) ? "not in every input, or not of one type"
-                                             : "no attribute of its vertices";
+    message += differs ? "not in every input, or not of one type" : "no attribute of its vertices";
   }
-  message += all.empty() ? "; they have none: leave --attributes out" : "; they have " + joined(all);
+  const std::string common = offer.not_common.empty() ? "" : " in common";
+  message += all.empty() ? "; they have none" + common + ": leave --attributes out"
+                         : "; they have " + joined(all) + common;
   throw Error(ErrorKind::usage, message);
 }
 

@@ -28,25 +28,8 @@ T load(const std::byte* at, bool swapped) {
 }
 
 inline double load_real(const std::byte* at, PlyType type, bool swapped) {
-  switch (type) {
-    case PlyType::int8:
-      return load<std::int8_t>(at, swapped);
-    case PlyType::uint8:
-      return load<std::uint8_t>(at, swapped);
-    case PlyType::int16:
-      return load<std::int16_t>(at, swapped);
-    case PlyType::uint16:
-      return load<std::uint16_t>(at, swapped);
-    case PlyType::int32:
-      return load<std::int32_t>(at, swapped);
-    case PlyType::uint32:
-      return load<std::uint32_t>(at, swapped);
-    case PlyType::float32:
-      return load<float>(at, swapped);
-    case PlyType::float64:
-      return load<double>(at, swapped);
-  }
-  return 0;
+  return with_type(type,
+                   [&]<typename Number>(Number) { return static_cast<double>(load<Number>(at, swapped)); });
 }
 
 // Integers of any of the format's types; a real number is cut to its whole part, as other readers do.

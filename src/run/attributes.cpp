@@ -17,9 +17,8 @@ void take_normal(const MeshShape& shape, MeshVertex& vertex) {
   for (std::size_t i = 0; i < shape.attributes.size() && shape.normals; ++i) {
     const Attribute& attribute = shape.attributes[i];
     if (attribute.kind != AttributeKind::normal) continue;
-    // nx, ny or nz
     const auto along = static_cast<float>(vertex.attributes[i]);
-    vertex.normal.at(static_cast<std::size_t>(attribute.name[1] - 'x')) = std::isfinite(along) ? along : 0;
+    vertex.normal.at(axis_of_normal(attribute)) = std::isfinite(along) ? along : 0;
   }
 }
 
@@ -78,9 +77,8 @@ void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVer
   const bool unit = std::abs(length - 1) <= unit_tolerance;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (attributes[i].kind != AttributeKind::normal) continue;
-    // nx, ny or nz
-    const auto axis = static_cast<std::size_t>(attributes[i].name[1] - 'x');
-    if (!unit) values[i] = length > 0 ? values[i] / length : double{vertex.normal.at(axis)};
+    if (!unit)
+      values[i] = length > 0 ? values[i] / length : double{vertex.normal.at(axis_of_normal(attributes[i]))};
   }
   take_normal(shape, vertex);
 }

@@ -196,7 +196,9 @@ void Clustering::take_counts(const ClusterCounts& counts) {
 }
 
 void Clustering::refuse_empty() const {
-  throw Error(ErrorKind::bad_input, "'" + reader_.name() + "' has no face that could be simplified");
+  throw Error(ErrorKind::bad_input,
+              "'" + reader_.name() + "' has no face that could be simplified" +
+                  (options_.crop ? " in the box of --crop; winnow info tells where the mesh is" : ""));
 }
 
 void Clustering::refuse_result(const ClusteredMesh& mesh) const {

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -173,8 +174,14 @@ SimplifyReport resume(Context& context, const Checkpoint& settings) {
   SimplifyCheckpoint checkpoint = SimplifyCheckpoint::open(job, settings);
   const SimplifyRequest request = checkpoint.request();
   SimplifyReport report;
-  if (!checkpoint.is_written(request.output, report))
+  if (!checkpoint.is_written(request.output, report)) {
+    if (!request.options.force && std::filesystem::is_regular_file(request.output)) {
+      throw Error(
+          ErrorKind::usage,
+          "'" + request.output + "' exists, and is not what this run wrote; move it away and resume again");
+    }
     return simplify_with(job, request, std::move(checkpoint));
+  }
   report.resumed.emplace().written = true;
   checkpoint.finish(job);
   report.peak_memory_bytes = peak_resident_bytes();

@@ -24,7 +24,7 @@ class ObjEncoder final : public MeshEncoder {
       append_position(out, vertex.position, shape.double_positions);
       for (std::size_t i = 0; i < 3 && colors.any(); ++i) {
         append_text(out, " ");
-        append_number(out, static_cast<float>(colors.component(vertex, i)));
+        append_rounded(out, colors.component(vertex, i), ScalarType::float32);
       }
       if (shape.normals) {
         append_text(out, "\nvn ");

@@ -111,4 +111,15 @@ TEST_CASE("several inputs offer together what all have by one name and type") {
   CHECK(common_offer({}).scalars.empty());
 }
 
+TEST_CASE("colours of different types are said to be none in common") {
+  AttributeOffer bytes, floats;
+  bytes.scalars = {{"red", ScalarType::uint8}, {"green", ScalarType::uint8}, {"blue", ScalarType::uint8}};
+  floats.scalars = {{"red"}, {"green"}, {"blue"}};
+  const AttributeOffer common = common_offer({bytes, floats});
+  const Error error = error_of([&] { choose_attributes(wish(Names{"colors"}), common, "in.ply"); });
+  CHECK(std::string(error.what()) ==
+        "'in.ply': 'colors' is not in every input, or not of one type; they have none "
+        "in common: leave --attributes out");
+}
+
 }  // namespace winnow::test

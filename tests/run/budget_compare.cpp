@@ -32,7 +32,7 @@ TEST_CASE("a comparison stays within the budget", "[budget]") {
   const Directory directory;
   const std::string original = directory.file("scan.ply");
   const std::string small = directory.file("small.ply");
-  generate("scan", 2'000'000, original);
+  generate("scan", 1'000'000, original);
   winnow_ok({"simplify", original, "-o", small, "--faces", "20k"});
   const std::string packed = zstd_file(original);
   const Words pictured{

@@ -80,13 +80,13 @@ class Killed {
 TEST_CASE("a run that is killed at any moment goes on to the same bytes", "[faults][long]") {
   const Directory directory;
   const std::string input = directory.file("in.ply");
-  generate("scan", 160'000, input);
+  generate("scan", 80'000, input);
   const int tries = sanitized ? 4 : 40;
   const struct {
     Words options;
     int kills;
-  } cases[] = {{{"--faces", "6k"}, tries},
-               {{"--faces", "6k", "--detail", "15"}, tries / 2},
+  } cases[] = {{{"--faces", "3k"}, tries},
+               {{"--faces", "3k", "--detail", "15"}, tries / 2},
                {{"--error", "0.05%"}, tries / 2},
                {{"--ratio", "5%", "--refine", "importance"}, tries / 4},
                {{"--cell", "0.01"}, tries / 4}};

@@ -151,6 +151,20 @@ TEST_CASE("two runs do not share a checkpoint", "[faults]") {
   CHECK(std::filesystem::is_empty(kept));
 }
 
+TEST_CASE("an output that came while the run was stopped is not replaced", "[faults]") {
+  const Stopped stopped;
+  write_file(stopped.output, "of somebody else");
+  const Run run = run_winnow({"resume", stopped.kept});
+  INFO(run.err);
+  CHECK(run.code == 2);
+  CHECK(run.err.find("'" + stopped.output + "' exists") != std::string::npos);
+  CHECK(run.err.find("move it away and resume again") != std::string::npos);
+  CHECK(bytes_of_file(stopped.output) == "of somebody else");
+  ::unlink(stopped.output.c_str());
+  winnow_ok({"resume", stopped.kept});
+  CHECK(exists(stopped.output));
+}
+
 TEST_CASE("a directory that holds something else is no place for a checkpoint", "[faults]") {
   const Directory directory;
   const std::string input = directory.file("in.ply");

@@ -5,6 +5,7 @@
 
 #include "numbers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
@@ -37,6 +38,15 @@ std::string default_scratch(const std::string& output) {
   if (regular) return path.has_parent_path() ? path.parent_path().string() : ".";
   const char* temporary = std::getenv("TMPDIR");
   return temporary != nullptr && *temporary != '\0' ? temporary : "/var/tmp";
+}
+
+// A script's variable that was never set would else be taken for an option that was left out.
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (std::find(values.begin(), values.end(), "") == values.end()) continue;
+    throw Error(ErrorKind::usage, option->get_name() + " is empty; give it a value, or leave it out");
+  }
 }
 
 }  // namespace
@@ -162,6 +172,8 @@ void add_commands(CLI::App& app) {
   add_info(app);
   add_compare(app);
   add_generate(app);
+  for (CLI::App* command : app.get_subcommands({}))
+    command->parse_complete_callback([command] { refuse_empty_values(*command); });
 }
 
 std::ostream& report_stream(const std::string& output) {
