@@ -46,7 +46,7 @@ struct SimplifyOptions {
   // Default: quadric with faces, ratio and error, none with cell and grid (which allow nothing else).
   std::optional<Refine> refine;
   // Faces that clustering leaves for each that is wanted; > 1. Infinite: none are clustered, equal positions
-  // are welded and all faces refined. Default: 6, and infinite where that would not spare the better half of
+  // are welded and all faces refined. Default: 6, and infinite where that would not spare three quarters of
   // the faces, or where the input has no more than 2^20.
   std::optional<double> detail;
   Borders borders = Borders::weigh;
@@ -163,9 +163,11 @@ struct SimplifyPlan {
   std::vector<std::string> passes;     // what is read, in order
   std::optional<std::uint64_t> faces;  // what the header promises, where it does
   std::optional<std::uint64_t> vertices;
-  std::optional<std::uint64_t> scratch_worst;     // no input of this size needs more scratch, in bytes
-  std::optional<std::uint64_t> scratch_expected;  // a coherent scan at a tenth of its faces
-  std::optional<double> seconds_expected;         // a rough guess from a rate measured once
+  std::optional<std::uint64_t> scratch_worst;  // no input of this size needs more scratch, in bytes
+  // Of a coherent scan, without what a checkpoint keeps; with `cell`, `grid` or an error as if at a tenth of
+  // its faces, for they tell no count.
+  std::optional<std::uint64_t> scratch_expected;
+  std::optional<double> seconds_expected;  // a rough guess, from rates measured once
 };
 
 // Reads `input`, clusters its vertices on a grid, collapses edges of what comes out until it has the faces

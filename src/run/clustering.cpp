@@ -29,6 +29,9 @@ constexpr std::uint64_t most_runs = 3;
 constexpr double usual_detail = 6;
 // Inputs of no more faces are refined from all of them.
 constexpr std::uint64_t always_full = std::uint64_t{1} << 20;
+// Clustering is to spare three quarters of the faces; with less to gain than that, what it loses of a spongy
+// surface is not worth it (bench/RESULTS.md).
+constexpr double worth_clustering = 0.25;
 // An edge of a cell, beside the error that refinement may make.
 constexpr double cell_for_error = 1.5;
 
@@ -48,6 +51,21 @@ std::uint64_t count_faces(Job& job, MeshReader& reader) {
 }
 
 }  // namespace
+
+std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint64_t available) {
+  if (options.faces) return options.faces;
+  if (!options.ratio) return {};
+  const double part = *options.ratio * static_cast<double>(available);
+  return std::max<std::uint64_t>(4, static_cast<std::uint64_t>(part + 0.5));
+}
+
+Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::uint64_t target) {
+  const double wanted = options.detail.value_or(usual_detail) * static_cast<double>(target);
+  const auto all = static_cast<double>(available);
+  const bool welded =
+      options.detail ? wanted >= all : available <= always_full || wanted > worth_clustering * all;
+  return {welded, welded ? available : static_cast<std::uint64_t>(wanted)};
+}
 
 Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options,
                        CarriedAttributes attributes, const MemoryPlan& plan, SimplifyReport& report)
@@ -81,9 +99,7 @@ ClusteredMesh Clustering::as_asked() {
   available_ = count_faces(job_, reader_);
   if (available_ == 0) refuse_empty();
   if (options_.error || options_.relative_error) return to_error();
-  const double part = options_.ratio.value_or(0) * static_cast<double>(available_);
-  target_ =
-      options_.faces ? *options_.faces : std::max<std::uint64_t>(4, static_cast<std::uint64_t>(part + 0.5));
+  target_ = target_of(options_, available_).value_or(0);
   report_.target_faces = target_;
   return cost_of(options_) == Refine::none ? to_count(target_, tolerance) : to_detail();
 }
@@ -113,11 +129,8 @@ ClusteredMesh Clustering::to_error() {
 }
 
 ClusteredMesh Clustering::to_detail() {
-  const double wanted = options_.detail.value_or(usual_detail) * static_cast<double>(target_);
-  const auto available = static_cast<double>(available_);
-  const bool full =
-      options_.detail ? wanted >= available : available_ <= always_full || wanted > available / 2;
-  return full ? welded() : to_count(static_cast<std::uint64_t>(wanted), detail_tolerance);
+  const Detail detail = detail_for(options_, available_, target_);
+  return detail.welded ? welded() : to_count(detail.faces, detail_tolerance);
 }
 
 ClusteredMesh Clustering::welded() {

@@ -9,6 +9,7 @@
 #include "run/plan.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace winnow {
@@ -22,6 +23,16 @@ struct Clustered {
   bool double_positions = false;        // likewise
   std::vector<Attribute> attributes{};  // that vertices carry
 };
+
+// Faces that are asked for, of so many in the input; nothing where a cell or an error says how many.
+std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint64_t available);
+
+// What refinement starts from: all faces, welded, or as many as clustering leaves.
+struct Detail {
+  bool welded = false;
+  std::uint64_t faces = 0;
+};
+Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::uint64_t target);
 
 // Fills what the report says of input and cells.
 class Clustering {

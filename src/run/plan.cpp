@@ -109,8 +109,8 @@ std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs) {
 
 std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, const CellNeeds& needs) {
   const std::uint64_t cell = cell_size(needs) + AttributeMemory::entry_size(needs.attributes);
-  const std::uint64_t cells = faces / 20;
-  const std::uint64_t kept = faces / 8;
+  const std::uint64_t cells = faces / 2;
+  const std::uint64_t kept = faces + faces / 4;
   std::uint64_t bytes = 0;
   // Packed to about seven tenths.
   if (cells * cell * 3 / 2 > plan.cluster.table + plan.cluster.attributes) bytes += cells * cell * 7 / 10;

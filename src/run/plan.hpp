@@ -38,7 +38,7 @@ struct MemoryPlan {
 // face in cells of its own, nothing compressed.
 std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs);
 
-// What a coherent scan at a tenth of its faces needs.
+// What clustering a coherent scan to so many faces takes.
 std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, const CellNeeds& needs);
 
 }  // namespace winnow

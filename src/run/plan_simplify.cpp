@@ -4,9 +4,11 @@
 #include "read/corner_streams.hpp"
 #include "read/kept_faces.hpp"
 #include "run/attributes.hpp"
+#include "run/clustering.hpp"
 #include "run/input.hpp"
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
+#include "stitch/collapse_log.hpp"
 
 #include <algorithm>
 
@@ -35,7 +37,7 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   }
   const bool refine = cost_of(options) != Refine::none;
   passes.emplace_back(
-      refine ? "cluster the faces, or weld equal positions where clustering would not spare the better half"
+      refine ? "cluster the faces, or weld equal positions where clustering would not spare three quarters"
              : "cluster the faces");
   if ((options.faces || options.ratio) && !refine)
     passes.emplace_back("cluster them again, only if the sample misled by more than 10 %");
@@ -61,6 +63,39 @@ std::uint64_t worst_of_jumping(const InputOutlook& outlook, const MemoryPlan& pl
   return outlook.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
 }
 
+// Scratch that refining so many faces takes at its peak: the mesh, and what is collapsed of it. Of memory it
+// has what refined() gives it.
+std::uint64_t scratch_of_refining(std::uint64_t faces, std::uint64_t memory, std::size_t attributes) {
+  const std::uint64_t vertices = faces / 2 * (sizeof(IndexedVertex) + attributes * sizeof(double));
+  const std::uint64_t corners = faces * sizeof(FaceVertices);
+  const std::uint64_t collapses = faces / 2 * CollapseLog::entry_size;
+  std::uint64_t bytes = 0;
+  for (const std::uint64_t part : {vertices, corners}) bytes += part > memory / 4 ? part : 0;
+  return bytes + (collapses > memory / 8 ? collapses : 0);
+}
+
+// Rates of one thread in faces a second, measured once (bench/RESULTS.md), for want of knowing the machine.
+constexpr double clustered_a_second = 2.2e7;
+constexpr double welded_a_second = 2e6;
+constexpr double collapsed_a_second = 3e5;
+
+// Of a coherent scan; at a tenth of its faces where neither a count nor a ratio is given.
+void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const CellNeeds& needs,
+              std::uint64_t memory, unsigned threads, SimplifyPlan& out) {
+  const auto faces = static_cast<double>(*out.faces);
+  const std::uint64_t target = target_of(options, *out.faces).value_or(*out.faces / 10);
+  out.scratch_expected = expected_scratch(target, plan, needs);
+  double seconds = faces / clustered_a_second;
+  if (cost_of(options) != Refine::none) {
+    const Detail detail = detail_for(options, *out.faces, target);
+    if (detail.welded) seconds = faces / welded_a_second;
+    if (detail.faces > target) seconds += static_cast<double>(detail.faces - target) / collapsed_a_second;
+    out.scratch_expected = std::max(detail.welded ? 0 : expected_scratch(detail.faces, plan, needs),
+                                    scratch_of_refining(detail.faces, memory, needs.attributes));
+  }
+  out.seconds_expected = seconds / threads;
+}
+
 }  // namespace
 
 SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
@@ -84,9 +119,8 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
     if (outlook.vertices_kept) kept += out.vertices.value_or(0) * vertex_record(outlook.facts);
     if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
     out.scratch_worst = worst_scratch(*out.faces, needs) + kept + worst_of_jumping(outlook, plan);
-    out.scratch_expected = expected_scratch(*out.faces, plan, needs) + kept;
-    // A rate measured once for one thread (bench/RESULTS.md), for want of knowing the machine.
-    out.seconds_expected = static_cast<double>(*out.faces) / (2.2e7 * job.threads);
+    foretell(options, plan, needs, context.memory - input.memory(), job.threads, out);
+    *out.scratch_expected += kept;
   }
   return out;
 }

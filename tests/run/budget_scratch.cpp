@@ -53,4 +53,22 @@ TEST_CASE("a coherent scan at a tenth stays far below 40 bytes of scratch a face
   CHECK(report["spilled_bytes"] <= 40 * faces);
 }
 
+TEST_CASE("a dry run foretells the scratch of refinement", "[budget]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", 600'000, input);
+  for (const Words& options :
+       {Words{"--faces", "30k", "--detail", "full"}, Words{"--ratio", "20%", "--detail", "4"}}) {
+    const Words arguments = Words{"simplify", input,     "-o",       directory.file("out.ply"),
+                                  "--json",   "--force", "--memory", smallest_memory(input, options)} +
+                            options;
+    const nlohmann::json plan = winnow_ok(arguments + Words{"--dry-run"}).json();
+    const double peak = winnow_ok(arguments).json()["peak_scratch_bytes"];
+    INFO(joined(options) << " " << plan["scratch_expected"]);
+    CHECK(peak > 10e6);
+    CHECK(plan["scratch_expected"] > peak / 2);
+    CHECK(plan["scratch_expected"] < 2 * peak);
+  }
+}
+
 }  // namespace winnow::test
