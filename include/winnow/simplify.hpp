@@ -164,8 +164,8 @@ struct SimplifyPlan {
   std::optional<std::uint64_t> faces;  // what the header promises, where it does
   std::optional<std::uint64_t> vertices;
   std::optional<std::uint64_t> scratch_worst;  // no input of this size needs more scratch, in bytes
-  // Of a coherent scan, without what a checkpoint keeps; with `cell`, `grid` or an error as if at a tenth of
-  // its faces, for they tell no count.
+  // Of a coherent scan, without what a checkpoint keeps; with `cell` or `grid`, which tell no count, as if at
+  // a tenth of its faces. Nothing, and no seconds, where an error says how far to go.
   std::optional<std::uint64_t> scratch_expected;
   std::optional<double> seconds_expected;  // a rough guess, from rates measured once
 };

@@ -8,14 +8,16 @@ void KeptFaces::add_degenerate() {
   add(degenerate);
 }
 
+std::array<std::uint32_t, 3> KeptFaces::kept(const RawBatch& batch, std::size_t face) {
+  if (batch.status[face] != FaceStatus::good) return degenerate;
+  std::array<std::uint32_t, 3> indices{};
+  std::copy_n(&batch.indices[3 * face], 3, indices.begin());
+  if (indices == degenerate) indices.fill(UINT32_MAX);
+  return indices;
+}
+
 void KeptFaces::add(const RawBatch& batch) {
-  for (std::size_t i = 0; i < batch.count; ++i) {
-    if (batch.status[i] == FaceStatus::good) {
-      add(std::span(batch.indices).subspan(3 * i, 3));
-    } else {
-      add_degenerate();
-    }
-  }
+  for (std::size_t i = 0; i < batch.count; ++i) add(kept(batch, i));
 }
 
 void KeptFaces::restore_status(RawBatch& batch) {

@@ -20,6 +20,8 @@ class KeptFaces {
   // How a face of fewer than three corners is kept: numbers that no three vertices of one face have. The
   // first is of none, see MeshReader's indices.
   static constexpr std::array<std::uint32_t, 3> degenerate{UINT32_MAX, UINT32_MAX - 1, UINT32_MAX - 2};
+  // What is kept of a face; one that names these very numbers, of vertices that there are not, gets others.
+  static std::array<std::uint32_t, 3> kept(const RawBatch& batch, std::size_t face);
   // The status of faces whose indices were kept.
   static void restore_status(RawBatch& batch);
 

@@ -44,7 +44,7 @@ std::optional<SortedFaces::Plan> SortedFaces::plan(std::uint64_t vertices, std::
   return plan;
 }
 
-std::size_t SortedFaces::part_of(const std::uint32_t* face) const {
+std::size_t SortedFaces::part_of(const std::array<std::uint32_t, 3>& face) const {
   const auto [low, high] = std::minmax({face[0], face[1], face[2]});
   const std::size_t part = face[0] >> plan_.part_bits;
   return high - low > plan_.near || part >= plan_.parts - 1 ? plan_.parts - 1 : part;
@@ -58,24 +58,22 @@ void SortedFaces::build(const std::function<bool(RawBatch&)>& next,
   struct Item {
     RawBatch batch;
     std::vector<std::uint32_t> ends;  // of each part, in ...
-    std::vector<Face> sorted;
+    std::vector<Face> given, sorted;
   };
   pipeline<Item>(
       batches_in_flight(job_.threads), [&](Item& item) { return next(item.batch); },
       [&](Item& item) {
         indices(item.batch);
         job_.progress.advance(item.batch.count);
-        std::vector<std::uint32_t>& given = item.batch.indices;
-        for (std::size_t i = 0; i < item.batch.count; ++i) {
-          if (item.batch.status[i] != FaceStatus::good)
-            std::copy(KeptFaces::degenerate.begin(), KeptFaces::degenerate.end(), &given[3 * i]);
-        }
         item.ends.assign(plan_.parts + 1, 0);
-        for (std::size_t i = 0; i < item.batch.count; ++i) ++item.ends[part_of(&given[3 * i]) + 1];
+        item.given.clear();
+        for (std::size_t i = 0; i < item.batch.count; ++i) {
+          item.given.push_back(KeptFaces::kept(item.batch, i));
+          ++item.ends[part_of(item.given.back()) + 1];
+        }
         std::partial_sum(item.ends.begin(), item.ends.end(), item.ends.begin());
-        item.sorted.resize(item.batch.count);
-        for (std::size_t i = 0; i < item.batch.count; ++i)
-          std::copy_n(&given[3 * i], 3, item.sorted[item.ends[part_of(&given[3 * i])]++].begin());
+        item.sorted.resize(item.given.size());
+        for (const Face& face : item.given) item.sorted[item.ends[part_of(face)]++] = face;
         item.batch = {};
       },
       [&](const Item& item) {

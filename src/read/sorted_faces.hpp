@@ -6,6 +6,7 @@
 #include "read/mesh_reader.hpp"
 #include "read/parts.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -42,7 +43,7 @@ class SortedFaces {
   bool next(std::size_t most, RawBatch& batch);
 
  private:
-  [[nodiscard]] std::size_t part_of(const std::uint32_t* face) const;
+  [[nodiscard]] std::size_t part_of(const std::array<std::uint32_t, 3>& face) const;
 
   Job& job_;
   Plan plan_;

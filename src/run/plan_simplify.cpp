@@ -79,11 +79,12 @@ constexpr double clustered_a_second = 2.2e7;
 constexpr double welded_a_second = 2e6;
 constexpr double collapsed_a_second = 3e5;
 
-// Of a coherent scan; at a tenth of its faces where neither a count nor a ratio is given.
+// Of a coherent scan; at a tenth of its faces for a cell or grid. How far an error goes shows only later.
 void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const CellNeeds& needs,
               std::uint64_t memory, unsigned threads, SimplifyPlan& out) {
+  if (options.error || options.relative_error) return;
   const auto faces = static_cast<double>(*out.faces);
-  const std::uint64_t target = target_of(options, *out.faces).value_or(*out.faces / 10);
+  const std::uint64_t target = std::min(*out.faces, target_of(options, *out.faces).value_or(*out.faces / 10));
   out.scratch_expected = expected_scratch(target, plan, needs);
   double seconds = faces / clustered_a_second;
   if (cost_of(options) != Refine::none) {
@@ -120,7 +121,7 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
     if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
     out.scratch_worst = worst_scratch(*out.faces, needs) + kept + worst_of_jumping(outlook, plan);
     foretell(options, plan, needs, context.memory - input.memory(), job.threads, out);
-    *out.scratch_expected += kept;
+    if (out.scratch_expected) *out.scratch_expected += kept;
   }
   return out;
 }

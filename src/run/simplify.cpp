@@ -175,7 +175,9 @@ SimplifyReport resume(Context& context, const Checkpoint& settings) {
   const SimplifyRequest request = checkpoint.request();
   SimplifyReport report;
   if (!checkpoint.is_written(request.output, report)) {
-    if (!request.options.force && std::filesystem::is_regular_file(request.output)) {
+    std::error_code ignored;
+    if (!request.options.force && request.output != "-" &&
+        std::filesystem::is_regular_file(request.output, ignored)) {
       throw Error(
           ErrorKind::usage,
           "'" + request.output + "' exists, and is not what this run wrote; move it away and resume again");

@@ -34,6 +34,8 @@ test::Polygons scattered(test::Random& random, std::size_t faces, std::size_t mo
       face[random.below(face.size())] = random.one_of<std::int64_t>({-1, vertex_count});
     if (random.chance(0.002)) face[0] = static_cast<std::int64_t>(random.below(vertex_count));
     if (random.chance(0.002)) face.resize(random.below(3));
+    // What faces of too few corners are kept as.
+    if (random.chance(0.001)) face.assign(KeptFaces::degenerate.begin(), KeptFaces::degenerate.end());
     mesh.faces.push_back(face);
   }
   return mesh;

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   };
   try {
     winnow::guard_mapped_files();
+    winnow::cli::refuse_empty_values({argv, static_cast<std::size_t>(argc)});
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::Success& asked_for_text) {

@@ -40,12 +40,15 @@ std::string default_scratch(const std::string& output) {
   return temporary != nullptr && *temporary != '\0' ? temporary : "/var/tmp";
 }
 
+[[noreturn]] void refuse_empty_value(const std::string& name) {
+  throw Error(ErrorKind::usage, name + " is empty; give it a value, or leave it out");
+}
+
 // A script's variable that was never set would else be taken for an option that was left out.
 void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::vector<std::string>& values = option->results();
-    if (std::find(values.begin(), values.end(), "") == values.end()) continue;
-    throw Error(ErrorKind::usage, option->get_name() + " is empty; give it a value, or leave it out");
+    if (std::find(values.begin(), values.end(), "") != values.end()) refuse_empty_value(option->get_name());
   }
 }
 
@@ -156,6 +159,13 @@ Encoding OutputOptions::encoding() const {
   if (positions == "float") encoding.positions = Positions::floats;
   if (positions == "double") encoding.positions = Positions::doubles;
   return encoding;
+}
+
+void refuse_empty_values(std::span<char* const> arguments) {
+  for (const std::string_view argument : arguments) {
+    if (argument.starts_with("--") && argument.ends_with('='))
+      refuse_empty_value(std::string(argument.substr(0, argument.size() - 1)));
+  }
 }
 
 void add_commands(CLI::App& app) {

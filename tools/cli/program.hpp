@@ -5,6 +5,7 @@
 #include <winnow/simplify.hpp>
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -77,5 +78,9 @@ void add_convert(CLI::App& app);
 
 // All of them: the whole command line.
 void add_commands(CLI::App& app);
+
+// Throws Error(usage) for "--option=", which the parser would give the next word: an input could become the
+// output.
+void refuse_empty_values(std::span<char* const> arguments);
 
 }  // namespace winnow::cli

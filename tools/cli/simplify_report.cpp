@@ -176,8 +176,10 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
   }
   out << "  the smallest budget that works: " << show_bytes(plan.smallest_memory) << "\n";
   if (plan.scratch_worst) {
-    out << "scratch\n  about " << show_bytes(*plan.scratch_expected)
-        << " for a coherent scan, never more than " << show_bytes(*plan.scratch_worst) << "\n";
+    out << "scratch\n  ";
+    if (plan.scratch_expected)
+      out << "about " << show_bytes(*plan.scratch_expected) << " for a coherent scan, ";
+    out << "never more than " << show_bytes(*plan.scratch_worst) << "\n";
   }
   if (plan.seconds_expected)
     out << "time\n  about " << show_seconds(*plan.seconds_expected) << " where the disk keeps up\n";

@@ -5,4 +5,10 @@ for option in --faces --checkpoint --crop; do
   "$WINNOW" simplify scan.ply -o small.ply --grid 10 "$option" "" 2>&1 || code=$?
   echo "=> $code"
 done
+# Nor may the next word be taken for the value, and an input for the output.
+cp scan.ply other.ply
+code=0
+"$WINNOW" simplify --output= scan.ply other.ply --grid 10 --force 2>&1 || code=$?
+echo "=> $code"
+cmp scan.ply other.ply
 ls
