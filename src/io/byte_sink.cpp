@@ -38,10 +38,6 @@ std::string behind_links(const std::string& path) {
   return target.string();
 }
 
-[[noreturn]] void refuse_existing(const std::string& path) {
-  throw Error(ErrorKind::usage, "'" + path + "' exists; use --force to replace it");
-}
-
 }  // namespace
 
 namespace {
@@ -65,8 +61,12 @@ bool ByteSink::is(const std::string& path, const std::string& identity) {
   return !identity.empty() && ::stat(path.c_str(), &status) == 0 && identity_of(status) == identity;
 }
 
-ByteSink::ByteSink(Job& job, std::string path, bool force)
-    : job_(job), path_(std::move(path)), force_(force) {
+void ByteSink::refuse_existing() const {
+  throw Error(ErrorKind::usage, "'" + path_ + "' exists; " + way_out_);
+}
+
+ByteSink::ByteSink(Job& job, std::string path, bool force, const char* way_out)
+    : job_(job), path_(std::move(path)), force_(force), way_out_(way_out) {
   buffer_.reserve(buffer_bytes);
   if (path_.empty()) throw Error(ErrorKind::usage, "the output's name is empty");
   compressor_ = make_compressor(job_, path_);
@@ -81,7 +81,7 @@ ByteSink::ByteSink(Job& job, std::string path, bool force)
       throw Error(ErrorKind::usage, "'" + path_ + "' is a directory; name a file in it");
     open_straight(S_ISFIFO(status.st_mode));
   } else {
-    if (status.st_nlink != 0 && !force_) refuse_existing(path_);
+    if (status.st_nlink != 0 && !force_) refuse_existing();
     const std::filesystem::path target(path_);
     const std::string prefix = "." + target.filename().string() + ".winnow-";
     if (remove_stale_files(directory_of(path_), prefix) > 0) {
@@ -203,7 +203,7 @@ void ByteSink::finish() {
   if (force_) {
     if (::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);
   } else if (::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
-    if (errno == EEXIST) refuse_existing(path_);
+    if (errno == EEXIST) refuse_existing();
     // Not every file system knows the flag; then a file that appeared meanwhile is replaced.
     if (errno != EINVAL || ::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);
   }

@@ -19,9 +19,10 @@ class ByteSink {
  public:
   // A file's name, or "-" for standard output. A regular file is written aside, in the same directory, and
   // renamed by finish(); what an earlier run that was killed left aside is removed. Anything else is written
-  // straight. An existing regular file is an Error(usage) unless `force`; at once, not at the end. Where the
-  // name ends in .gz or .zst, what is written is compressed.
-  ByteSink(Job& job, std::string path, bool force);
+  // straight. An existing regular file is an Error(usage) unless `force`; at once, not at the end; `way_out`
+  // ends its message. Where the name ends in .gz or .zst, what is written is compressed.
+  ByteSink(Job& job, std::string path, bool force, const char* way_out = by_force);
+  static constexpr const char* by_force = "use --force to replace it";
   ~ByteSink();
   ByteSink(const ByteSink&) = delete;
   ByteSink& operator=(const ByteSink&) = delete;
@@ -40,6 +41,7 @@ class ByteSink {
   [[nodiscard]] std::uint64_t written() const { return written_; }  // before compression
 
  private:
+  [[noreturn]] void refuse_existing() const;
   void open_straight(bool named_pipe);
   void pass_on(std::span<const std::byte> bytes);
   void put(std::span<const std::byte> bytes);
@@ -49,6 +51,7 @@ class ByteSink {
   std::string path_;   // "" for standard output
   std::string aside_;  // the name it is written under meanwhile; "" where it is written straight
   bool force_;
+  const char* way_out_;
   bool pipe_ = false;  // may block for as long as its reader likes
   int fd_ = -1;
   std::unique_ptr<Compressor> compressor_;

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -125,7 +124,9 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
   // Packing, compressing and decompressing take memory of their own; the rest is divided.
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
   const Reservation packing = reserve_block(job, *encoder, !wish_for(options, *encoder).none());
-  ByteSink sink(job, request.output, options.force);
+  // A run that is resumed cannot be told to replace it.
+  ByteSink sink(job, request.output, options.force,
+                checkpoint.opened() ? "move it away and resume again" : ByteSink::by_force);
   std::optional<Input> input;
   if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
   return take_the_road(job, std::move(input), *encoder, sink, request, checkpoint, watch);
@@ -174,16 +175,8 @@ SimplifyReport resume(Context& context, const Checkpoint& settings) {
   SimplifyCheckpoint checkpoint = SimplifyCheckpoint::open(job, settings);
   const SimplifyRequest request = checkpoint.request();
   SimplifyReport report;
-  if (!checkpoint.is_written(request.output, report)) {
-    std::error_code ignored;
-    if (!request.options.force && request.output != "-" &&
-        std::filesystem::is_regular_file(request.output, ignored)) {
-      throw Error(
-          ErrorKind::usage,
-          "'" + request.output + "' exists, and is not what this run wrote; move it away and resume again");
-    }
+  if (!checkpoint.is_written(request.output, report))
     return simplify_with(job, request, std::move(checkpoint));
-  }
   report.resumed.emplace().written = true;
   checkpoint.finish(job);
   report.peak_memory_bytes = peak_resident_bytes();
