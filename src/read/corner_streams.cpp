@@ -3,7 +3,6 @@
 #include "base/pages.hpp"
 #include "base/parallel.hpp"
 #include "read/for_each_batch.hpp"
-#include "read/parts.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -96,15 +95,8 @@ void CornerStreams::sort_by_part(const NextFaces& next, const CornerNumbers& num
         for (const std::uint32_t number : item.given)
           item.sorted[item.begins[number >> plan_.part_bits]++] = number & inside;
       },
-      [&](const Item& item) {
-        // A part's beginning went on to its end.
-        std::uint32_t begin = 0;
-        for (std::size_t part = 0; part < plan_.parts; ++part) {
-          const std::uint32_t end = item.begins[part];
-          buffers.append(part, std::as_bytes(std::span(item.sorted).subspan(begin, end - begin)));
-          begin = end;
-        }
-      });
+      // A part's beginning went on to its end.
+      [&](const Item& item) { buffers.append(item.sorted, item.begins); });
   buffers.finish();
 }
 

@@ -4,6 +4,7 @@
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
 #include "read/packed_records.hpp"
+#include "read/parts.hpp"
 #include "read/vertex_store.hpp"
 
 #include <cstdint>
@@ -43,8 +44,6 @@ class CornerStreams {
 
   CornerStreams(Job& job, const VertexStore& vertices, const Plan& plan);
 
-  // The next faces; false at the end.
-  using NextFaces = std::function<bool(RawBatch&)>;
   // The vertex numbers of a batch's corners, three a face, from any thread.
   using CornerNumbers = std::function<void(const RawBatch&, std::vector<std::uint32_t>&)>;
   // Takes in all faces, `count` if that is known.
@@ -81,8 +80,8 @@ class CornerStreams {
   const VertexStore& vertices_;
   Plan plan_;
   PackedRecords packed_;
-  std::vector<std::unique_ptr<ScratchFile>> numbers_;  // in their parts, until they are looked up
-  std::vector<std::unique_ptr<ScratchFile>> records_;
+  PartFiles numbers_;  // in their parts, until they are looked up
+  PartFiles records_;
   std::vector<std::uint64_t> next_;  // record of each part, in a pass
   Reservation reservation_;
 };

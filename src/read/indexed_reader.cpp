@@ -122,24 +122,21 @@ void IndexedReader::to_indices(RawBatch& batch) const {
 }
 
 bool IndexedReader::next_faces(RawBatch& batch) {
-  if (sorted_ != nullptr) {
-    batch = {};
-    batch.first = next_face_;
-    if (!sorted_->next(memory_.batch_faces, batch)) return false;
-    next_face_ += batch.count;
-    return true;
-  }
-  if (streams_ == nullptr) return next_of_source(batch);
-  if (kept_ == nullptr) {
+  if (sorted_ == nullptr && kept_ == nullptr) {
     if (!next_of_source(batch)) return false;
+    if (streams_ == nullptr) return true;
     to_indices(batch);
   } else {
     batch = {};
     batch.first = next_face_;
-    kept_->read(next_face_, memory_.batch_faces, batch);
+    if (sorted_ != nullptr) {
+      sorted_->next(memory_.batch_faces, batch);
+    } else {
+      kept_->read(next_face_, memory_.batch_faces, batch);
+    }
     next_face_ += batch.count;
   }
-  if (batch.count > 0) streams_->add_records(batch);
+  if (streams_ != nullptr && batch.count > 0) streams_->add_records(batch);
   return batch.count > 0;
 }
 
@@ -169,7 +166,7 @@ void IndexedReader::begin_first_time() {
   constexpr double most_far = 0.01;
   constexpr int stretches = 16;
   constexpr std::size_t first_batches = 4;
-  Locality locality(vertices_, SortedFaces::near_bytes(vertices_.memory_limit()));
+  Locality locality(vertices_, SortedFaces::near(vertices_.layout().stride, vertices_.memory_limit()));
   std::vector<std::uint32_t> numbers;
   RawBatch batch;
   bool anywhere = true;

@@ -70,7 +70,6 @@ class IndexedReader : public MeshReader {
   // Begins the faces, and sorts them or brings their vertices together where that is worth it.
   void begin_first_time();
   // What goes for both: they take in the faces from the first on, by take_in(next).
-  using NextFaces = std::function<bool(RawBatch&)>;
   void take_in(const std::function<void(const NextFaces&)>& build);
   void bring_together(const CornerStreams::Plan& plan);
   void sort(const SortedFaces::Plan& plan);

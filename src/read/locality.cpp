@@ -13,11 +13,10 @@ void Locality::add_stretch(std::span<const std::uint32_t> numbers) {
   // What the first half brings into memory, the second may find there, as it would in the middle of a pass.
   const std::size_t counted_from = numbers.size() / 2 / slice * slice;
   std::set<std::uint64_t> resident;
-  const std::uint64_t apart = near_ / vertices_.layout().stride;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
     const auto [low, high] = std::minmax({numbers[i], numbers[i + 1], numbers[i + 2]});
     ++seen_;
-    far_ += high - low > apart;
+    far_ += high - low > near_;
   }
   for (std::size_t from = 0; from < numbers.size(); from += slice) {
     const auto corners = numbers.subspan(from, std::min(slice, numbers.size() - from));

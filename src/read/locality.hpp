@@ -12,7 +12,7 @@ namespace winnow {
 // vertices: a simulation of what VertexStore::gather() does.
 class Locality {
  public:
-  // `near`: bytes of records by which the vertices of one face may be apart.
+  // `near`: by how much the numbers of the vertices of one face may be apart.
   Locality(const VertexStore& vertices, std::uint64_t near) : vertices_(vertices), near_(near) {}
 
   // Faces that follow each other: three vertex numbers each, which need not be of any.

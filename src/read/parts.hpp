@@ -4,14 +4,19 @@
 #include "base/pages.hpp"
 #include "io/job.hpp"
 #include "io/scratch.hpp"
+#include "read/mesh_reader.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace winnow {
+
+// The next faces; false at the end.
+using NextFaces = std::function<bool(RawBatch&)>;
 
 using PartFiles = std::vector<std::unique_ptr<ScratchFile>>;
 
@@ -30,10 +35,20 @@ class PartBuffers {
  public:
   PartBuffers(Job& job, std::size_t bytes_a_part, PartFiles& files);
 
-  void append(std::size_t part, std::span<const std::byte> bytes);
+  // Records of all parts one after the other, each part's up to its end.
+  template <typename Record>
+  void append(const std::vector<Record>& sorted, const std::vector<std::uint32_t>& ends) {
+    const std::span<const Record> records(sorted);
+    std::uint32_t begin = 0;
+    for (std::size_t part = 0; part < files_.size(); ++part) {
+      append(part, std::as_bytes(records.subspan(begin, ends[part] - begin)));
+      begin = ends[part];
+    }
+  }
   void finish();
 
  private:
+  void append(std::size_t part, std::span<const std::byte> bytes);
   void flush(std::size_t part);
 
   std::size_t bytes_;  // of each part

@@ -21,8 +21,8 @@ static_assert(sizeof(Face) == KeptFaces::bytes_a_face);
 
 }  // namespace
 
-std::uint64_t SortedFaces::near_bytes(std::uint64_t memory) {
-  return memory / 16;
+std::uint64_t SortedFaces::near(std::size_t record_bytes, std::uint64_t memory) {
+  return memory / 16 / record_bytes;
 }
 
 // Faces of one part span the part and twice what is near: together what VertexStore looks up in its mapping
@@ -30,9 +30,9 @@ std::uint64_t SortedFaces::near_bytes(std::uint64_t memory) {
 std::optional<SortedFaces::Plan> SortedFaces::plan(std::uint64_t vertices, std::size_t record_bytes,
                                                    std::uint64_t memory) {
   const std::uint64_t part_bytes = memory / 8;
-  if (vertices == 0 || near_bytes(memory) < record_bytes) return {};
   Plan plan;
-  plan.near = near_bytes(memory) / record_bytes;
+  plan.near = near(record_bytes, memory);
+  if (vertices == 0 || plan.near == 0) return {};
   plan.part_bits = part_bits_for(part_bytes, record_bytes);
   constexpr std::uint64_t usual_part_bytes = std::uint64_t{1} << 20;
   const unsigned usual_bits = part_bits_for(usual_part_bytes, record_bytes);
@@ -50,8 +50,8 @@ std::size_t SortedFaces::part_of(const std::array<std::uint32_t, 3>& face) const
   return high - low > plan_.near || part >= plan_.parts - 1 ? plan_.parts - 1 : part;
 }
 
-void SortedFaces::build(const std::function<bool(RawBatch&)>& next,
-                        const std::function<void(RawBatch&)>& indices, std::uint64_t count) {
+void SortedFaces::build(const NextFaces& next, const std::function<void(RawBatch&)>& indices,
+                        std::uint64_t count) {
   const ProgressMeter::Inner stage(job_.progress, "sort faces", count, "faces");
   files_ = part_files(job_, plan_.parts);
   PartBuffers buffers(job_, plan_.buffer_bytes, files_);
@@ -76,14 +76,8 @@ void SortedFaces::build(const std::function<bool(RawBatch&)>& next,
         for (const Face& face : item.given) item.sorted[item.ends[part_of(face)]++] = face;
         item.batch = {};
       },
-      [&](const Item& item) {
-        // Each beginning went on to its part's end.
-        std::uint32_t begin = 0;
-        for (std::size_t part = 0; part < plan_.parts; ++part) {
-          buffers.append(part, std::as_bytes(std::span(item.sorted).subspan(begin, item.ends[part] - begin)));
-          begin = item.ends[part];
-        }
-      });
+      // Each beginning went on to its part's end.
+      [&](const Item& item) { buffers.append(item.sorted, item.ends); });
   buffers.finish();
 }
 

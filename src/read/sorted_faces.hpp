@@ -27,15 +27,14 @@ class SortedFaces {
   // Nothing where looking up the vertices of a part in `memory` takes more parts than files should be open.
   static std::optional<Plan> plan(std::uint64_t vertices, std::size_t record_bytes, std::uint64_t memory);
 
-  // Vertices of a face that are farther apart than this, in bytes of their records, are not near.
-  static std::uint64_t near_bytes(std::uint64_t memory);
+  // Vertices of a face whose numbers are farther apart than this are not near.
+  static std::uint64_t near(std::size_t record_bytes, std::uint64_t memory);
 
   SortedFaces(Job& job, const Plan& plan) : job_(job), plan_(plan) {}
 
   // Takes in all faces, `count` if that is known: next() gives them as indices or as what `indices` makes
   // such of, on any thread.
-  void build(const std::function<bool(RawBatch&)>& next, const std::function<void(RawBatch&)>& indices,
-             std::uint64_t count);
+  void build(const NextFaces& next, const std::function<void(RawBatch&)>& indices, std::uint64_t count);
 
   // Passes over them, by one thread.
   void begin() { part_ = place_ = 0; }
