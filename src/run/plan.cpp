@@ -8,6 +8,7 @@
 #include "cluster/face_list.hpp"
 #include "cluster/resolution.hpp"
 #include "read/for_each_batch.hpp"
+#include "stitch/collapse_log.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -38,6 +39,10 @@ std::uint64_t per_thread(const CellNeeds& needs) {
 
 std::uint64_t cell_size(const CellNeeds& needs) {
   return needs.quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
+}
+
+std::uint64_t vertex_size(const CellNeeds& needs) {
+  return sizeof(IndexedVertex) + needs.attributes * sizeof(double);
 }
 
 }  // namespace
@@ -103,7 +108,7 @@ std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs) {
   // Three cells a face and the face itself, both twice while runs are merged; a block that does not compress
   // grows by less than a hundredth. Then three vertices and three numbers a face.
   const std::uint64_t runs = 2 * (3 * cell + sizeof(CellFace));
-  const std::uint64_t vertex = sizeof(IndexedVertex) + needs.attributes * sizeof(double);
+  const std::uint64_t vertex = vertex_size(needs);
   return faces * (runs + runs / 100 + 1 + 3 * vertex + 3 * sizeof(std::uint32_t)) + mebibyte;
 }
 
@@ -115,10 +120,19 @@ std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, cons
   // Packed to about seven tenths.
   if (cells * cell * 3 / 2 > plan.cluster.table + plan.cluster.attributes) bytes += cells * cell * 7 / 10;
   if (kept * sizeof(CellFace) > plan.cluster.faces) bytes += kept * sizeof(CellFace) * 7 / 10;
-  const std::uint64_t vertex = sizeof(IndexedVertex) + needs.attributes * sizeof(double);
+  const std::uint64_t vertex = vertex_size(needs);
   if (cells * vertex > plan.cluster.vertices) bytes += cells * vertex;
   if (kept * 12 > plan.cluster.result) bytes += kept * 12;
   return bytes;
+}
+
+std::uint64_t refining_scratch(std::uint64_t faces, const RefineMemory& memory, const CellNeeds& needs) {
+  const std::uint64_t vertices = faces / 2 * vertex_size(needs);
+  const std::uint64_t corners = faces * sizeof(FaceVertices);
+  const std::uint64_t collapses = faces / 2 * CollapseLog::entry_size;
+  std::uint64_t bytes = 0;
+  for (const std::uint64_t part : {vertices, corners}) bytes += part > memory.mesh ? part : 0;
+  return bytes + (collapses > memory.logs ? collapses : 0);
 }
 
 }  // namespace winnow

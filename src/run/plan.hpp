@@ -6,6 +6,7 @@
 #include "cluster/clusterer.hpp"
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
+#include "stitch/refine.hpp"
 
 #include <cstdint>
 
@@ -40,5 +41,8 @@ std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs);
 
 // What clustering a coherent scan to so many faces takes.
 std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, const CellNeeds& needs);
+
+// What refining so many faces takes at its peak: the mesh, and what is collapsed of it.
+std::uint64_t refining_scratch(std::uint64_t faces, const RefineMemory& memory, const CellNeeds& needs);
 
 }  // namespace winnow

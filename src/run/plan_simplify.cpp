@@ -7,8 +7,8 @@
 #include "run/clustering.hpp"
 #include "run/input.hpp"
 #include "run/plan.hpp"
+#include "run/refinement.hpp"
 #include "run/simplify_options.hpp"
-#include "stitch/collapse_log.hpp"
 
 #include <algorithm>
 
@@ -63,17 +63,6 @@ std::uint64_t worst_of_jumping(const InputOutlook& outlook, const MemoryPlan& pl
   return outlook.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
 }
 
-// Scratch that refining so many faces takes at its peak: the mesh, and what is collapsed of it. Of memory it
-// has what refined() gives it.
-std::uint64_t scratch_of_refining(std::uint64_t faces, std::uint64_t memory, std::size_t attributes) {
-  const std::uint64_t vertices = faces / 2 * (sizeof(IndexedVertex) + attributes * sizeof(double));
-  const std::uint64_t corners = faces * sizeof(FaceVertices);
-  const std::uint64_t collapses = faces / 2 * CollapseLog::entry_size;
-  std::uint64_t bytes = 0;
-  for (const std::uint64_t part : {vertices, corners}) bytes += part > memory / 4 ? part : 0;
-  return bytes + (collapses > memory / 8 ? collapses : 0);
-}
-
 // Rates of one thread in faces a second, measured once (bench/RESULTS.md), for want of knowing the machine.
 constexpr double clustered_a_second = 2.2e7;
 constexpr double welded_a_second = 2e6;
@@ -92,7 +81,7 @@ void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const Cell
     if (detail.welded) seconds = faces / welded_a_second;
     if (detail.faces > target) seconds += static_cast<double>(detail.faces - target) / collapsed_a_second;
     out.scratch_expected = std::max(detail.welded ? 0 : expected_scratch(detail.faces, plan, needs),
-                                    scratch_of_refining(detail.faces, memory, needs.attributes));
+                                    refining_scratch(detail.faces, refine_memory(memory), needs));
   }
   out.seconds_expected = seconds / threads;
 }

@@ -26,6 +26,10 @@ const char* name_of(StoppedBy reason) {
 
 }  // namespace
 
+RefineMemory refine_memory(std::uint64_t left) {
+  return {left / 2, left / 8, left / 4, left / 8};
+}
+
 ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
                       CheckpointDirectory* checkpoint, SimplifyReport& report) {
   RefineSettings settings;
@@ -36,10 +40,7 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
   settings.decimation.keep_borders = options.borders == Borders::keep;
   if (clustered.error > 0) settings.decimation.error = clustered.error;
-  // In eighths of what clustering left: four for tiles, two for the mesh that comes out, one each for what
-  // was collapsed and for sorting.
-  const std::uint64_t left = job.budget.left();
-  const RefineMemory memory{left / 2, left / 8, left / 4, left / 8};
+  const RefineMemory memory = refine_memory(job.budget.left());
   RefinedMesh whole{std::move(clustered.mesh), nullptr};
   whole.state = std::move(whole.mesh.quadrics);
   RefineReport done;
