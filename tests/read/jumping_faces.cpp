@@ -48,14 +48,7 @@ void check(const std::string& file, const std::vector<test::SeenFace>& right,
           REQUIRE(difference(test::read_faces(test.job, *reader), right) == "");
           // All corners went through scratch, as numbers and as positions of at least three bytes.
           CHECK(test.job.scratch.written() >= 3 * 7 * right.size());
-          CHECK(test.job.budget.used() <= memory.vertices);
-          const std::uint64_t written = test.job.scratch.written();
-          test::read_positions(test.job, *reader);
-          CHECK(test.job.budget.used() <= memory.vertices);
-          REQUIRE(difference(test::read_faces(test.job, *reader), right) == "");
-          reader->rest();
-          REQUIRE(difference(test::read_faces(test.job, *reader), right) == "");
-          CHECK(test.job.scratch.written() == written);
+          test::check_later_passes(test.job, *reader, memory, right);
         }
         CHECK(test.job.budget.used() == 0);
       }

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <stdexcept>
 
+#include <catch2/catch.hpp>
+
 namespace winnow::test {
 
 namespace {
@@ -78,6 +80,18 @@ std::vector<Point> read_positions(Job& job, MeshReader& reader) {
     for (const auto& part : parts) points.push_back(part.at(i));
   }
   return points;
+}
+
+void check_later_passes(Job& job, MeshReader& reader, const ReaderMemory& memory,
+                        const std::vector<SeenFace>& faces) {
+  const std::uint64_t written = job.scratch.written();
+  CHECK(job.budget.used() <= memory.vertices);
+  read_positions(job, reader);
+  CHECK(job.budget.used() <= memory.vertices);
+  REQUIRE(difference(read_faces(job, reader), faces) == "");
+  reader.rest();
+  REQUIRE(difference(read_faces(job, reader), faces) == "");
+  CHECK(job.scratch.written() == written);
 }
 
 std::vector<SeenFace> faces_of(Job& job, std::unique_ptr<ByteSource> source, const ReadStyle& style) {

@@ -20,6 +20,11 @@ std::vector<SeenFace> read_faces(Job& job, MeshReader& reader);
 // All positions in their order; where there are only faces, corner by corner of each.
 std::vector<Point> read_positions(Job& job, MeshReader& reader);
 
+// After a first pass, which gave `faces`: positions and the same faces come from the scratch that there is,
+// within the memory for vertices.
+void check_later_passes(Job& job, MeshReader& reader, const ReaderMemory& memory,
+                        const std::vector<SeenFace>& faces);
+
 struct ReadStyle {
   Format format = Format::automatic;
   Access access = Access::once;
