@@ -43,24 +43,13 @@ void VertexIndex::finish() {
 }
 
 VertexIndex::Reader::Reader(const VertexIndex& index)
-    : index_(index), recent_(std::size_t{1} << recent_bits) {
+    : index_(index), recent_(std::size_t{1} << recent_bits), blocks_(index.records_, sizeof(IndexedVertex)) {
   for (Found& found : recent_) found.vertex.key = UINT64_MAX;  // no cell has this key
-  if (!index.records_.in_memory()) cache_.resize(reader_blocks);
 }
 
 std::span<const IndexedVertex> VertexIndex::Reader::block(std::uint64_t number) {
-  const std::uint64_t first = number * block_vertices;
-  const std::size_t count = std::min<std::uint64_t>(block_vertices, index_.size_ - first);
-  if (index_.records_.in_memory()) {
-    return {reinterpret_cast<const IndexedVertex*>(index_.records_.data()) + first, count};
-  }
-  Cached& cached = cache_[number % reader_blocks];
-  if (cached.number != number) {
-    cached.vertices.resize(count);
-    index_.records_.read(first * sizeof(IndexedVertex), std::as_writable_bytes(std::span(cached.vertices)));
-    cached.number = number;
-  }
-  return cached.vertices;
+  const std::span<const std::byte> bytes = blocks_.block(number);
+  return {reinterpret_cast<const IndexedVertex*>(bytes.data()), bytes.size() / sizeof(IndexedVertex)};
 }
 
 const VertexIndex::Reader::Found& VertexIndex::Reader::find(CellKey key) {

@@ -4,6 +4,7 @@
 #include "base/morton.hpp"
 #include "base/pages.hpp"
 #include "base/vector.hpp"
+#include "io/recent_blocks.hpp"
 #include "io/spool.hpp"
 
 #include <array>
@@ -36,9 +37,7 @@ class VertexIndex {
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[nodiscard]] const Spool& records() const { return records_; }
 
-  static constexpr std::size_t block_vertices = 256;
-  static constexpr std::size_t reader_blocks = 64;
-  static constexpr std::uint64_t reader_memory = reader_blocks * block_vertices * sizeof(IndexedVertex);
+  static constexpr std::size_t block_vertices = RecentBlocks::records_a_block(sizeof(IndexedVertex));
 
   class Reader {
    public:
@@ -64,11 +63,7 @@ class VertexIndex {
 
     const VertexIndex& index_;
     std::vector<Found> recent_;  // faces come in key order, so their vertices are asked for again soon
-    struct Cached {
-      std::uint64_t number = UINT64_MAX;
-      std::vector<IndexedVertex> vertices;
-    };
-    std::vector<Cached> cache_;  // of blocks in scratch; direct-mapped
+    RecentBlocks blocks_;
   };
 
  private:

@@ -2,12 +2,15 @@
 
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
+#include "io/recent_blocks.hpp"
 #include "io/spool.hpp"
 #include "run/attributes.hpp"
 #include "run/write_mesh.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <optional>
 
 namespace winnow {
 
@@ -58,6 +61,17 @@ struct EncodedBlock {
   std::vector<std::byte> bytes;
 };
 
+// Of one thread.
+struct Readers {
+  Readers(const ClusteredMesh& mesh, const MeshShape& shape) : vertices(*mesh.vertices) {
+    if (!shape.attributes.empty())
+      attributes.emplace(*mesh.attributes, shape.attributes.size() * sizeof(double));
+  }
+
+  VertexIndex::Reader vertices;
+  std::optional<RecentBlocks> attributes;
+};
+
 }  // namespace
 
 Reservation reserve_block(Job& job, const MeshEncoder& encoder, bool attributes) {
@@ -75,8 +89,7 @@ void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, c
     reservations.push_back(std::move(more));
   }
   Spool packed(job, job.budget.left() / 2);
-  PerSlot<VertexIndex::Reader> readers(job.threads,
-                                       [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
+  PerSlot<Readers> slots(job.threads, [&] { return std::make_unique<Readers>(mesh, shape); });
   const std::uint64_t count = (shape.faces + block_faces - 1) / block_faces;
   std::vector<MeshBlock> blocks;
   const Reservation list = job.budget.reserve(count * sizeof(MeshBlock), "the list of blocks");
@@ -94,18 +107,19 @@ void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, c
         const std::uint64_t first = item.number * block_faces;
         const OwnNumbers own = own_numbers(
             faces_of(mesh, first, static_cast<std::size_t>(std::min(block_faces, shape.faces - first))));
-        VertexIndex::Reader& reader = readers.local();
+        Readers& readers = slots.local();
         std::vector<MeshVertex> vertices;
         vertices.reserve(own.vertices.size());
         const std::size_t carried = shape.attributes.size();
         std::vector<double> attributes(carried * own.vertices.size());
         std::span<double> left = attributes;
         for (const std::uint32_t vertex : own.vertices) {
-          vertices.push_back(finished(reader.at(vertex)));
+          vertices.push_back(finished(readers.vertices.at(vertex)));
           if (carried == 0) continue;
           const std::span<double> values = left.first(carried);
           left = left.subspan(carried);
-          mesh.attributes->read(vertex * carried * sizeof(double), std::as_writable_bytes(values));
+          const std::span<const std::byte> record = readers.attributes->record(vertex);
+          std::memcpy(values.data(), record.data(), record.size());
           finish_attributes(shape, values, vertices.back());
         }
         item.bytes.clear();

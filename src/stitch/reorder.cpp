@@ -1,10 +1,13 @@
 #include "stitch/reorder.hpp"
 
+#include "io/recent_blocks.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -78,21 +81,17 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
       list.sort();
       MergedCursor<Moved> merged = merge<Moved>({&list}, runs);
       Appender<IndexedVertex, VertexIndex> append(job, *out.mesh.vertices);
-      std::vector<std::byte> state(state_size);
-      std::vector<std::byte> carried(bytes);
-      const auto copy = [](const Spool& from, std::uint64_t vertex, std::vector<std::byte>& record,
-                           Spool& to) {
-        from.read(vertex * record.size(), record);
-        to.append(record);
-      };
+      std::optional<RecentBlocks> state, carried;
+      if (out.state != nullptr) state.emplace(*whole.state, state_size);
+      if (attributes > 0) carried.emplace(*whole.mesh.attributes, bytes);
       std::uint32_t number = 0;
       for (Moved moved{}; merged.next(moved); ++number) {
         renumbered.add({moved.old_number, number});
         IndexedVertex vertex = reader.at(moved.old_number);
         vertex.key = moved.key;
         append.add(vertex);
-        if (out.state != nullptr) copy(*whole.state, moved.old_number, state, *out.state);
-        if (attributes > 0) copy(*whole.mesh.attributes, moved.old_number, carried, *out.mesh.attributes);
+        if (state) out.state->append(state->record(moved.old_number));
+        if (carried) out.mesh.attributes->append(carried->record(moved.old_number));
       }
       append.flush();
     }
@@ -113,8 +112,9 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
   SortedRuns<OrderedFace> runs(job);
   SortedList<OrderedFace> list(job, list_memory / 2, runs);
   SpoolCursor<FaceVertices> faces(job, *whole.mesh.faces);
+  RecentBlocks new_numbers(numbers, sizeof(std::uint32_t));
   for (FaceVertices face{}; faces.next(face);) {
-    for (std::uint32_t& v : face) v = read_record<std::uint32_t>(numbers, v);
+    for (std::uint32_t& v : face) std::memcpy(&v, new_numbers.record(v).data(), sizeof v);
     list.add({lowest_first(face)});
   }
   whole.mesh.faces.reset();

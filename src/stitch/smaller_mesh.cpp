@@ -3,6 +3,7 @@
 #include "io/spool_records.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 #include <utility>
 
@@ -99,14 +100,15 @@ void SmallerMesh::append(TileRest rest) {
   first_named_.push_back(first_named_.back() + rest.named.size());
 }
 
-std::uint32_t SmallerMesh::new_number(const Tiling& tiling, std::uint32_t old_number) const {
+std::uint32_t SmallerMesh::new_number(const Tiling& tiling, RecentBlocks& named,
+                                      std::uint32_t old_number) const {
   const std::size_t tile = tiling.tile_of(old_number);
   std::uint64_t low = first_named_[tile];
   std::uint64_t high = first_named_[tile + 1];
   NamedVertex found{};
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
-    found = read_record<NamedVertex>(named_, middle);
+    std::memcpy(&found, named.record(middle).data(), sizeof found);
     if (found.old_number == old_number) break;
     if (found.old_number < old_number) {
       low = middle + 1;
@@ -128,6 +130,7 @@ RefinedMesh SmallerMesh::finish(const Tiling& tiling) {
   out_.mesh.faces = std::make_unique<Spool>(job_, memory_ / 4);
   SpoolCursor<FaceVertices> inner(job_, faces_);
   SpoolCursor<SeamFace> seams(job_, seam_faces_);
+  RecentBlocks named(named_, sizeof(NamedVertex));
   FaceVertices face{};
   SeamFace seam{};
   bool more_inner = inner.next(face);
@@ -139,7 +142,7 @@ RefinedMesh SmallerMesh::finish(const Tiling& tiling) {
       more_inner = inner.next(face);
     } else {
       for (std::size_t i = 0; i < 3; ++i) {
-        if ((seam.old_mask >> i & 1) != 0) seam.vertices[i] = new_number(tiling, seam.vertices[i]);
+        if ((seam.old_mask >> i & 1) != 0) seam.vertices[i] = new_number(tiling, named, seam.vertices[i]);
       }
       append.add(seam.vertices);
       more_seams = seams.next(seam);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "decimate/decimation.hpp"
+#include "io/recent_blocks.hpp"
 #include "stitch/tile.hpp"
 
 #include <cstdint>
@@ -47,7 +48,8 @@ class SmallerMesh {
   RefinedMesh finish(const Tiling& tiling);
 
  private:
-  [[nodiscard]] std::uint32_t new_number(const Tiling& tiling, std::uint32_t old_number) const;
+  [[nodiscard]] std::uint32_t new_number(const Tiling& tiling, RecentBlocks& named,
+                                         std::uint32_t old_number) const;
 
   Job& job_;
   std::uint64_t memory_;
