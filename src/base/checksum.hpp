@@ -3,6 +3,7 @@
 
 #include "base/hash.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -15,21 +16,33 @@ namespace winnow {
 // Four sums that do not wait for each other, as in xxHash: as fast as memory is read.
 class Checksum {
  public:
-  // Content may come in parts that are multiples of this, but for the last.
-  static constexpr std::size_t stride = 32;
-
+  // Content in parts of any sizes.
   void add(std::span<const std::byte> bytes) {
     size_ += bytes.size();
-    for (; bytes.size() >= stride; bytes = bytes.subspan(stride)) mix(bytes.data());
+    if (begun_ > 0) {
+      const std::size_t length = std::min(bytes.size(), stride - begun_);
+      std::memcpy(stretch_.data() + begun_, bytes.data(), length);
+      begun_ += length;
+      bytes = bytes.subspan(length);
+      if (begun_ < stride) return;
+      mix(lanes_, stretch_.data());
+      begun_ = 0;
+    }
+    for (; bytes.size() >= stride; bytes = bytes.subspan(stride)) mix(lanes_, bytes.data());
     if (bytes.empty()) return;
-    std::array<std::byte, stride> last{};  // the size tells zeros that were there from these
-    std::memcpy(last.data(), bytes.data(), bytes.size());
-    mix(last.data());
+    std::memcpy(stretch_.data(), bytes.data(), bytes.size());
+    begun_ = bytes.size();
   }
 
   [[nodiscard]] std::uint64_t value() const {
+    Lanes lanes = lanes_;
+    if (begun_ > 0) {
+      std::array<std::byte, stride> last{};  // the size tells zeros that were there from these
+      std::memcpy(last.data(), stretch_.data(), begun_);
+      mix(lanes, last.data());
+    }
     std::uint64_t sum = mixed_hash(size_);
-    for (const std::uint64_t lane : lanes_) sum = mixed_hash(sum ^ lane);
+    for (const std::uint64_t lane : lanes) sum = mixed_hash(sum ^ lane);
     return sum;
   }
 
@@ -40,16 +53,21 @@ class Checksum {
   }
 
  private:
-  void mix(const std::byte* bytes) {
-    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+  static constexpr std::size_t stride = 32;
+  using Lanes = std::array<std::uint64_t, 4>;
+
+  static void mix(Lanes& lanes, const std::byte* bytes) {
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
       std::uint64_t word = 0;
       std::memcpy(&word, bytes + 8 * i, sizeof word);
-      lanes_[i] = quick_hash(std::rotl(lanes_[i] ^ quick_hash(word), 31));
+      lanes[i] = quick_hash(std::rotl(lanes[i] ^ quick_hash(word), 31));
     }
   }
 
-  std::array<std::uint64_t, 4> lanes_{1, 2, 3, 4};
+  Lanes lanes_{1, 2, 3, 4};
   std::uint64_t size_ = 0;
+  std::array<std::byte, stride> stretch_{};  // begun, to be mixed when it is whole
+  std::size_t begun_ = 0;
 };
 
 }  // namespace winnow

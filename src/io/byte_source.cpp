@@ -38,7 +38,7 @@ constexpr std::size_t window_bytes = std::size_t{2} << 20;
 
 class MappedSource final : public ByteSource {
  public:
-  // `keep` holds whatever `path` refers to alive (a nameless scratch file).
+  // `keep` holds whatever `path` refers to alive.
   MappedSource(std::string name, const std::string& path, std::uint64_t size,
                std::shared_ptr<const void> keep)
       : ByteSource(std::move(name), ""),
@@ -47,6 +47,11 @@ class MappedSource final : public ByteSource {
         file_(map_file(path)),
         size_(size),
         ahead_(file_.get_mapping_handle().handle, size) {}
+
+  MappedSource(std::string name, std::shared_ptr<const ScratchFile> file)
+      : MappedSource(std::move(name), file->path(), file->size(), file) {
+    scratch_ = std::move(file);
+  }
 
   Block take(std::size_t bytes) override {
     const std::size_t wanted = std::min<std::uint64_t>(bytes, size_ - position_);
@@ -57,6 +62,7 @@ class MappedSource final : public ByteSource {
       window_ = std::make_shared<MappedWindow>(file_, position_, length);
       start_ = position_;
       ahead_.reached(start_, start_ + length);
+      if (scratch_ != nullptr) scratch_->check(start_, length);
     }
     Block block{{window_->data() + (position_ - start_), wanted}, position_, window_, window_.get()};
     position_ += wanted;
@@ -72,6 +78,7 @@ class MappedSource final : public ByteSource {
     ahead_.start_again();
   }
   [[nodiscard]] std::string map_name() const override { return path_; }
+  [[nodiscard]] std::shared_ptr<const ScratchFile> scratch() const override { return scratch_; }
 
   // The end of a page that the file shrank into reads as zeros and raises no signal: the size has to be
   // asked.
@@ -84,6 +91,7 @@ class MappedSource final : public ByteSource {
  private:
   std::string path_;
   std::shared_ptr<const void> keep_;
+  std::shared_ptr<const ScratchFile> scratch_;  // where it is one
   boost::interprocess::file_mapping file_;
   std::uint64_t size_;
   ReadAhead ahead_;
@@ -209,10 +217,8 @@ std::unique_ptr<ByteSource> copy_to_scratch(Job& job, std::unique_ptr<ByteSource
     file->append(block.bytes);
     job.progress.advance(block.bytes.size());
   }
-  const std::string path = file->path();
-  const std::uint64_t size = file->size();
-  if (size == 0) throw Error(ErrorKind::bad_input, "'" + source->name() + "' is empty");
-  return std::make_unique<MappedSource>(source->name(), path, size, std::move(file));
+  if (file->size() == 0) throw Error(ErrorKind::bad_input, "'" + source->name() + "' is empty");
+  return std::make_unique<MappedSource>(source->name(), std::move(file));
 }
 
 }  // namespace winnow

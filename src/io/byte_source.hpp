@@ -47,6 +47,9 @@ class ByteSource {
   // The name to map the content by; empty where it cannot be mapped.
   [[nodiscard]] virtual std::string map_name() const { return {}; }
 
+  // Where the content was copied to: whoever maps it checks it. Null where it was not.
+  [[nodiscard]] virtual std::shared_ptr<const ScratchFile> scratch() const { return nullptr; }
+
   // Throws Error(bad_input) if the file is shorter than it was when it was opened.
   virtual void check_whole() const {}
 

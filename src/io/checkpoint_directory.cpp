@@ -152,7 +152,7 @@ void CheckpointDirectory::save(const std::string& name, const Spool& spool) {
   const bool kept = !spool.in_memory() && spool.file().keep_as(path);
   std::unique_ptr<DurableFile> copy = kept ? nullptr : std::make_unique<DurableFile>(path);
   Checksum sum;
-  spool.for_each_part(Checksum::stride, [&](std::span<const std::byte> part) {
+  spool.for_each_part(1, [&](std::span<const std::byte> part) {
     job_.progress.check_cancelled();
     sum.add(part);
     if (copy != nullptr) copy->append(part);
@@ -178,7 +178,7 @@ Spool CheckpointDirectory::load(const std::string& name, std::uint64_t memory_li
   Spool spool(job_, memory_limit, std::make_unique<ScratchFile>(job_.scratch, path));
   if (spool.size() != manifest_.number(size_key + name)) damaged_checkpoint(path, "its size does not fit");
   Checksum sum;
-  spool.for_each_part(Checksum::stride, [&](std::span<const std::byte> part) {
+  spool.for_each_part(1, [&](std::span<const std::byte> part) {
     job_.progress.check_cancelled();
     sum.add(part);
   });

@@ -24,8 +24,8 @@ class Journal {
   // The next record of an earlier run; false where there are no more.
   bool next(std::vector<std::byte>& record);
 
-  // After next() has given false. The parts become one record; all but the last are multiples of
-  // Checksum::stride. A second of work at most is lost to a power cut.
+  // After next() has given false. The parts become one record. A second of work at most is lost to a power
+  // cut.
   void append(std::initializer_list<std::span<const std::byte>> parts);
 
  private:

@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::size_t most_plain = std::size_t{1} << 16;  // bytes a block
 
-[[noreturn]] void damaged() {
-  throw Error(ErrorKind::resources,
-              "a scratch file is damaged: a block's checksum does not fit; the disk may be failing");
-}
-
 struct BlockHead {
   std::uint32_t packed, plain;
 };
@@ -35,7 +30,8 @@ struct PackedFile::Encoder {
   std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context{ZSTD_createCCtx(), ZSTD_freeCCtx};
 };
 
-PackedFile::PackedFile(Job& job) : file_(job.scratch), encoder_(std::make_unique<Encoder>()) {
+PackedFile::PackedFile(Job& job)
+    : file_(job.scratch, ScratchFile::Checked::no), encoder_(std::make_unique<Encoder>()) {
   if (encoder_->context == nullptr) throw Error(ErrorKind::resources, "no memory for a zstd encoder");
   ZSTD_CCtx_setParameter(encoder_->context.get(), ZSTD_c_compressionLevel, 1);
   ZSTD_CCtx_setParameter(encoder_->context.get(), ZSTD_c_checksumFlag, 1);
@@ -75,14 +71,14 @@ bool PackedReader::next(std::vector<std::byte>& block) {
   if (at_ == file_.size()) return false;
   BlockHead head{};
   file_.read(at_, std::as_writable_bytes(std::span(&head, 1)));
-  if (head.plain > most_plain || head.packed > ZSTD_COMPRESSBOUND(most_plain)) damaged();
+  if (head.plain > most_plain || head.packed > ZSTD_COMPRESSBOUND(most_plain)) file_.damaged();
   packed_.resize(head.packed);
   file_.read(at_ + sizeof head, packed_);
   at_ += sizeof head + head.packed;
   block.resize(head.plain);
   const std::size_t plain =
       ZSTD_decompressDCtx(decoder(), block.data(), block.size(), packed_.data(), packed_.size());
-  if (plain != block.size()) damaged();
+  if (plain != block.size()) file_.damaged();
   return true;
 }
 

@@ -2,6 +2,8 @@
 
 #include <winnow/error.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -44,6 +46,28 @@ int open_nameless(const std::string& directory) {
 
 Scratch::Scratch(std::string directory) : directory_(directory.empty() ? "." : std::move(directory)) {}
 
+Scratch::~Scratch() = default;
+
+std::uint64_t Scratch::append_shared(std::span<const std::byte> bytes) {
+  const std::scoped_lock lock(sharing_);
+  if (shared_ == nullptr) shared_ = std::make_unique<ScratchFile>(*this, ScratchFile::Checked::no);
+  const std::uint64_t place = shared_->size();
+  shared_->append(bytes);
+  return place;
+}
+
+void Scratch::read_shared(std::uint64_t offset, std::span<std::byte> bytes) {
+  const std::scoped_lock lock(sharing_);
+  shared_->read(offset, bytes);
+}
+
+void Scratch::damaged() const {
+  throw Error(ErrorKind::resources,
+              "scratch in '" + directory_ +
+                  "' is damaged: a checksum does not fit. The disk may be failing; name "
+                  "another directory with --scratch");
+}
+
 void Scratch::count(std::uint64_t bytes) {
   written_ += bytes;
   const std::uint64_t now = in_use_ += bytes;
@@ -66,7 +90,9 @@ unsigned remove_stale_files(const std::string& directory, const std::string& nam
   return removed;
 }
 
-ScratchFile::ScratchFile(Scratch& scratch) : scratch_(scratch), fd_(open_nameless(scratch.directory())) {
+ScratchFile::ScratchFile(Scratch& scratch, Checked checked)
+    : scratch_(scratch), fd_(open_nameless(scratch.directory())) {
+  if (checked == Checked::yes) sums_.emplace(scratch);
   if (fd_ < 0) scratch_error(scratch.directory(), "create", errno);
 }
 
@@ -85,6 +111,7 @@ ScratchFile::~ScratchFile() {
 }
 
 void ScratchFile::append(std::span<const std::byte> bytes) {
+  if (sums_) sums_->append(bytes);
   while (!bytes.empty()) {
     const ssize_t done = ::pwrite(fd_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
     if (done < 0 && errno == EINTR) continue;
@@ -96,6 +123,43 @@ void ScratchFile::append(std::span<const std::byte> bytes) {
 }
 
 void ScratchFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
+  if (!sums_) return read_unchecked(offset, bytes);
+  if (offset + bytes.size() > size_) scratch_error(scratch_.directory(), "read", EIO);
+  constexpr std::size_t block = BlockSums::block_bytes;
+  while (!bytes.empty()) {
+    const std::size_t inside = offset % block;
+    const bool to_end = offset + bytes.size() == size_;
+    const std::size_t whole = inside != 0 ? 0 : to_end ? bytes.size() : bytes.size() / block * block;
+    std::size_t done = whole;
+    if (whole > 0) {
+      read_unchecked(offset, bytes.first(whole));
+      sums_->check(offset, bytes.first(whole));
+    } else {
+      // A part of a block alone.
+      std::array<std::byte, block> around;
+      const std::uint64_t begin = offset - inside;
+      const auto all = std::span(around).first(std::min<std::uint64_t>(block, size_ - begin));
+      read_unchecked(begin, all);
+      sums_->check(begin, all);
+      done = std::min(bytes.size(), all.size() - inside);
+      std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(inside), done, bytes.begin());
+    }
+    offset += done;
+    bytes = bytes.subspan(done);
+  }
+}
+
+void ScratchFile::check(std::uint64_t offset, std::uint64_t bytes) const {
+  std::array<std::byte, 16 * BlockSums::block_bytes> content;
+  for (const std::uint64_t end = std::min(offset + bytes, size_); offset < end;) {
+    const std::size_t length =
+        std::min<std::uint64_t>(content.size() - offset % content.size(), end - offset);
+    read(offset, std::span(content).first(length));
+    offset += length;
+  }
+}
+
+void ScratchFile::read_unchecked(std::uint64_t offset, std::span<std::byte> bytes) const {
   while (!bytes.empty()) {
     const ssize_t done = ::pread(fd_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (done < 0 && errno == EINTR) continue;

@@ -53,7 +53,7 @@ void PlyVertices::read(const PlyElement& element, VertexStore& vertices) {
   const bool fixed = form_ != PlyForm::ascii && element.fixed_size();
   if (fixed && !source_.map_name().empty()) {
     const std::uint64_t bytes = element.count * layout.stride;
-    vertices.map(source_.map_name(), source_.position(), element.count, layout);
+    vertices.map(source_.map_name(), source_.position(), element.count, layout, source_.scratch());
     source_.seek(source_.position() + bytes);
     return;
   }

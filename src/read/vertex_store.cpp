@@ -20,10 +20,12 @@ void VertexStore::ResidentBlocks::reset(std::uint64_t bytes) {
   resident_ = 0;
 }
 
-std::uint64_t VertexStore::ResidentBlocks::touch(std::uint64_t begin, std::uint64_t end) {
+template <typename First>
+std::uint64_t VertexStore::ResidentBlocks::touch(std::uint64_t begin, std::uint64_t end, const First& first) {
   for (std::uint64_t block = begin >> block_bits; block <= end >> block_bits; ++block) {
     if (touched_[block].load(std::memory_order_relaxed) == 0 && touched_[block].exchange(1) == 0) {
       resident_ += std::uint64_t{1} << block_bits;
+      first(block << block_bits, (block + 1) << block_bits);
     }
   }
   return resident_.load(std::memory_order_relaxed);
@@ -46,6 +48,7 @@ void VertexStore::open_mapping(const std::string& path, std::uint64_t offset, st
   watched_ = bytes > memory_limit_;
   resident_limit_ = std::min(bytes, memory_limit_);
   wake();
+  if (!watched_ && scratch_ != nullptr) scratch_->check(offset, bytes);
   if (!watched_) return;
   resident_.reset(bytes);
   fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -53,7 +56,9 @@ void VertexStore::open_mapping(const std::string& path, std::uint64_t offset, st
 }
 
 void VertexStore::map(const std::string& path, std::uint64_t offset, std::uint64_t count,
-                      const VertexLayout& layout) {
+                      const VertexLayout& layout, std::shared_ptr<const ScratchFile> scratch) {
+  copied_ = std::move(scratch);
+  scratch_ = copied_.get();
   count_ = count;
   layout_ = layout;
   if (count > 0) open_mapping(path, offset, count * layout.stride);
@@ -115,7 +120,9 @@ void VertexStore::keep(std::span<const double> xyz, std::span<const double> attr
 
 void VertexStore::finish_keeping() {
   kept_->finish();
-  if (!kept_->in_memory()) open_mapping(kept_->file().path(), 0, kept_->size());
+  if (kept_->in_memory()) return;
+  scratch_ = &kept_->file();
+  open_mapping(scratch_->path(), 0, kept_->size());
 }
 
 namespace {
@@ -198,10 +205,7 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint64_t at = file_offset_ + std::uint64_t{index[corner][i]} * layout_.stride;
-      if (::pread(fd_, record.data(), record.size(), static_cast<off_t>(at)) !=
-          static_cast<ssize_t>(record.size())) {
-        cannot_read(at);
-      }
+      read_at(at, record);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double value =
             load_real(record.data() + layout_.offset[axis], layout_.type[axis], layout_.swapped);
@@ -222,14 +226,20 @@ void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, Verte
     const std::uint64_t begin = range.lowest * layout_.stride;
     const std::uint64_t end = range.highest * layout_.stride + layout_.stride;
     if (too_wide(range)) return gather_by_reading(index, count, out);
-    if (resident_.touch(begin, end) > memory_limit_ / 2) {
-      const std::scoped_lock lock(dropping_);
-      resident_.clear();
-      window_->drop_pages();
-      resident_.touch(begin, end);
-    }
+    touch(begin, end);
   }
   gather_records(window_->data(), layout_, index, count, out);
+}
+
+void VertexStore::touch(std::uint64_t begin, std::uint64_t end) const {
+  const auto check = [this](std::uint64_t from, std::uint64_t to) {
+    if (scratch_ != nullptr) scratch_->check(file_offset_ + from, to - from);
+  };
+  if (resident_.touch(begin, end, check) <= memory_limit_ / 2) return;
+  const std::scoped_lock lock(dropping_);
+  resident_.clear();
+  window_->drop_pages();
+  resident_.touch(begin, end, check);
 }
 
 const std::byte* VertexStore::stretch(std::uint64_t first, std::size_t count) const {
@@ -237,12 +247,7 @@ const std::byte* VertexStore::stretch(std::uint64_t first, std::size_t count) co
   if (window_ == nullptr) return kept_->data() + begin;
   const std::uint64_t end = begin + count * layout_.stride;
   ahead_->reached(file_offset_ + begin, file_offset_ + end);
-  if (watched_ && resident_.touch(begin, end) > memory_limit_ / 2) {
-    const std::scoped_lock lock(dropping_);
-    resident_.clear();
-    window_->drop_pages();
-    resident_.touch(begin, end);
-  }
+  if (watched_) touch(begin, end);
   return window_->data() + begin;
 }
 
@@ -283,14 +288,17 @@ void VertexStore::read_attributes(std::uint64_t first, std::size_t count, std::v
 }
 
 void VertexStore::read_records(std::uint64_t first, std::size_t count, std::byte* out) const {
-  std::uint64_t at = file_offset_ + first * layout_.stride;
-  for (std::size_t left = count * layout_.stride; left > 0;) {
-    const ssize_t done = ::pread(fd_, out, left, static_cast<off_t>(at));
+  read_at(file_offset_ + first * layout_.stride, {out, count * layout_.stride});
+}
+
+void VertexStore::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
+  if (scratch_ != nullptr) return scratch_->read(offset, bytes);
+  while (!bytes.empty()) {
+    const ssize_t done = ::pread(fd_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (done < 0 && errno == EINTR) continue;
-    if (done <= 0) cannot_read(at);
-    out += done;
-    at += static_cast<std::uint64_t>(done);
-    left -= static_cast<std::size_t>(done);
+    if (done <= 0) cannot_read(offset);
+    offset += static_cast<std::uint64_t>(done);
+    bytes = bytes.subspan(static_cast<std::size_t>(done));
   }
 }
 

@@ -48,8 +48,9 @@ class VertexStore {
   VertexStore(const VertexStore&) = delete;
   VertexStore& operator=(const VertexStore&) = delete;
 
-  // Either: records that stand in a file which can be mapped ...
-  void map(const std::string& path, std::uint64_t offset, std::uint64_t count, const VertexLayout& layout);
+  // Either: records that stand in a file which can be mapped (`scratch`: its own, where it is such) ...
+  void map(const std::string& path, std::uint64_t offset, std::uint64_t count, const VertexLayout& layout,
+           std::shared_ptr<const ScratchFile> scratch = nullptr);
 
   // ... or: records handed over one stretch after the other. `attributes`: their types; then come their
   // numbers, as many a vertex.
@@ -106,7 +107,9 @@ class VertexStore {
   class ResidentBlocks {
    public:
     void reset(std::uint64_t bytes);
-    std::uint64_t touch(std::uint64_t begin, std::uint64_t end);  // returns the resident bytes
+    // Calls first(begin, end) for each block that was not resident yet; returns the resident bytes.
+    template <typename First>
+    std::uint64_t touch(std::uint64_t begin, std::uint64_t end, const First& first);
     void clear();
 
    private:
@@ -116,6 +119,8 @@ class VertexStore {
   };
 
   void open_mapping(const std::string& path, std::uint64_t offset, std::uint64_t bytes);
+  void touch(std::uint64_t begin, std::uint64_t end) const;  // of the mapping; lets go of other pages
+  void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;  // of the mapped file
   // Records that are read in order.
   const std::byte* stretch(std::uint64_t first, std::size_t count) const;
   void gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
@@ -127,7 +132,9 @@ class VertexStore {
   VertexLayout layout_;
   bool floats_ = false;
   std::unique_ptr<Spool> kept_;
-  std::vector<std::byte> packed_;  // keep()'s own
+  std::shared_ptr<const ScratchFile> copied_;
+  const ScratchFile* scratch_ = nullptr;  // where the mapped file is one
+  std::vector<std::byte> packed_;         // keep()'s own
   std::unique_ptr<boost::interprocess::file_mapping> file_;
   std::unique_ptr<MappedWindow> window_;
   std::unique_ptr<ReadAhead> ahead_;  // of the mapped file

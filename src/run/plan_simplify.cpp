@@ -1,6 +1,7 @@
 #include <winnow/simplify.hpp>
 
 #include "io/arena.hpp"
+#include "io/block_sums.hpp"
 #include "read/corner_streams.hpp"
 #include "read/kept_faces.hpp"
 #include "run/attributes.hpp"
@@ -108,7 +109,8 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
     if (outlook.vertices_kept) kept += out.vertices.value_or(0) * vertex_record(outlook.facts);
     if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
-    out.scratch_worst = worst_scratch(*out.faces, needs) + kept + worst_of_jumping(outlook, plan);
+    out.scratch_worst =
+        BlockSums::with_sums(worst_scratch(*out.faces, needs) + kept + worst_of_jumping(outlook, plan));
     foretell(options, plan, needs, context.memory - input.memory(), job.threads, out);
     if (out.scratch_expected) *out.scratch_expected += kept;
   }

@@ -1,8 +1,5 @@
 #include "stitch/tried_tiles.hpp"
 
-#include "base/checksum.hpp"
-
-#include <array>
 #include <cstring>
 #include <span>
 
@@ -12,9 +9,7 @@ namespace {
 
 struct Head {
   std::uint64_t edges, frozen;
-  std::array<std::uint64_t, 2> unused;
 };
-static_assert(sizeof(Head) % Checksum::stride == 0 && sizeof(Collapse) % Checksum::stride == 0);
 
 }  // namespace
 
@@ -44,7 +39,7 @@ bool TriedTiles::next(TriedTile& tile) {
 
 void TriedTiles::append(const TriedTile& tile) {
   if (journal_ == nullptr) return;
-  const Head head{tile.edges.size(), tile.frozen, {}};
+  const Head head{tile.edges.size(), tile.frozen};
   journal_->append({std::as_bytes(std::span(&head, 1)), std::as_bytes(std::span(tile.edges)),
                     std::as_bytes(std::span(tile.prices))});
 }

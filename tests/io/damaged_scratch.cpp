@@ -1,57 +1,19 @@
 // A disk that changes bytes is noticed.
+#include "io/byte_source.hpp"
 #include "io/packed_blocks.hpp"
+#include "io/spool.hpp"
 #include "support/job.hpp"
 #include "support/random.hpp"
+#include "support/scratch_files.hpp"
+#include "support/sources.hpp"
 
 #include <optional>
-#include <set>
 
 #include <catch2/catch.hpp>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace winnow {
 
 namespace {
-
-std::set<int> descriptors() {
-  std::set<int> open;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
-    open.insert(std::stoi(entry.path().filename()));
-  }
-  std::erase_if(open, [](int fd) { return ::fcntl(fd, F_GETFD) == -1; });  // that of the list itself
-  return open;
-}
-
-// A scratch file has no name; this finds the descriptor it is behind.
-class Opened {
- public:
-  explicit Opened(const std::set<int>& before) {
-    for (const int fd : descriptors()) {
-      if (before.count(fd) == 0) fd_ = fd;
-    }
-    REQUIRE(fd_ >= 0);
-  }
-
-  [[nodiscard]] std::uint64_t size() const {
-    struct stat status {};
-    ::fstat(fd_, &status);
-    return static_cast<std::uint64_t>(status.st_size);
-  }
-
-  void flip(std::uint64_t byte, unsigned bit) const {
-    unsigned char value = 0;
-    REQUIRE(::pread(fd_, &value, 1, static_cast<off_t>(byte)) == 1);
-    value = static_cast<unsigned char>(value ^ 1U << bit);
-    REQUIRE(::pwrite(fd_, &value, 1, static_cast<off_t>(byte)) == 1);
-  }
-
-  void cut(std::uint64_t size) const { REQUIRE(::ftruncate(fd_, static_cast<off_t>(size)) == 0); }
-
- private:
-  int fd_ = -1;
-};
 
 using Blocks = std::vector<std::vector<std::byte>>;
 
@@ -94,9 +56,9 @@ TEST_CASE("blocks come back as they were appended") {
 TEST_CASE("any changed bit of a scratch file is an error, never other data") {
   test::TestJob test;
   const Blocks blocks = random_blocks(5, 300);
-  const std::set<int> before = descriptors();
+  const std::set<int> before = test::descriptors();
   PackedFile file(test.job);
-  const Opened opened(before);
+  const test::OpenedFile opened(test::opened_since(before).front());
   for (const auto& block : blocks) file.append(block);
   file.finish();
   REQUIRE(read(file) == blocks);
@@ -117,9 +79,9 @@ TEST_CASE("any changed bit of a scratch file is an error, never other data") {
 TEST_CASE("a changed length asks for no more memory than a block has") {
   test::TestJob test;
   const Blocks blocks = random_blocks(2, 300);
-  const std::set<int> before = descriptors();
+  const std::set<int> before = test::descriptors();
   PackedFile file(test.job);
-  const Opened opened(before);
+  const test::OpenedFile opened(test::opened_since(before).front());
   for (const auto& block : blocks) file.append(block);
   file.finish();
   for (const std::uint64_t byte : {3, 7}) {  // the highest byte of the packed and of the plain length
@@ -135,9 +97,9 @@ TEST_CASE("a changed length asks for no more memory than a block has") {
 TEST_CASE("a scratch file that lost its end is an error") {
   test::TestJob test;
   const Blocks blocks = random_blocks(3, 300);
-  const std::set<int> before = descriptors();
+  const std::set<int> before = test::descriptors();
   PackedFile file(test.job);
-  const Opened opened(before);
+  const test::OpenedFile opened(test::opened_since(before).front());
   for (const auto& block : blocks) file.append(block);
   file.finish();
   const std::uint64_t size = opened.size();
@@ -146,6 +108,105 @@ TEST_CASE("a scratch file that lost its end is an error") {
     CAPTURE(lost);
     CHECK_FALSE(read(file));
   }
+}
+
+namespace {
+
+// What stands there, or nothing where reading it failed as it should.
+template <typename Readable>
+std::optional<std::string> read(const Readable& file, std::uint64_t from, std::size_t length) {
+  std::string bytes(length, '?');
+  try {
+    file.read(from, std::as_writable_bytes(std::span(bytes)));
+  } catch (const Error& error) {
+    REQUIRE(error.kind() == ErrorKind::resources);
+    REQUIRE(std::string(error.what()).find("is damaged") != std::string::npos);
+    return {};
+  }
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("whatever is read of a scratch file with a changed bit is right, or an error") {
+  test::Random random(61);
+  for (const std::size_t size :
+       {std::size_t{1}, std::size_t{4095}, std::size_t{4096}, std::size_t{70'001}, std::size_t{2'500'003}}) {
+    const std::string content = random.bytes(size);
+    test::TestJob test;
+    const std::set<int> before = test::descriptors();
+    ScratchFile file(test.job.scratch);
+    std::size_t at = 0;
+    for (const std::size_t part : random.parts(size, 30'000)) {
+      file.append(test::bytes_of(content).subspan(at, part));
+      at += part;
+    }
+    const std::vector<int> opened = test::opened_since(before);
+    // Checksums of the longest are in a file, too.
+    REQUIRE(opened.size() == (size > (std::size_t{1} << 20) ? 2 : 1));
+    for (int round = 0; round < 60; ++round) {
+      const bool of_sums = opened.size() == 2 && round % 4 == 0;
+      const test::OpenedFile damaged(of_sums ? opened.back() : opened.front());
+      const std::uint64_t byte = random.below(damaged.size());
+      const auto bit = static_cast<unsigned>(random.below(8));
+      CAPTURE(size, of_sums, byte, bit);
+      REQUIRE(read(file, 0, size) == content);
+      damaged.flip(byte, bit);
+      CHECK_FALSE(read(file, 0, size));
+      if (!of_sums) CHECK_FALSE(read(file, byte, 1));
+      for (int i = 0; i < 20; ++i) {
+        const std::size_t from = random.below(size + 1);
+        const std::size_t length = random.below(std::min<std::size_t>(size - from, 9'000) + 1);
+        const std::optional<std::string> found = read(file, from, length);
+        REQUIRE((!found || *found == content.substr(from, length)));
+      }
+      damaged.flip(byte, bit);
+    }
+  }
+}
+
+TEST_CASE("a spool that moved to scratch notices a changed bit, one in memory has none") {
+  test::Random random(62);
+  const std::string content = random.bytes(3'000'000);
+  for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1} << 20}) {
+    test::TestJob test;
+    const std::set<int> before = test::descriptors();
+    Spool spool(test.job, limit);
+    spool.append(test::bytes_of(content).first(500'000));
+    spool.append(test::bytes_of(content).subspan(500'000));
+    spool.finish();
+    const test::OpenedFile damaged(test::opened_since(before).front());
+    damaged.flip(1'234'567, 3);
+    CHECK_FALSE(read(spool, 1'234'567, 1));
+    CHECK_FALSE(read(spool, 0, content.size()));
+    CHECK(read(spool, 2'000'000, 1'000) == content.substr(2'000'000, 1'000));
+    CHECK_THROWS_AS(spool.for_each_part(12, [](std::span<const std::byte>) {}), Error);
+  }
+}
+
+TEST_CASE("a copy of a pipe in scratch is mapped, and a changed bit in it noticed all the same") {
+  test::Random random(63);
+  const std::string content = random.bytes(5'000'000);
+  const test::FedPipe pipe(content);
+  test::TestJob test;
+  auto piped = open_source(test.job, pipe.path());
+  const std::set<int> before = test::descriptors();
+  const auto copy = copy_to_scratch(test.job, std::move(piped));
+  const test::OpenedFile damaged(test::opened_since(before).front());
+  const auto walk = [&] {
+    copy->seek(0);
+    std::string all;
+    for (Block block; !(block = copy->take(300'000)).bytes.empty();) all += test::text_of(block.bytes);
+    return all;
+  };
+  CHECK(walk() == content);
+  for (const std::uint64_t byte : {std::uint64_t{0}, std::uint64_t{2'100'000}, content.size() - 1}) {
+    damaged.flip(byte, 5);
+    CAPTURE(byte);
+    CHECK_THROWS_AS(walk(), Error);
+    damaged.flip(byte, 5);
+  }
+  CHECK(walk() == content);
 }
 
 }  // namespace winnow

@@ -5,8 +5,10 @@
 #include "support/job.hpp"
 #include "support/ply_file.hpp"
 #include "support/random.hpp"
+#include "support/scratch_files.hpp"
 
 #include <atomic>
+#include <functional>
 #include <thread>
 
 #include <catch2/catch.hpp>
@@ -97,6 +99,46 @@ TEST_CASE("vertices that are kept are looked up from memory and from scratch") {
       check_lookups(store);
     }
   }
+}
+
+TEST_CASE("a changed bit of vertices that are kept in scratch is noticed however they are looked up") {
+  test::TestJob test;
+  const std::set<int> before = test::descriptors();
+  VertexStore store(test.job, std::uint64_t{1} << 20);
+  keep_all(store, false);
+  const test::OpenedFile damaged(test::opened_since(before).front());
+  // All looks at it alone: what was looked at before is in memory.
+  const auto rested = [&](const auto& look) {
+    store.rest();
+    store.wake();
+    look();
+  };
+  const auto batch = std::make_unique<FaceBatch>();
+  constexpr std::uint32_t v = 200'000;
+  const std::array<std::uint32_t, 2> far{v, 1};
+  const std::vector<std::function<void()>> looks{
+      [&] {
+        store.gather({&v, &v, &v}, {v, v}, 1, *batch);
+      },
+      [&] {
+        store.gather({far.data(), far.data(), far.data()}, {1, v}, 2, *batch);
+      },
+      [&] {
+        std::array<double, 3> xyz{};
+        store.read(v, 1, {&xyz[0], &xyz[1], &xyz[2]});
+      },
+      [&] {
+        std::array<std::byte, 12> record{};
+        store.read_records(v, 1, record.data());
+      },
+      [&] { store.for_each_stretch([](const std::byte*, std::size_t) {}); }};
+  for (const auto& look : looks) CHECK_NOTHROW(rested(look));
+  damaged.flip(12 * std::uint64_t{v} + 5, 2);
+  for (const auto& look : looks) {
+    CHECK(test::error_of([&] { rested(look); }).kind() == ErrorKind::resources);
+  }
+  const std::uint32_t other = 1;
+  CHECK_NOTHROW(store.gather({&other, &other, &other}, {other, other}, 1, *batch));
 }
 
 TEST_CASE("vertices in a mapped file are looked up whatever their records are like") {

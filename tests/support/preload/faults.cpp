@@ -3,7 +3,8 @@
 //   WINNOW_FAULT=CALL NUMBER WHAT [PART]
 // CALL is write (pwrite too), read (pread too), sync, close, rename, link or unlink, or `change`: all but
 // read and close, what alters a disk. The NUMBER-th of those, from 1, on a file whose name has PART in it,
-// fails with the error of number WHAT; where that is 0 the program gets SIGKILL.
+// fails with the error of number WHAT; where that is 0 the program gets SIGKILL. Where WHAT is -1 the call
+// succeeds, but a pwrite brings one wrong bit to the disk.
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -69,7 +70,11 @@ ssize_t write(int fd, const void* bytes, size_t count) {
 
 ssize_t pwrite(int fd, const void* bytes, size_t count, off_t at) {
   static auto* const real = next<ssize_t(int, const void*, size_t, off_t)>("pwrite");
-  return strikes("write", true, name_of(fd)) ? -1 : real(fd, bytes, count, at);
+  if (!strikes("write", true, name_of(fd))) return real(fd, bytes, count, at);
+  if (fault().error != -1) return -1;
+  std::string changed(static_cast<const char*>(bytes), count);
+  changed[count / 2] = static_cast<char>(changed[count / 2] ^ 1 << fault().number % 8);
+  return real(fd, changed.data(), count, at);
 }
 
 ssize_t read(int fd, void* bytes, size_t count) {
