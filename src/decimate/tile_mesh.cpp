@@ -15,9 +15,8 @@ TileMesh::TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces
       mark_(position_.size(), 0),
       live_faces_(face_.size()) {
   // From the back, so that every chain begins with the vertex's lowest face.
-  for (std::uint32_t corner = static_cast<std::uint32_t>(next_.size()); corner-- > 0;) {
-    std::uint32_t& first = first_[face_[corner / 3][corner % 3]];
-    next_[corner] = std::exchange(first, corner);
+  for (FaceNumber f = face_count(); f-- > 0;) {
+    for (std::uint32_t i = 3; i-- > 0;) next(4 * f + i) = std::exchange(first_[face_[f][i]], 4 * f + i);
   }
 }
 
@@ -60,16 +59,16 @@ TileMesh::Meeting TileMesh::meeting(VertexNumber a, VertexNumber b) {
 
 void TileMesh::unlink(VertexNumber v, FaceNumber f) {
   std::uint32_t* link = &first_[v];
-  while (*link / 3 != f) link = &next_[*link];
-  *link = next_[*link];
+  while (face_of(*link) != f) link = &next(*link);
+  *link = next(*link);
 }
 
 unsigned TileMesh::collapse(const Collapse& edge) {
   position_[edge.kept] = edge.position;
   unsigned gone = 0;
   for (std::uint32_t corner = first_[edge.removed]; corner != no_number;) {
-    const FaceNumber f = corner / 3;
-    const std::uint32_t following = next_[corner];
+    const FaceNumber f = face_of(corner);
+    const std::uint32_t following = next(corner);
     FaceVertices& face = face_[f];
     if (has(face, edge.kept)) {
       for (const VertexNumber v : face) {
@@ -78,18 +77,18 @@ unsigned TileMesh::collapse(const Collapse& edge) {
       face[0] = no_number;
       ++gone;
     } else {
-      face[corner % 3] = edge.kept;
+      face[place_in_face(corner)] = edge.kept;
     }
     corner = following;
   }
   // What is left of the chain of `removed`, behind that of `kept`.
   std::uint32_t* end = &first_[edge.kept];
-  while (*end != no_number) end = &next_[*end];
+  while (*end != no_number) end = &next(*end);
   for (std::uint32_t corner = first_[edge.removed]; corner != no_number;) {
-    const std::uint32_t following = next_[corner];
-    if (!removed(corner / 3)) {
+    const std::uint32_t following = next(corner);
+    if (!removed(face_of(corner))) {
       *end = corner;
-      end = &next_[corner];
+      end = &next(corner);
     }
     corner = following;
   }

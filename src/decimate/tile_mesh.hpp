@@ -65,15 +65,15 @@ class TileMesh {
   // each(face) for the faces of `v`.
   template <typename Each>
   void for_each_face(VertexNumber v, const Each& each) const {
-    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next_[corner]) each(corner / 3);
+    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner)) each(face_of(corner));
   }
 
   // each(face, w, x) for the faces v, w, x of `v`, in that winding.
   template <typename Each>
   void for_each_corner(VertexNumber v, const Each& each) const {
-    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next_[corner]) {
-      const FaceNumber f = corner / 3;
-      const std::uint32_t at = corner - 3 * f;
+    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner)) {
+      const FaceNumber f = face_of(corner);
+      const std::uint32_t at = place_in_face(corner);
       const std::uint32_t following = (1U << at) & 3U;  // no branch on what is a toss of three sides
       each(f, face_[f][following], face_[f][3 - at - following]);
     }
@@ -125,6 +125,13 @@ class TileMesh {
   unsigned collapse(const Collapse& edge);
 
  private:
+  // Corner i of face f is 4 f + i, so that no division takes it apart.
+  static FaceNumber face_of(std::uint32_t corner) { return corner >> 2; }
+  static std::uint32_t place_in_face(std::uint32_t corner) { return corner & 3; }
+  static std::size_t place_of(std::uint32_t corner) { return corner - (corner >> 2); }  // 3 f + i
+  [[nodiscard]] std::uint32_t next(std::uint32_t corner) const { return next_[place_of(corner)]; }
+  std::uint32_t& next(std::uint32_t corner) { return next_[place_of(corner)]; }
+
   // The first of so many marks that no vertex has.
   std::uint32_t new_marks(std::uint32_t count);
   void unlink(VertexNumber v, FaceNumber f);
@@ -132,9 +139,8 @@ class TileMesh {
   std::vector<Point> position_;
   std::vector<FaceVertices> face_;
   std::vector<std::uint8_t> locked_;
-  std::vector<std::uint32_t>
-      first_;                        // of each vertex the first of its corners; corner i of face f is 3 f + i
-  std::vector<std::uint32_t> next_;  // of each corner the next of the same vertex
+  std::vector<std::uint32_t> first_;  // of each vertex the first of its corners
+  std::vector<std::uint32_t> next_;   // of each corner the next of the same vertex, three a face
   std::vector<std::uint32_t> mark_;  // which question a vertex was last met by
   std::uint32_t last_mark_ = 0;
   std::vector<VertexNumber> neighbours_;
