@@ -3,16 +3,20 @@
 // A Cost has
 //   Candidate best(v, after)     the cheapest edge that `v` proposes and that comes after `after`
 //   PricedCollapse place(v, partner)   which end of that edge is kept, where it goes, and what that costs now
-//   void collapsing(now)               told that before the collapse
-//   void collapsed(edge, offers)       told after it: offers anew for the vertices whose edges now cost
+//   void collapsing(now)               told that before the collapse; or collapsing(now, star), with its
+//                                      star moved there
+//   void collapsed(edge, offers)       told after it, or with the star as it was: collapsed(edge, star,
+//                                      offers); offers anew for the vertices whose edges now cost
 //   otherwise, or
 //                                      makes their offers stale
 // and may have
-//   double closer_price(now, price)    what place() found, looked at more closely: `price` or more; asked
+//   double closer_price(now, star, price)   what place() found, looked at more closely: `price` or more;
+//   asked
 //                                      before every collapse, of one that is legal
 //   void gave_up(v, offers)            told when everything that `v` proposes was refused
 #pragma once
 
+#include "decimate/edge_star.hpp"
 #include "decimate/legality.hpp"
 #include "decimate/price_queue.hpp"
 #include "decimate/tile_mesh.hpp"
@@ -169,7 +173,8 @@ class Collapser {
         continue;
       }
       const Collapse& edge = now.edge;
-      if (!legality_.keeps_surface(edge.kept, edge.removed) || !legality_.keeps_faces(edge)) {
+      star_.find(mesh_, edge.kept, edge.removed);
+      if (!legality_.keeps_surface(star_) || !legality_.keeps_faces(star_, edge)) {
         // It waits until a collapse beside it makes the vertex offer anew.
         offers_.go_on(v, cost_.best(v, candidate));
         if constexpr (requires { cost_.gave_up(v, offers_); }) {
@@ -177,8 +182,8 @@ class Collapser {
         }
         continue;
       }
-      if constexpr (requires { cost_.closer_price(now, candidate.price); }) {
-        const double price = cost_.closer_price(now, candidate.price);
+      if constexpr (requires { cost_.closer_price(now, star_, candidate.price); }) {
+        const double price = cost_.closer_price(now, star_, candidate.price);
         if (price > candidate.price) {
           offers_.postpone(v, {price, candidate.partner});
           offers_.go_on(v, cost_.best(v, candidate));
@@ -186,10 +191,18 @@ class Collapser {
         }
       }
       highest_ = std::max(highest_, candidate.price);
-      cost_.collapsing(now);
+      if constexpr (requires { cost_.collapsing(now, star_); }) {
+        cost_.collapsing(now, star_);
+      } else {
+        cost_.collapsing(now);
+      }
       const unsigned gone = mesh_.collapse(edge);
       offers_.set(edge.removed, {});
-      cost_.collapsed(edge, offers_);
+      if constexpr (requires { cost_.collapsed(edge, star_, offers_); }) {
+        cost_.collapsed(edge, star_, offers_);
+      } else {
+        cost_.collapsed(edge, offers_);
+      }
       done({edge, highest_, gone, cost_.largest_error()});
     }
   }
@@ -198,6 +211,7 @@ class Collapser {
   TileMesh& mesh_;
   Cost& cost_;
   Legality legality_;
+  EdgeStar star_;
   Offers offers_;
   double highest_ = 0;
 };

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <span>
 
 namespace winnow {
 
@@ -26,26 +26,28 @@ FarthestPoints::FarthestPoints(const TileMesh& mesh) : mesh_(mesh), point_(mesh.
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) point_[v] = mesh.position(v);
 }
 
-double FarthestPoints::price(const Collapse& edge, double price) {
+double FarthestPoints::price(const Collapse& edge, const EdgeStar& star, double price) {
   // As soon as both are this near, no more needs to be known.
   const double near = std::sqrt(price / weight);
   const Point& to = edge.position;
   // What was collapsed into an end lies beside its faces, mostly.
-  const auto square_left = [&](const Point& point, VertexNumber end, VertexNumber other) {
+  using Faces = std::span<const StarFace>;
+  const auto square_left = [&](const Point& point, Faces own, Faces others) {
     double square = square_between(point, to);
-    for (const auto& [moving, gone] : {std::pair{end, other}, std::pair{other, end}}) {
-      mesh_.for_each_corner(moving, [&, gone = gone](FaceNumber, VertexNumber w, VertexNumber x) {
-        if (square <= near || w == gone || x == gone) return;
-        const Triangle face{to, mesh_.position(w), mesh_.position(x)};
-        square = std::min(square, square_between(point, closest_point(point, face)));
-      });
+    for (const Faces faces : {own, others}) {
+      for (const StarFace& face : faces) {
+        if (square <= near) return square;
+        if (!face.stays) continue;
+        const Triangle left{to, mesh_.position(face.w), mesh_.position(face.x)};
+        square = std::min(square, square_between(point, closest_point(point, left)));
+      }
     }
     return square;
   };
   const Point& of_kept = point_[edge.kept];
   const Point& of_removed = point_[edge.removed];
-  const double kept_square = square_left(of_kept, edge.kept, edge.removed);
-  const double removed_square = square_left(of_removed, edge.removed, edge.kept);
+  const double kept_square = square_left(of_kept, star.of_kept(), star.of_removed());
+  const double removed_square = square_left(of_removed, star.of_removed(), star.of_kept());
   const double square = std::max(kept_square, removed_square);
   next_ = kept_square >= removed_square ? of_kept : of_removed;
   return std::max(price, weight * square * square);

@@ -3,6 +3,7 @@
 // one that was far from what took its place. (Klein, Liebich and Strasser 1996 keep all of them.)
 #pragma once
 
+#include "decimate/edge_star.hpp"
 #include "decimate/tile_mesh.hpp"
 
 #include <cstddef>
@@ -19,7 +20,8 @@ class FarthestPoints {
 
   // What it costs that the points of both ends would be so far from the faces left around the collapsed edge:
   // a multiple of the fourth power of the larger distance; `price` where that is not above it.
-  double price(const Collapse& edge, double price);
+  // `star`: the edge's.
+  double price(const Collapse& edge, const EdgeStar& star, double price);
 
   // To be told of the collapse that price() was asked about last, before it is done.
   void collapsing(const Collapse& edge) { point_[edge.kept] = next_; }

@@ -1,16 +1,8 @@
 #include "decimate/legality.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace winnow {
-
-namespace {
-
-// A face this thin, as the sine of an angle, is a line: its normal is made of rounding.
-constexpr double thinnest = 1e-6;
-
-}  // namespace
 
 // Whether the number of faces of some edge at `v` is one that is asked for.
 template <typename Asked>
@@ -32,41 +24,22 @@ bool Legality::at_border(VertexNumber v) {
   return some_edge_has(v, [](std::ptrdiff_t faces) { return faces != 2; });
 }
 
-bool Legality::keeps_surface(VertexNumber a, VertexNumber b) {
-  const TileMesh::Meeting meeting = mesh_.meeting(a, b);
+bool Legality::keeps_surface(const EdgeStar& star) {
+  const TileMesh::Meeting meeting = mesh_.meeting(star.of_kept(), star.removed(), star.of_removed());
   if (meeting.faces == 0 || meeting.common != meeting.faces || meeting.falls_together) return false;
-  if (meeting.faces != 2 || mesh_.all_edges_even(b)) return true;
+  if (meeting.faces != 2 || star.removed_edges_even()) return true;
   const auto open = [](std::ptrdiff_t faces) { return faces == 1; };
-  return !some_edge_has(b, open) || !some_edge_has(a, open);
+  return !some_edge_has(star.removed(), open) || !some_edge_has(star.kept(), open);
 }
 
-bool Legality::turned_too_far(const Triangle& before, const Point& to) const {
-  const Triangle after{to, before[1], before[2]};
-  const Point old_normal = doubled_area(before);
-  const Point new_normal = doubled_area(after);
-  const double new_square = dot(new_normal, new_normal);
-  const Point u = after[1] - after[0];
-  const Point v = after[2] - after[0];
-  const Point w = after[2] - after[1];
-  const double longest = std::max({dot(u, u), dot(v, v), dot(w, w)});
-  if (!(new_square > thinnest * thinnest * longest * longest)) return true;
-  const double old_square = dot(old_normal, old_normal);
-  if (old_square == 0) return false;  // it had no direction to turn from
-  return !(dot(old_normal, new_normal) >= least_cosine_ * std::sqrt(old_square * new_square));
-}
-
-bool Legality::keeps_faces(const Collapse& edge) const {
-  bool good = true;
-  const auto check = [&](VertexNumber moving, VertexNumber other) {
-    const Point from = mesh_.position(moving);
-    mesh_.for_each_corner(moving, [&](FaceNumber, VertexNumber w, VertexNumber x) {
-      if (!good || w == other || x == other) return;
-      good = !turned_too_far({from, mesh_.position(w), mesh_.position(x)}, edge.position);
-    });
-  };
-  check(edge.removed, edge.kept);
-  if (good && edge.position != mesh_.position(edge.kept)) check(edge.kept, edge.removed);
-  return good;
+bool Legality::keeps_faces(EdgeStar& star, const Collapse& edge) const {
+  star.move(mesh_, edge.position, least_cosine_);
+  // Faces that do not move may be as thin as they are.
+  const bool moves = edge.position != mesh_.position(edge.kept);
+  for (std::size_t face = moves ? 0 : star.of_kept().size(); face < star.faces().size(); ++face) {
+    if (star.turned(face)) return false;
+  }
+  return true;
 }
 
 }  // namespace winnow

@@ -1,6 +1,7 @@
 // Whether an edge may be collapsed: what the surface is stays what it is, and no face turns over.
 #pragma once
 
+#include "decimate/edge_star.hpp"
 #include "decimate/tile_mesh.hpp"
 
 #include <vector>
@@ -16,10 +17,10 @@ class Legality {
   // would fold the surface onto itself. An edge between two vertices at borders collapses only if
   // it is of the border itself, which it would pinch otherwise. No edge with more than two faces comes about
   // where there was none. A face whose other two edges are border goes as a whole.
-  [[nodiscard]] bool keeps_surface(VertexNumber a, VertexNumber b);
+  [[nodiscard]] bool keeps_surface(const EdgeStar& star);
 
-  // No face turns by more than the bound or shrinks to a line.
-  [[nodiscard]] bool keeps_faces(const Collapse& edge) const;
+  // No face turns by more than the bound or shrinks to a line. `star`: that of the edge; it is moved there.
+  [[nodiscard]] bool keeps_faces(EdgeStar& star, const Collapse& edge) const;
 
   // Whether some edge at `v` has more or less than two faces.
   [[nodiscard]] bool at_border(VertexNumber v);
@@ -27,8 +28,6 @@ class Legality {
  private:
   template <typename Asked>
   bool some_edge_has(VertexNumber v, const Asked& asked);
-  // The face whose first corner moves.
-  [[nodiscard]] bool turned_too_far(const Triangle& before, const Point& to) const;
 
   TileMesh& mesh_;
   double least_cosine_;

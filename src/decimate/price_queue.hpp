@@ -12,8 +12,8 @@
 
 namespace winnow {
 
-// A heap of four children a node that knows where each vertex stands, so that a price can change. Which of two
-// offers is less is a coin toss, so both are one whole number, compared without branches.
+// A heap of four children a node that knows where each vertex stands, so that a price can change. Which of
+// two offers is less is a coin toss, so both are one whole number, compared without branches.
 class PriceQueue {
  public:
   struct Offer {

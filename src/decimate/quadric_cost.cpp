@@ -16,19 +16,19 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single)
       single_(single) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_border_[v] = !mesh.all_edges_even(v);
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
-    const VertexPlanes planes = planes_of(f, 1);
+    const VertexPlanes planes = planes_of(f);
     for (const VertexNumber v : mesh.face(f)) add(planes_[v], planes);
     if (touches_border(f)) add_border(f, 1);
   }
 }
 
 // Of one face, for each of its corners: a third of the area.
-VertexPlanes QuadricCost::planes_of(FaceNumber f, double sign) const {
+VertexPlanes QuadricCost::planes_of(FaceNumber f) const {
   const Point doubled = doubled_area(mesh_.triangle(f));
   const double square = dot(doubled, doubled);
   VertexPlanes planes;
   if (!(square > 0)) return planes;
-  add(planes, doubled, sign / (6 * std::sqrt(square)));
+  add(planes, doubled, 1 / (6 * std::sqrt(square)));
   return planes;
 }
 
@@ -61,7 +61,7 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
   Candidate cheapest;
   if (mesh_.locked(v)) return cheapest;
   set_low(batch_, mesh_.position(v), planes_[v]);
-  const std::span<const VertexNumber> ends = owned_edges(mesh_, v, ends_);
+  const std::span<const VertexNumber> ends = mesh_.owned_edges(v);
   for (std::size_t first = 0; first < ends.size(); first += EdgeBatch::capacity) {
     const std::size_t count = std::min(EdgeBatch::capacity, ends.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
@@ -77,36 +77,43 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
   return cheapest;
 }
 
-void QuadricCost::collapsing(const PricedCollapse& now) {
+void QuadricCost::collapsing(const PricedCollapse& now, const EdgeStar& star) {
   const VertexNumber kept = now.edge.kept;
   const VertexNumber removed = now.edge.removed;
   farthest_.collapsing(now.edge);
   const double weight = weight_of(planes_[kept]) + weight_of(planes_[removed]);
   if (weight > 0) largest_square_ = std::max(largest_square_, now.price / weight);
-  // Of the faces that go or move, the planes at the vertices around.
-  const auto take_away = [&](FaceNumber f, VertexNumber w, VertexNumber x) {
-    const VertexPlanes planes = planes_of(f, -1);
-    add(planes_[w], planes);
-    add(planes_[x], planes);
-    if (touches_border(f)) add_border(f, -1);
-  };
-  mesh_.for_each_corner(kept, take_away);
-  mesh_.for_each_corner(removed, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
-    if (w != kept && x != kept) take_away(f, w, x);
-  });
+  planes_of_kept_ = {};
+  const auto faces = star.faces();
+  unsigned border = at_border_[kept] | at_border_[removed];
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const VertexPlanes change = star.change(i);
+    add(planes_[faces[i].w], change);
+    add(planes_[faces[i].x], change);
+    add(planes_of_kept_, star.planes(i));
+    border |= static_cast<unsigned>(at_border_[faces[i].w] | at_border_[faces[i].x]);
+  }
+  near_border_ = border != 0;
+  for (std::size_t i = 0; i < faces.size() && near_border_; ++i) {
+    if (touches_border(faces[i].number)) add_border(faces[i].number, -1);
+  }
 }
 
-void QuadricCost::collapsed(const Collapse& edge, Offers& offers) {
+void QuadricCost::collapsed(const Collapse& edge, const EdgeStar& star, Offers& offers) {
   const VertexNumber kept = edge.kept;
+  planes_[kept] = planes_of_kept_;
   at_border_[kept] |= at_border_[edge.removed];
-  planes_[kept] = {};
-  mesh_.for_each_corner(kept, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
-    const VertexPlanes planes = planes_of(f, 1);
-    for (const VertexNumber v : {kept, w, x}) add(planes_[v], planes);
-    if (touches_border(f)) add_border(f, 1);
-  });
+  if (near_border_) {
+    mesh_.for_each_face(kept, [&](FaceNumber f) {
+      if (touches_border(f)) add_border(f, 1);
+    });
+  }
   offers.set(kept, best(kept, Candidate::none_yet()));
-  for (const VertexNumber w : mesh_.neighbours(kept)) offers.make_stale(w);
+  for (const StarFace& face : star.faces()) {
+    for (const VertexNumber w : {face.w, face.x}) {
+      if (w != edge.removed) offers.make_stale(w);
+    }
+  }
 }
 
 }  // namespace winnow

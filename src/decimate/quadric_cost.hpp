@@ -26,18 +26,18 @@ class QuadricCost {
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
   [[nodiscard]] PricedCollapse place(VertexNumber low, VertexNumber high);
-  [[nodiscard]] double closer_price(const PricedCollapse& now, double price) {
-    return farthest_.price(now.edge, price);
+  [[nodiscard]] double closer_price(const PricedCollapse& now, const EdgeStar& star, double price) {
+    return farthest_.price(now.edge, star, price);
   }
-  void collapsing(const PricedCollapse& now);
-  void collapsed(const Collapse& edge, Offers& offers);
+  void collapsing(const PricedCollapse& now, const EdgeStar& star);
+  void collapsed(const Collapse& edge, const EdgeStar& star, Offers& offers);
 
   // The root of the mean squared distance of a vertex from the planes it was collapsed at, the largest there
   // was.
   [[nodiscard]] double largest_error() const { return std::sqrt(largest_square_); }
 
  private:
-  [[nodiscard]] VertexPlanes planes_of(FaceNumber f, double sign) const;
+  [[nodiscard]] VertexPlanes planes_of(FaceNumber f) const;
   [[nodiscard]] bool touches_border(FaceNumber f) const {
     const FaceVertices& face = mesh_.face(f);
     return at_border_[face[0]] + at_border_[face[1]] + at_border_[face[2]] >= 2;
@@ -50,9 +50,10 @@ class QuadricCost {
   std::vector<std::uint8_t> at_border_;  // may be; a vertex that is not is at none
   EdgeKernel price_edges_;
   EdgeBatch batch_{};
-  std::vector<VertexNumber> ends_;
   bool single_;
   double largest_square_ = 0;
+  VertexPlanes planes_of_kept_;  // after the collapse
+  bool near_border_ = false;     // the collapse is
 };
 
 }  // namespace winnow

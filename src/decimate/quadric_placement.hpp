@@ -31,17 +31,4 @@ inline Point lowest_position(const Quadric& quadric, double pull, const Point& l
   return finite(position) ? position : low;
 }
 
-// The edges that belong to `v`, by their other ends, in `list`: every edge belongs to its lower end.
-inline std::span<const VertexNumber> owned_edges(TileMesh& mesh, VertexNumber v,
-                                                 std::vector<VertexNumber>& list) {
-  const std::span<const VertexNumber> neighbours = mesh.neighbours(v);
-  if (list.size() < neighbours.size()) list.resize(neighbours.size());
-  std::size_t count = 0;
-  for (const VertexNumber w : neighbours) {
-    list[count] = w;
-    count += (w > v) & !mesh.locked(w);
-  }
-  return {list.data(), count};
-}
-
 }  // namespace winnow

@@ -30,7 +30,7 @@ PricedCollapse RememberedQuadricCost::place(VertexNumber low, VertexNumber high)
 Candidate RememberedQuadricCost::best(VertexNumber v, const Candidate& after) {
   Candidate cheapest;
   if (mesh_.locked(v)) return cheapest;
-  for (const VertexNumber w : owned_edges(mesh_, v, ends_)) {
+  for (const VertexNumber w : mesh_.owned_edges(v)) {
     const Candidate candidate{place(v, w).price, w};
     if (candidate.price < forbidden && after.before(candidate) && candidate.before(cheapest))
       cheapest = candidate;

@@ -35,7 +35,7 @@ class RememberedQuadricCost {
  private:
   TileMesh& mesh_;
   std::vector<Quadric> quadric_;
-  std::vector<VertexNumber> ring_, ends_;
+  std::vector<VertexNumber> ring_;
   bool single_;
   std::optional<double> error_;
   double largest_square_ = 0;

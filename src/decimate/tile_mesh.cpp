@@ -34,26 +34,34 @@ std::uint32_t TileMesh::new_marks(std::uint32_t count) {
   return last_mark_ - count + 1;
 }
 
-TileMesh::Meeting TileMesh::meeting(VertexNumber a, VertexNumber b) {
+TileMesh::Meeting TileMesh::meeting(std::span<const StarFace> faces_a, VertexNumber b,
+                                    std::span<const StarFace> faces_b) {
   const std::uint32_t of_a = new_marks(3);
   const std::uint32_t of_b = of_a + 1;
   const std::uint32_t of_both = of_a + 2;
-  for_each_corner(a, [&](FaceNumber, VertexNumber w, VertexNumber x) { mark_[w] = mark_[x] = of_a; });
+  for (const StarFace& face : faces_a) mark_[face.w] = mark_[face.x] = of_a;
   Meeting meeting;
-  for_each_corner(b, [&](FaceNumber, VertexNumber w, VertexNumber x) {
-    meeting.faces += static_cast<unsigned>((w == a) | (x == a));
-    for (const VertexNumber neighbour : {w, x}) {
-      const std::uint32_t mark = mark_[neighbour];
-      meeting.common += mark == of_a;
-      mark_[neighbour] = ((mark == of_a) | (mark == of_both)) != 0 ? of_both : of_b;
+  const auto meet = [&](VertexNumber neighbour) {
+    const std::uint32_t mark = mark_[neighbour];
+    meeting.common += mark == of_a;
+    mark_[neighbour] = ((mark == of_a) | (mark == of_both)) != 0 ? of_both : of_b;
+  };
+  for (const StarFace& face : faces_a) {
+    if (face.stays) continue;
+    ++meeting.faces;
+    meet(face.w == b ? face.x : face.w);
+  }
+  for (const StarFace& face : faces_b) {
+    meet(face.w);
+    meet(face.x);
+  }
+  for (const StarFace& face : faces_b) {
+    if ((mark_[face.w] != of_both) | (mark_[face.x] != of_both)) continue;
+    for (const StarFace& other : faces_a) {
+      meeting.falls_together |=
+          (other.w == face.w && other.x == face.x) || (other.w == face.x && other.x == face.w);
     }
-  });
-  for_each_corner(b, [&](FaceNumber, VertexNumber w, VertexNumber x) {
-    if ((mark_[w] != of_both) | (mark_[x] != of_both)) return;
-    for_each_corner(a, [&](FaceNumber, VertexNumber y, VertexNumber z) {
-      meeting.falls_together |= (y == w && z == x) || (y == x && z == w);
-    });
-  });
+  }
   return meeting;
 }
 
@@ -64,36 +72,37 @@ void TileMesh::unlink(VertexNumber v, FaceNumber f) {
 }
 
 unsigned TileMesh::collapse(const Collapse& edge) {
-  position_[edge.kept] = edge.position;
+  const auto [kept, removed, position] = edge;
+  position_[kept] = position;
   unsigned gone = 0;
-  for (std::uint32_t corner = first_[edge.removed]; corner != no_number;) {
-    const FaceNumber f = face_of(corner);
-    const std::uint32_t following = next(corner);
+  std::uint32_t* link = &first_[kept];
+  while (*link != no_number) {
+    const FaceNumber f = face_of(*link);
     FaceVertices& face = face_[f];
-    if (has(face, edge.kept)) {
+    if (has(face, removed)) {
+      *link = next(*link);
       for (const VertexNumber v : face) {
-        if (v != edge.removed) unlink(v, f);
+        if (v != kept && v != removed) unlink(v, f);
       }
       face[0] = no_number;
       ++gone;
     } else {
-      face[place_in_face(corner)] = edge.kept;
+      link = &next(*link);
     }
-    corner = following;
   }
   // What is left of the chain of `removed`, behind that of `kept`.
-  std::uint32_t* end = &first_[edge.kept];
-  while (*end != no_number) end = &next(*end);
-  for (std::uint32_t corner = first_[edge.removed]; corner != no_number;) {
+  for (std::uint32_t corner = first_[removed]; corner != no_number;) {
     const std::uint32_t following = next(corner);
-    if (!removed(face_of(corner))) {
-      *end = corner;
-      end = &next(corner);
+    FaceVertices& face = face_[face_of(corner)];
+    if (face[0] != no_number) {
+      face[place_in_face(corner)] = kept;
+      *link = corner;
+      link = &next(corner);
     }
     corner = following;
   }
-  *end = no_number;
-  first_[edge.removed] = no_number;
+  *link = no_number;
+  first_[removed] = no_number;
   live_faces_ -= gone;
   return gone;
 }

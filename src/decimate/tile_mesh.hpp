@@ -37,6 +37,13 @@ struct Collapse {
   Point position{};  // where `kept` goes
 };
 
+// The face v, w, x of a vertex v, in that winding, around an edge of v.
+struct StarFace {
+  FaceNumber number;
+  VertexNumber w, x;
+  bool stays;  // is not at the edge
+};
+
 class TileMesh {
  public:
   // `locked` vertices, one byte each, belong to faces outside of the tile: they neither move nor go, and no
@@ -87,29 +94,25 @@ class TileMesh {
   }
 
   // The vertices that share a face with `v`, each once; good until the next question about neighbours.
-  // Whether one was met before is a coin toss, so there is no branch on it.
   std::span<const VertexNumber> neighbours(VertexNumber v) {
-    const std::uint32_t mark = new_marks(1);
-    std::size_t count = 0;
-    for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
-      if (neighbours_.size() < count + 2) neighbours_.resize(2 * count + 16);
-      neighbours_[count] = w;
-      count += mark_[w] != mark;
-      mark_[w] = mark;
-      neighbours_[count] = x;
-      count += mark_[x] != mark;
-      mark_[x] = mark;
-    });
-    return {neighbours_.data(), count};
+    return neighbours_that(v, [](VertexNumber) { return true; });
   }
 
-  // How the faces of two vertices meet.
+  // Of these the ones that the edges which belong to `v` lead to: every edge belongs to its lower end, unless
+  // the other is locked.
+  std::span<const VertexNumber> owned_edges(VertexNumber v) {
+    return neighbours_that(v, [this, v](VertexNumber w) { return (w > v) & (locked_[w] == 0); });
+  }
+
+  // How the faces of two vertices `a` and `b` meet.
   struct Meeting {
     unsigned faces = 0;           // at the edge between the two
     unsigned common = 0;          // vertices that share faces with both
     bool falls_together = false;  // a face of one and a face of the other have both other corners in common
   };
-  [[nodiscard]] Meeting meeting(VertexNumber a, VertexNumber b);
+  // All faces of `a`, and those of `b` that are not at the edge.
+  [[nodiscard]] Meeting meeting(std::span<const StarFace> of_a, VertexNumber b,
+                                std::span<const StarFace> of_b);
 
   // Whether every neighbour of `v` is met in an even number of its faces, so that none of its edges has one
   // face. (But for a chance of 2^-64.)
@@ -132,6 +135,22 @@ class TileMesh {
   [[nodiscard]] std::uint32_t next(std::uint32_t corner) const { return next_[place_of(corner)]; }
   std::uint32_t& next(std::uint32_t corner) { return next_[place_of(corner)]; }
 
+  // Whether one was met before is a coin toss, so there is no branch on it.
+  template <typename Wanted>
+  std::span<const VertexNumber> neighbours_that(VertexNumber v, const Wanted& wanted) {
+    const std::uint32_t mark = new_marks(1);
+    std::size_t count = 0;
+    for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+      if (neighbours_.size() < count + 2) neighbours_.resize(2 * count + 16);
+      for (const VertexNumber neighbour : {w, x}) {
+        neighbours_[count] = neighbour;
+        count += static_cast<std::size_t>((mark_[neighbour] != mark) & wanted(neighbour));
+        mark_[neighbour] = mark;
+      }
+    });
+    return {neighbours_.data(), count};
+  }
+
   // The first of so many marks that no vertex has.
   std::uint32_t new_marks(std::uint32_t count);
   void unlink(VertexNumber v, FaceNumber f);
@@ -141,7 +160,7 @@ class TileMesh {
   std::vector<std::uint8_t> locked_;
   std::vector<std::uint32_t> first_;  // of each vertex the first of its corners
   std::vector<std::uint32_t> next_;   // of each corner the next of the same vertex, three a face
-  std::vector<std::uint32_t> mark_;  // which question a vertex was last met by
+  std::vector<std::uint32_t> mark_;   // which question a vertex was last met by
   std::uint32_t last_mark_ = 0;
   std::vector<VertexNumber> neighbours_;
   std::uint64_t live_faces_ = 0;

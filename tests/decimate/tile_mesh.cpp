@@ -1,6 +1,7 @@
 // The chains of a tile's mesh say at any time what a plain list of faces says, also where no surface is.
 #include "decimate/tile_mesh.hpp"
 
+#include "decimate/edge_star.hpp"
 #include "support/random.hpp"
 
 #include <algorithm>
@@ -110,7 +111,10 @@ void check_meetings(TileMesh& mesh, const NaiveMesh& naive) {
           if (met.count(w) != 0) common.insert(w);
         }
       }
-      const TileMesh::Meeting found = mesh.meeting(a, b);
+      EdgeStar star;
+      star.find(mesh, a, b);
+      const TileMesh::Meeting found = mesh.meeting(star.of_kept(), b, star.of_removed());
+      REQUIRE(star.removed_edges_even() == mesh.all_edges_even(b));
       REQUIRE(found.faces == right.faces);
       REQUIRE(found.common == common.size());
       REQUIRE(found.falls_together == right.falls_together);

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "decimate/decimation.hpp"
+#include "support/random.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
 #include <ostream>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -22,6 +24,24 @@ inline std::ostream& operator<<(std::ostream& out, CollapseCost cost) {
 }  // namespace winnow
 
 namespace winnow::test {
+
+// Different faces between few vertices.
+inline std::vector<FaceVertices> random_mesh(Random& random, VertexNumber vertices, std::size_t tries) {
+  std::set<FaceVertices> seen;
+  std::vector<FaceVertices> faces;
+  for (std::size_t i = 0; i < tries; ++i) {
+    FaceVertices face{};
+    // Often beside a face that is there: surfaces, with faults.
+    if (!faces.empty() && random.chance(0.8)) face = random.one_of(faces);
+    face[random.below(3)] = static_cast<VertexNumber>(random.below(vertices));
+    if (faces.empty()) face = {0, 1, 2};
+    FaceVertices sorted = face;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted[0] == sorted[1] || sorted[1] == sorted[2] || !seen.insert(sorted).second) continue;
+    faces.push_back(face);
+  }
+  return faces;
+}
 
 // Corners within a billionth of each other are one vertex.
 inline TileMesh tile_of(const std::vector<Triangle>& triangles, double scale = 1) {

@@ -1,0 +1,61 @@
+#include "decimate/edge_star.hpp"
+
+#include "base/hash.hpp"
+#include "base/instruction_set.hpp"
+
+#include <algorithm>
+
+namespace winnow {
+
+EdgeStar::EdgeStar() : turn_(best_kernel(star_kernel_baseline, star_kernel_avx2, star_kernel_avx512)) {}
+
+void EdgeStar::find(const TileMesh& mesh, VertexNumber kept, VertexNumber removed) {
+  kept_ = kept;
+  removed_ = removed;
+  faces_.clear();
+  mesh.for_each_corner(kept, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
+    faces_.push_back({f, w, x, w != removed && x != removed});
+  });
+  kept_faces_ = faces_.size();
+  mesh.for_each_corner(removed, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
+    if (w != kept && x != kept) faces_.push_back({f, w, x, true});
+  });
+}
+
+bool EdgeStar::removed_edges_even() const {
+  std::uint64_t odd = 0;
+  const auto meet = [&](VertexNumber w, VertexNumber x) { odd ^= mixed_hash(w) ^ mixed_hash(x); };
+  for (const StarFace& face : of_kept()) {
+    if (!face.stays) meet(kept_, face.w == removed_ ? face.x : face.w);
+  }
+  for (const StarFace& face : of_removed()) meet(face.w, face.x);
+  return odd == 0;
+}
+
+void EdgeStar::move(const TileMesh& mesh, const Point& to, double least_cosine) {
+  constexpr std::size_t capacity = StarBatch::capacity;
+  const std::size_t needed = (faces_.size() + capacity - 1) / capacity;
+  if (batches_.size() < needed) batches_.resize(needed);
+  const Point of_kept = mesh.position(kept_);
+  const Point of_removed = mesh.position(removed_);
+  for (std::size_t first = 0; first < faces_.size(); first += capacity) {
+    StarBatch& batch = batches_[first / capacity];
+    std::copy(to.begin(), to.end(), batch.to);
+    const std::size_t count = std::min(capacity, faces_.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const StarFace& face = faces_[first + i];
+      const Point& from = first + i < kept_faces_ ? of_kept : of_removed;
+      const Point& second = mesh.position(face.w);
+      const Point& third = mesh.position(face.x);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        batch.from[axis][i] = from[axis];
+        batch.second[axis][i] = second[axis];
+        batch.third[axis][i] = third[axis];
+      }
+      batch.stays[i] = face.stays ? 1 : 0;
+    }
+    turn_(batch, count, least_cosine);
+  }
+}
+
+}  // namespace winnow

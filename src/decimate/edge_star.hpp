@@ -1,0 +1,56 @@
+// The faces around an edge that is to be collapsed.
+#pragma once
+
+#include "decimate/edge_batch.hpp"
+#include "decimate/kernel/star_kernel.hpp"
+#include "decimate/tile_mesh.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace winnow {
+
+class EdgeStar {
+ public:
+  EdgeStar();
+
+  void find(const TileMesh& mesh, VertexNumber kept, VertexNumber removed);
+
+  [[nodiscard]] VertexNumber kept() const { return kept_; }
+  [[nodiscard]] VertexNumber removed() const { return removed_; }
+
+  // The faces of one end, and those of the other without the ones at the edge, which are told once.
+  [[nodiscard]] std::span<const StarFace> of_kept() const { return std::span(faces_).first(kept_faces_); }
+  [[nodiscard]] std::span<const StarFace> of_removed() const {
+    return std::span(faces_).subspan(kept_faces_);
+  }
+  [[nodiscard]] std::span<const StarFace> faces() const { return faces_; }
+
+  // Whether every neighbour of the removed end is met in an even number of its faces: all_edges_even().
+  [[nodiscard]] bool removed_edges_even() const;
+
+  // What comes of them, in this order, when the ends move there.
+  void move(const TileMesh& mesh, const Point& to, double least_cosine);
+  [[nodiscard]] bool turned(std::size_t face) const { return batch(face).turned[lane(face)] != 0; }
+  [[nodiscard]] VertexPlanes planes(std::size_t face) const { return of(batch(face).planes, lane(face)); }
+  [[nodiscard]] VertexPlanes change(std::size_t face) const { return of(batch(face).change, lane(face)); }
+
+ private:
+  static std::size_t lane(std::size_t face) { return face % StarBatch::capacity; }
+  [[nodiscard]] const StarBatch& batch(std::size_t face) const {
+    return batches_[face / StarBatch::capacity];
+  }
+  static VertexPlanes of(const double (&sums)[6][StarBatch::capacity], std::size_t at) {
+    return {sums[0][at], sums[1][at], sums[2][at], sums[3][at], sums[4][at], sums[5][at]};
+  }
+
+  VertexNumber kept_ = no_number, removed_ = no_number;
+  std::vector<StarFace> faces_;
+  std::size_t kept_faces_ = 0;
+  StarKernel turn_;
+  std::vector<StarBatch> batches_;
+};
+
+}  // namespace winnow

@@ -1,0 +1,74 @@
+// Compiled once for each instruction set, with WINNOW_KERNEL naming it (src/CMakeLists.txt).
+#include "decimate/kernel/star_kernel.hpp"
+
+#define WINNOW_JOIN2(a, b) a##b
+#define WINNOW_JOIN(a, b) WINNOW_JOIN2(a, b)
+
+namespace winnow {
+
+namespace {
+
+// A face this thin, as the sine of an angle, is a line: its normal is made of rounding.
+constexpr double thinnest = 1e-6;
+
+double larger(double a, double b) {
+  return a > b ? a : b;
+}
+
+void turn(StarBatch& batch, std::size_t end, double least_cosine) {
+  const double tx = batch.to[0], ty = batch.to[1], tz = batch.to[2];
+  for (std::size_t i = 0; i < end; ++i) {
+    const double fx = batch.from[0][i], fy = batch.from[1][i], fz = batch.from[2][i];
+    const double wx = batch.second[0][i], wy = batch.second[1][i], wz = batch.second[2][i];
+    const double xx = batch.third[0][i], xy = batch.third[1][i], xz = batch.third[2][i];
+    // Doubled areas along the normals, before ...
+    const double ax = wx - fx, ay = wy - fy, az = wz - fz;
+    const double bx = xx - fx, by = xy - fy, bz = xz - fz;
+    const double mx = ay * bz - az * by, my = az * bx - ax * bz, mz = ax * by - ay * bx;
+    // ... and after.
+    const double ux = wx - tx, uy = wy - ty, uz = wz - tz;
+    const double vx = xx - tx, vy = xy - ty, vz = xz - tz;
+    const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    const double old_square = mx * mx + my * my + mz * mz;
+    const double new_square = nx * nx + ny * ny + nz * nz;
+
+    const double ex = xx - wx, ey = xy - wy, ez = xz - wz;
+    const double longest =
+        larger(larger(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz), ex * ex + ey * ey + ez * ez);
+    const double cosine = mx * nx + my * ny + mz * nz;
+    const bool line = !(new_square > thinnest * thinnest * longest * longest);
+    // What had no direction has none to turn from.
+    const bool far = !(cosine >= least_cosine * __builtin_sqrt(old_square * new_square));
+    const bool stays = batch.stays[i] != 0;
+    batch.turned[i] = stays & (line | (far & (old_square != 0))) ? 1.0 : 0.0;
+
+    const double old_inverse = 1 / (6 * __builtin_sqrt(old_square));
+    const double new_inverse = 1 / (6 * __builtin_sqrt(new_square));
+    const double p = old_square > 0 ? old_inverse : 0.0;
+    const double q = stays & (new_square > 0) ? new_inverse : 0.0;
+    const double pxx = p * mx * mx, pxy = p * mx * my, pxz = p * mx * mz;
+    const double pyy = p * my * my, pyz = p * my * mz, pzz = p * mz * mz;
+    const double qxx = q * nx * nx, qxy = q * nx * ny, qxz = q * nx * nz;
+    const double qyy = q * ny * ny, qyz = q * ny * nz, qzz = q * nz * nz;
+    batch.planes[0][i] = qxx;
+    batch.planes[1][i] = qxy;
+    batch.planes[2][i] = qxz;
+    batch.planes[3][i] = qyy;
+    batch.planes[4][i] = qyz;
+    batch.planes[5][i] = qzz;
+    batch.change[0][i] = qxx - pxx;
+    batch.change[1][i] = qxy - pxy;
+    batch.change[2][i] = qxz - pxz;
+    batch.change[3][i] = qyy - pyy;
+    batch.change[4][i] = qyz - pyz;
+    batch.change[5][i] = qzz - pzz;
+  }
+}
+
+}  // namespace
+
+void WINNOW_JOIN(star_kernel_, WINNOW_KERNEL)(StarBatch& batch, std::size_t count, double least_cosine) {
+  turn(batch, (count + star_kernel_lanes - 1) / star_kernel_lanes * star_kernel_lanes, least_cosine);
+}
+
+}  // namespace winnow

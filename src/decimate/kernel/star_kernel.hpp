@@ -1,0 +1,34 @@
+// How the faces around an edge turn when it is collapsed, and the planes that they are in, for quadrics. As
+// edge_kernel.hpp: compiled once for each instruction set, the same results from all, and no function may be
+// defined here.
+#pragma once
+
+#include <cstddef>
+
+namespace winnow {
+
+// Faces of which one corner moves, one array for each number.
+struct StarBatch {
+  static constexpr std::size_t capacity = 16;
+
+  double to[3];                                    // where the corners go
+  double from[3][capacity];                        // where each is
+  double second[3][capacity], third[3][capacity];  // the corners that stay, in their winding
+  double stays[capacity];                          // 1, or 0 for a face that goes
+
+  // Results. Of the plane n, as long as 1, of each face that stays a third of its area * n n' (xx, xy, xz,
+  // yy, yz, zz; zeros where it has no area), and how much that is more than the same of the face as it was.
+  double planes[6][capacity], change[6][capacity];
+  double turned[capacity];  // 1 where a face turns too far, or becomes a line; else 0
+};
+
+// Of the first `count` faces; results of those behind, up to the next multiple of `star_kernel_lanes`, are
+// without meaning. `least_cosine`: of the angle that a face may turn by.
+using StarKernel = void (*)(StarBatch& batch, std::size_t count, double least_cosine);
+inline constexpr std::size_t star_kernel_lanes = 8;
+
+void star_kernel_baseline(StarBatch& batch, std::size_t count, double least_cosine);
+void star_kernel_avx2(StarBatch& batch, std::size_t count, double least_cosine);
+void star_kernel_avx512(StarBatch& batch, std::size_t count, double least_cosine);
+
+}  // namespace winnow
