@@ -16,12 +16,13 @@ double full_component(ScalarType type) {
 }
 
 double mean_of_stored(const Attribute& attribute, double stored) {
-  if (attribute.kind != AttributeKind::color) return stored;
-  return light_of_component(stored / full_component(attribute.type));
+  if (!is_color(attribute)) return stored;
+  const double component = stored / full_component(attribute.type);
+  return attribute.kind == AttributeKind::light ? component : light_of_component(component);
 }
 
 double stored_of_mean(const Attribute& attribute, double mean) {
-  if (attribute.kind != AttributeKind::color) return mean;
+  if (!is_color(attribute)) return mean;
   return component_of_light(mean) * full_component(attribute.type);
 }
 

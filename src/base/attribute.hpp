@@ -15,9 +15,10 @@ namespace winnow {
 
 // What the mean of several values is.
 enum class AttributeKind {
-  value,  // that of the numbers
-  color,  // that of the light: a component as sRGB has it, whole numbers from 0 to the type's highest
-  normal  // that of the vectors, as long as 1: nx, ny and nz, all three
+  value,   // that of the numbers
+  color,   // that of the light: a component as sRGB has it, whole numbers from 0 to the type's highest
+  normal,  // that of the vectors, as long as 1: nx, ny and nz, all three
+  light    // that of the numbers, which are of light already, from 0 to the type's highest; a color elsewhere
 };
 
 // One number a vertex, as the input has it and the output gets it.
@@ -62,7 +63,13 @@ inline bool carries_normals(std::span<const Attribute> attributes) {
 // The number that stands for all of a colour's component.
 double full_component(ScalarType type);
 
-// From the number in a file to that whose means are taken, and back; back, it is still to be rounded.
+// Whether it is a component of one, in whatever form.
+inline bool is_color(const Attribute& attribute) {
+  return attribute.kind == AttributeKind::color || attribute.kind == AttributeKind::light;
+}
+
+// From the number in a file to that whose means are taken, and from there to what is written, still to be
+// rounded: of light, too, that is a colour as sRGB has it.
 double mean_of_stored(const Attribute& attribute, double stored);
 double stored_of_mean(const Attribute& attribute, double mean);
 

@@ -22,7 +22,7 @@ AttributeScale::AttributeScale(const Attribute& attribute, double largest) : att
     up_[i] = std::ldexp(1, half[i]);
     down_[i] = std::ldexp(1, -half[i]);
   }
-  if (attribute.kind != AttributeKind::color || !is_integer(attribute.type)) return;
+  if (!is_color(attribute) || !is_integer(attribute.type)) return;
   table_.resize(std::size_t{1} << (8 * size_of(attribute.type)));
   for (std::size_t i = 0; i < table_.size(); ++i)
     table_[i] = scaled(mean_of_stored(attribute, static_cast<double>(i)));

@@ -27,7 +27,7 @@ class AttributeScale {
       const bool there = stored >= 0 && stored < static_cast<double>(table_.size());
       return there ? table_[static_cast<std::size_t>(stored)] : not_finite;
     }
-    return scaled(attribute_.kind == AttributeKind::color ? mean_of_stored(attribute_, stored) : stored);
+    return scaled(is_color(attribute_) ? mean_of_stored(attribute_, stored) : stored);
   }
 
   // The mean of fixed numbers whose weighted sum this is; `weight` is not 0.

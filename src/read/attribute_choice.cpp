@@ -36,6 +36,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 // Kinds go by what programs call their properties.
 AttributeKind kind_of(const Attribute& attribute, const std::vector<Attribute>& all) {
+  if (attribute.kind == AttributeKind::light) return attribute.kind;
   const auto offered = [&](std::string_view name) {
     return std::any_of(all.begin(), all.end(), [&](const Attribute& a) { return a.name == name; });
   };
@@ -128,15 +129,20 @@ AttributeOffer common_offer(const std::vector<AttributeOffer>& offers) {
   };
   for (const AttributeOffer& offer : offers) {
     for (const Attribute& attribute : offer.scalars) {
-      const bool everywhere = std::all_of(offers.begin(), offers.end(), [&](const AttributeOffer& other) {
-        return std::any_of(other.scalars.begin(), other.scalars.end(), [&](const Attribute& one) {
+      bool everywhere = true;
+      bool light = true;
+      for (const AttributeOffer& other : offers) {
+        const auto same = std::find_if(other.scalars.begin(), other.scalars.end(), [&](const Attribute& one) {
           return one.name == attribute.name && one.type == attribute.type;
         });
-      });
+        everywhere = everywhere && same != other.scalars.end();
+        light = light && everywhere && same->kind == AttributeKind::light;
+      }
       if (!everywhere) {
         add_new(common.not_common, attribute.name);
       } else if (&offer == offers.data()) {
-        common.scalars.push_back(attribute);
+        common.scalars.push_back(
+            {attribute.name, attribute.type, light ? AttributeKind::light : AttributeKind::value});
       }
     }
     for (const std::string& name : offer.lists) add_new(common.lists, name);
@@ -157,14 +163,20 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
   const bool whole_normals =
       !wish.names || std::all_of(normal_names.begin(), normal_names.end(),
                                  [&](std::string_view name) { return among(wanted, name); });
-  Dropped dropped;
+  std::vector<Attribute> asked;
+  std::vector<std::size_t> scalars;
   for (std::size_t i = 0; i < offer.scalars.size(); ++i) {
-    Attribute attribute = offer.scalars[i];
-    if (wish.names && !among(wanted, attribute.name)) continue;
+    if (wish.names && !among(wanted, offer.scalars[i].name)) continue;
+    Attribute& attribute = asked.emplace_back(offer.scalars[i]);
     attribute.kind = kind_of(attribute, offer.scalars);
     if (attribute.kind == AttributeKind::normal && !whole_normals) attribute.kind = AttributeKind::value;
+    scalars.push_back(i);
+  }
+  Dropped dropped;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const Attribute& attribute = asked[i];
     std::string refusal;
-    if (wish.refusal) refusal = wish.refusal(attribute);
+    if (wish.refusal) refusal = wish.refusal(attribute, asked);
     if (refusal.empty() && wish.averaged && !wish.names && among(texture_names, attribute.name))
       refusal = "texture coordinates, which have seams:";
     if (refusal.empty() && choice.carried.size() == most_attributes) {
@@ -178,8 +190,8 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
       dropped.add(refusal, attribute.name);
       continue;
     }
-    choice.carried.push_back(std::move(attribute));
-    choice.scalar.push_back(i);
+    choice.carried.push_back(attribute);
+    choice.scalar.push_back(scalars[i]);
   }
   // Nor where one was too many.
   const auto normals = std::count_if(choice.carried.begin(), choice.carried.end(),

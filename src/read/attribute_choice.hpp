@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,9 @@ struct AttributeWish {
   // Names of properties; "normals" and "colors" stand for those of normals and colours. Nothing: whatever has
   // a meaningful mean. Empty: none.
   std::optional<std::vector<std::string>> names{std::vector<std::string>{}};
-  // Why the output cannot have an attribute, in words that its name follows; empty where it can. May be
-  // unset.
-  std::function<std::string(const Attribute&)> refusal;
+  // Why the output cannot have an attribute that is one of those `wanted`, in words that its name follows;
+  // empty where it can. May be unset.
+  std::function<std::string(const Attribute&, std::span<const Attribute> wanted)> refusal;
 
   // Whether their means are taken; where not, texture coordinates are as good as others.
   bool averaged = true;
@@ -28,7 +29,8 @@ struct AttributeWish {
 
 // What an input offers.
 struct AttributeOffer {
-  std::vector<Attribute> scalars;       // properties of vertices, without the position; their kinds are open
+  // Properties of vertices, without the position. Their kinds are open, but for light, which no name tells.
+  std::vector<Attribute> scalars;
   std::vector<std::string> lists;       // of vertices
   std::vector<std::string> of_faces;    // properties of faces, without the indices
   std::vector<std::string> of_nothing;  // other elements
@@ -37,7 +39,7 @@ struct AttributeOffer {
 };
 
 // What several inputs offer together: scalars that all have under one name and of one type, in the order of
-// the first; of everything else whatever any has.
+// the first, as light where all say so; of everything else whatever any has.
 AttributeOffer common_offer(const std::vector<AttributeOffer>& offers);
 
 struct AttributeChoice {

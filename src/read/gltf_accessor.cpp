@@ -46,24 +46,39 @@ bool is_index(GltfType type) {
 
 }  // namespace
 
-GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor,
-                           unsigned components, std::string name)
+// Whole numbers of normals and colours are normalized, by the specification; some programs forget to say so.
+GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor, GltfUse use,
+                           std::string name)
     : bytes_(bytes),
       document_(document),
       accessor_(document.accessors[accessor]),
-      components_(components),
-      normalized_(accessor_.normalized && components == 3),
+      normalized_(use == GltfUse::positions ? accessor_.normalized : use != GltfUse::indices),
       name_(std::move(name)) {
-  if (accessor_.components != components) fail("an accessor is of the wrong type for what it is used for");
-  if (components == 1 && !is_index(accessor_.type)) fail("indices are no unsigned integers");
-  if (components == 3 && accessor_.type == GltfType::uint32)
-    fail("positions are 32-bit integers, which is not allowed");
+  check(use);
   const auto& sparse = accessor_.sparse;
   if (sparse && !is_index(sparse->index_type)) fail("sparse indices are no unsigned integers");
   if (sparse && sparse->count > accessor_.count) fail("an accessor has more sparse elements than elements");
   // Zeros without end from a few bytes: nobody means that.
   if (!accessor_.base && accessor_.count > (sparse ? 1024 * sparse->count : 0) + 1024)
     fail("an accessor has no data");
+}
+
+// What the specification and KHR_mesh_quantization allow.
+void GltfElements::check(GltfUse use) const {
+  const GltfType type = accessor_.type;
+  const unsigned wanted = use == GltfUse::indices ? 1 : 3;
+  if (accessor_.components != wanted && !(use == GltfUse::colors && accessor_.components == 4))
+    fail("an accessor is of the wrong type for what it is used for");
+  if (use == GltfUse::indices && !is_index(type)) fail("indices are no unsigned integers");
+  if (use == GltfUse::positions && type == GltfType::uint32)
+    fail("positions are 32-bit integers, which is not allowed");
+  const bool real = type == GltfType::float32;
+  if (use == GltfUse::normals && !real && type != GltfType::int8 && type != GltfType::int16)
+    fail("normals are neither floats nor signed integers of 8 or 16 bits; --attributes none leaves them out");
+  if (use == GltfUse::colors && !real && type != GltfType::uint8 && type != GltfType::uint16)
+    fail(
+        "colours are neither floats nor unsigned integers of 8 or 16 bits; --attributes none leaves them "
+        "out");
 }
 
 void GltfElements::fail(const std::string& what) const {
@@ -95,9 +110,9 @@ std::span<const double> GltfElements::next() {
   if (count == 0) return {};
   if (accessor_.base) {
     const std::uint64_t stride = document_.views[accessor_.base->view].stride;
-    read(*accessor_.base, {accessor_.type, components_, normalized_, stride}, next_, count, values_);
+    read(*accessor_.base, {accessor_.type, accessor_.components, normalized_, stride}, next_, count, values_);
   } else {
-    values_.assign(count * components_, 0.0);
+    values_.assign(count * accessor_.components, 0.0);
   }
   if (accessor_.sparse) change();
   next_ += count;
@@ -106,13 +121,14 @@ std::span<const double> GltfElements::next() {
 
 void GltfElements::change() {
   const GltfSparse& sparse = *accessor_.sparse;
-  const std::uint64_t end = next_ + values_.size() / components_;
+  const std::uint64_t end = next_ + values_.size() / accessor_.components;
   for (; changed_ < sparse.count; ++changed_) {
     if (changed_ >= changes_from_ + change_indices_.size()) {
       changes_from_ = changed_;
       const std::size_t count = std::min<std::uint64_t>(at_once, sparse.count - changed_);
       read(sparse.indices, {sparse.index_type, 1}, changed_, count, change_indices_);
-      read(sparse.values, {accessor_.type, components_, normalized_}, changed_, count, change_values_);
+      read(sparse.values, {accessor_.type, accessor_.components, normalized_}, changed_, count,
+           change_values_);
     }
     const std::size_t at = changed_ - changes_from_;
     const auto index = static_cast<std::uint64_t>(change_indices_[at]);
@@ -121,8 +137,9 @@ void GltfElements::change() {
       return;
     }
     if (index < next_) fail("sparse indices are not in ascending order");
-    std::copy_n(change_values_.begin() + static_cast<std::ptrdiff_t>(at * components_), components_,
-                values_.begin() + static_cast<std::ptrdiff_t>((index - next_) * components_));
+    std::copy_n(change_values_.begin() + static_cast<std::ptrdiff_t>(at * accessor_.components),
+                accessor_.components,
+                values_.begin() + static_cast<std::ptrdiff_t>((index - next_) * accessor_.components));
   }
 }
 

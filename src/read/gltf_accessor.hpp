@@ -10,21 +10,25 @@
 
 namespace winnow {
 
+// What an accessor is read as.
+enum class GltfUse : std::uint8_t { indices, positions, normals, colors };
+
 class GltfElements {
  public:
-  // `components`: 3 for points, 1 for indices. Throws Error(bad_input) where the accessor holds something
-  // else.
-  GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor, unsigned components,
+  // Throws Error(bad_input) where the accessor holds something else.
+  GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor, GltfUse use,
                std::string name);
 
-  [[nodiscard]] std::uint64_t size() const { return accessor_.count; }
+  // Of an element: 1, 3, or of colours 3 or 4.
+  [[nodiscard]] unsigned components() const { return accessor_.components; }
 
-  // Components of the next elements, some thousands; normalized ones as numbers from -1 or 0 to 1. Empty at
-  // the end; valid until the next call.
+  // Components of the next elements, some thousands, as many of each accessor of one count; normalized ones
+  // as numbers from -1 or 0 to 1. Empty at the end; valid until the next call.
   std::span<const double> next();
 
  private:
   [[noreturn]] void fail(const std::string& what) const;
+  void check(GltfUse use) const;
   // What stands in one view: of which type, how many components, how far apart.
   struct Layout {
     GltfType type{};
@@ -39,7 +43,6 @@ class GltfElements {
   GltfBytes& bytes_;
   const GltfDocument& document_;
   const GltfAccessor& accessor_;
-  unsigned components_;
   bool normalized_;
   std::string name_;
   std::uint64_t next_ = 0;

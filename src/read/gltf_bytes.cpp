@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "io/spooled_source.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -126,6 +127,21 @@ void GltfBytes::decode_base64(std::string_view text, Content& into) {
   into.bytes = into.memory.size();
 }
 
+// Views are read in turn, so that unpacking them again each time would take for ever.
+void GltfBytes::set_aside() {
+  for (auto& [view, content] : unpacked_) {
+    if (content.file != nullptr) continue;
+    std::vector<std::unique_ptr<Spool>> spools;
+    spools.push_back(std::make_unique<Spool>(job_, 0));
+    spools.back()->append(content.memory);
+    spools.back()->finish();
+    content.owned = spooled_source(source_.name(), "", std::move(spools));
+    content.file = content.owned.get();
+    std::vector<std::byte>().swap(content.memory);
+    content.reserved.release();
+  }
+}
+
 GltfBytes::Content& GltfBytes::unpacked(std::size_t view, const GltfPacking& packing) {
   const auto found = unpacked_.find(view);
   if (found != unpacked_.end()) return found->second;
@@ -133,7 +149,7 @@ GltfBytes::Content& GltfBytes::unpacked(std::size_t view, const GltfPacking& pac
   Content content;
   content.reserved = job_.budget.try_reserve(bytes + packing.bytes);
   if (!content.reserved) {
-    unpacked_.clear();
+    set_aside();
     content.reserved = job_.budget.reserve(bytes + packing.bytes, "unpacking a part of the glTF");
   }
   const std::span<const std::byte> packed =
@@ -157,10 +173,12 @@ GltfBytes::Content& GltfBytes::unpacked(std::size_t view, const GltfPacking& pac
       break;
   }
   if (failed != 0) fail("a packed 'bufferView' is damaged, or packed in a way that is not known");
+  if (packing.filter == GltfPacking::Filter::octahedral)
+    meshopt_decodeFilterOct(content.memory.data(), packing.count, packing.stride);
   if (packing.filter == GltfPacking::Filter::exponential)
     meshopt_decodeFilterExp(content.memory.data(), packing.count, packing.stride);
   if (packing.filter == GltfPacking::Filter::other)
-    fail("positions are packed as directions; the file is damaged");
+    fail("what vertices have is packed by a filter that is not for that; the file is damaged");
   return unpacked_.emplace(view, std::move(content)).first->second;
 }
 

@@ -17,7 +17,7 @@ namespace winnow {
 // (data of the JSON, packed views) is reserved from the budget.
 class GltfBytes {
  public:
-  // `source` is the file itself, which holds the GLB's own buffer from `begin` on.
+  // `source` is the file itself, which can be sought in and holds the GLB's own buffer from `begin` on.
   GltfBytes(Job& job, ByteSource& source, std::uint64_t begin, std::uint64_t bytes,
             const GltfDocument& document)
       : job_(job), source_(source), own_begin_(begin), own_bytes_(bytes), document_(document) {}
@@ -41,6 +41,7 @@ class GltfBytes {
   std::unique_ptr<ByteSource> open_beside(const std::string& uri);
   void decode_base64(std::string_view text, Content& into);
   std::span<const std::byte> read_content(Content& content, std::uint64_t offset, std::size_t bytes);
+  void set_aside();  // what is unpacked, to scratch
   Content& unpacked(std::size_t view, const GltfPacking& packing);
 
   Job& job_;

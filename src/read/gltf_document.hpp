@@ -1,7 +1,8 @@
-// What a glTF 2.0 says about its triangles: the JSON, checked, as far as positions need it.
+// What a glTF 2.0 says about its triangles: the JSON, checked, as far as they need it.
 #pragma once
 
-#include <array>
+#include "read/gltf_scene.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,7 +23,7 @@ struct GltfBuffer {
 // EXT_meshopt_compression: the view's bytes are what `count` elements decode to.
 struct GltfPacking {
   enum class Mode : std::uint8_t { attributes, triangles, indices };
-  enum class Filter : std::uint8_t { none, exponential, other };
+  enum class Filter : std::uint8_t { none, octahedral, exponential, other };
   std::size_t buffer = 0;
   std::uint64_t offset = 0, bytes = 0, count = 0, stride = 0;
   Mode mode{};
@@ -52,7 +53,7 @@ struct GltfSparse {
 struct GltfAccessor {
   std::optional<GltfSlice> base;  // none: zeros
   GltfType type{};
-  unsigned components = 0;  // 1: scalars; 3: points; 0: something else
+  unsigned components = 0;  // 1: scalars; 3 or 4: vectors; 0: something else
   bool normalized = false;
   std::uint64_t count = 0;
   std::optional<GltfSparse> sparse;
@@ -61,19 +62,9 @@ struct GltfAccessor {
 struct GltfPrimitive {
   enum class Mode : std::uint8_t { triangles, strip, fan };
   Mode mode{};
-  std::size_t positions = 0;  // accessors
-  std::optional<std::size_t> indices;
-};
-
-// Rows of a matrix that takes points to the parent's space; its last row is 0 0 0 1.
-using GltfTransform = std::array<std::array<double, 4>, 3>;
-inline constexpr GltfTransform gltf_identity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-GltfTransform operator*(const GltfTransform& a, const GltfTransform& b);
-
-// A mesh where it stands in the scene.
-struct GltfPlacedMesh {
-  std::size_t mesh = 0;
-  GltfTransform to_world = gltf_identity;
+  // Accessors; those of vertices have as many elements.
+  std::size_t positions = 0;
+  std::optional<std::size_t> indices, normals, colors;
 };
 
 struct GltfDocument {

@@ -1,61 +1,22 @@
 // glTF 2.0 (Khronos, 2021), as GLB or as JSON: the triangles of the default scene, where its nodes place
 // them.
-#include <winnow/error.hpp>
-
 #include "base/text.hpp"
 #include "read/formats.hpp"
 #include "read/gltf_accessor.hpp"
+#include "read/gltf_attributes.hpp"
 #include "read/gltf_bytes.hpp"
-#include "read/gltf_document.hpp"
+#include "read/gltf_file.hpp"
 #include "read/kept_reader.hpp"
-#include "read/ply_scalar.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace winnow {
 
 namespace {
-
-// Where the parts of a file stand.
-struct GltfParts {
-  std::uint64_t json_begin = 0, json_bytes = 0;
-  std::uint64_t own_begin = 0, own_bytes = 0;  // the GLB's buffer
-};
-
-[[noreturn]] void fail(const ByteSource& source, const std::string& what) {
-  throw Error(ErrorKind::bad_input, "'" + source.name() + "' " + what);
-}
-
-GltfParts find_parts(ByteSource& source) {
-  constexpr std::uint32_t json = 0x4E4F534A;
-  constexpr std::uint32_t binary = 0x004E4942;
-  const std::uint64_t size = source.size().value_or(0);
-  source.seek(0);
-  const Block head = source.take(20);
-  const auto word = [](const Block& block, std::size_t at) {
-    return load<std::uint32_t>(block.bytes.data() + at, false);
-  };
-  if (head.bytes.size() < 4 || word(head, 0) != 0x46546C67) return {0, size, 0, 0};
-  if (head.bytes.size() < 20) fail(source, "ends inside its GLB header: it was cut short");
-  if (word(head, 4) != 2) fail(source, "is GLB of version " + grouped(word(head, 4)) + "; version 2 is read");
-  if (word(head, 8) > size) {
-    fail(source, "should have " + grouped(word(head, 8)) + " bytes by its GLB header, but has " +
-                     grouped(size) + ": it was cut short");
-  }
-  if (word(head, 16) != json || word(head, 12) > size - 20) fail(source, "does not begin with its JSON");
-  GltfParts parts{20, word(head, 12), 0, 0};
-  const std::uint64_t behind = (parts.json_begin + parts.json_bytes + 3) / 4 * 4;
-  if (behind > size || size - behind < 8) return parts;
-  source.seek(behind);
-  const Block next = source.take(8);
-  if (next.bytes.size() < 8 || word(next, 4) != binary) return parts;
-  if (word(next, 0) > size - behind - 8) fail(source, "ends inside its buffer: it was cut short");
-  parts.own_begin = behind + 8;
-  parts.own_bytes = word(next, 0);
-  return parts;
-}
 
 // Triangles out of the indices of one primitive.
 class Corners {
@@ -107,15 +68,15 @@ class Corners {
 
 class GltfParser {
  public:
-  GltfParser(const GltfDocument& document, GltfBytes& bytes, KeptMesh& mesh)
-      : document_(document), bytes_(bytes), mesh_(mesh) {}
+  GltfParser(const GltfDocument& document, const GltfAttributes& attributes, GltfBytes& bytes, KeptMesh& mesh)
+      : document_(document), attributes_(attributes), bytes_(bytes), mesh_(mesh) {}
 
   void parse() {
     for (const GltfPlacedMesh& placed : document_.placed) {
       first_vertex_.clear();
       for (const GltfPrimitive& primitive : document_.meshes[placed.mesh]) add(primitive, placed.to_world);
     }
-    for (const std::string& what : document_.unread) mesh_.pass_over(what);
+    for (const std::string& what : attributes_.unread) mesh_.pass_over(what);
     if (document_.other_primitives > 0) {
       mesh_.job().note(grouped(document_.other_primitives) +
                        (document_.other_primitives == 1 ? " primitive" : " primitives") +
@@ -126,14 +87,17 @@ class GltfParser {
   }
 
  private:
+  // What makes a vertex: accessors of positions and of what is offered, whether it is carried or not, so that
+  // the same vertices come with and without.
+  using VertexKey = std::array<std::optional<std::size_t>, 3>;
+
   void add(const GltfPrimitive& primitive, const GltfTransform& to_world) {
-    const auto known = first_vertex_.find(primitive.positions);
-    const std::uint64_t base =
-        known != first_vertex_.end() ? known->second : add_vertices(primitive, to_world);
+    const GltfTurn turn(to_world);
+    const std::uint64_t base = first_vertex_of(primitive, to_world, turn);
     const std::uint64_t vertices = document_.accessors[primitive.positions].count;
-    Corners corners(primitive.mode, mirrors(to_world), base, vertices, mesh_);
+    Corners corners(primitive.mode, turn.mirrors(), base, vertices, mesh_);
     if (primitive.indices) {
-      GltfElements indices(bytes_, document_, *primitive.indices, 1, mesh_.name());
+      GltfElements indices(bytes_, document_, *primitive.indices, GltfUse::indices, mesh_.name());
       for (auto part = indices.next(); !part.empty(); part = indices.next()) {
         for (const double index : part) corners.add(static_cast<std::uint64_t>(index));
         mesh_.job().progress.advance(part.size() * sizeof(std::uint32_t));
@@ -145,63 +109,46 @@ class GltfParser {
   }
 
   // Primitives of a mesh may share their vertices.
-  std::uint64_t add_vertices(const GltfPrimitive& primitive, const GltfTransform& to_world) {
-    const std::uint64_t base = mesh_.vertices();
-    first_vertex_[primitive.positions] = base;
+  std::uint64_t first_vertex_of(const GltfPrimitive& primitive, const GltfTransform& to_world,
+                                const GltfTurn& turn) {
+    VertexKey key{primitive.positions};
+    if (attributes_.normals) key[1] = primitive.normals;
+    if (attributes_.colors) key[2] = primitive.colors;
+    const auto [known, is_new] = first_vertex_.try_emplace(key, mesh_.vertices());
+    if (is_new) add_vertices(primitive, to_world, turn);
+    return known->second;
+  }
+
+  void add_vertices(const GltfPrimitive& primitive, const GltfTransform& to_world, const GltfTurn& turn) {
     const bool moved = to_world != gltf_identity;
-    GltfElements positions(bytes_, document_, primitive.positions, 3, mesh_.name());
+    GltfElements positions(bytes_, document_, primitive.positions, GltfUse::positions, mesh_.name());
+    GltfVertexAttributes others(bytes_, document_, attributes_, primitive, mesh_.carried(), turn,
+                                mesh_.name());
     std::vector<double> xyz;
+    std::vector<double> carried;
     for (auto part = positions.next(); !part.empty(); part = positions.next()) {
       xyz.assign(part.begin(), part.end());
       for (std::size_t i = 0; i < xyz.size() && moved; i += 3) {
-        const std::array<double, 3> p{xyz[i], xyz[i + 1], xyz[i + 2]};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const auto& row = to_world[axis];
-          xyz[i + axis] = row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
-        }
+        const Point p = transformed(to_world, {xyz[i], xyz[i + 1], xyz[i + 2]});
+        std::copy(p.begin(), p.end(), xyz.begin() + static_cast<std::ptrdiff_t>(i));
       }
+      others.next(xyz.size() / 3, carried);
       // Not a number is one of floats, too.
       const bool single = std::all_of(xyz.begin(), xyz.end(), [](double x) {
         return double{static_cast<float>(x)} == x || !std::isfinite(x);
       });
-      mesh_.add_vertices(xyz, single);
+      mesh_.add_vertices(xyz, single, carried);
       mesh_.job().progress.advance(xyz.size() * sizeof(float));
     }
-    return base;
-  }
-
-  // By the specification, triangles are turned with what they are mirrored by.
-  static bool mirrors(const GltfTransform& t) {
-    return t[0][0] * (t[1][1] * t[2][2] - t[1][2] * t[2][1]) -
-               t[0][1] * (t[1][0] * t[2][2] - t[1][2] * t[2][0]) +
-               t[0][2] * (t[1][0] * t[2][1] - t[1][1] * t[2][0]) <
-           0;
   }
 
   const GltfDocument& document_;
+  const GltfAttributes& attributes_;
   GltfBytes& bytes_;
   KeptMesh& mesh_;
-  std::map<std::size_t, std::uint64_t> first_vertex_;  // of accessors read for this node
+  std::map<VertexKey, std::uint64_t> first_vertex_;  // of this node
   std::uint64_t left_over_ = 0;
 };
-
-void parse_gltf_file(ByteSource& source, std::size_t /*batch_faces*/, KeptMesh& mesh) {
-  const GltfParts parts = find_parts(source);
-  Budget& budget = mesh.job().budget;
-  const Reservation text_memory = budget.reserve(parts.json_bytes, "the JSON of a glTF");
-  Reservation json_memory;
-  GltfDocument document;
-  {
-    source.seek(parts.json_begin);
-    const Block block = source.take(parts.json_bytes);
-    const std::string_view json(reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size());
-    json_memory = budget.reserve(memory_to_parse_gltf(json), "the JSON of a glTF");
-    document = parse_gltf(json, source.name());
-    block.check_intact(source.name());
-  }
-  GltfBytes bytes(mesh.job(), source, parts.own_begin, parts.own_bytes, document);
-  GltfParser(document, bytes, mesh).parse();
-}
 
 }  // namespace
 
@@ -216,13 +163,21 @@ bool is_gltf(std::string_view head) {
   return false;
 }
 
+AttributeOffer offer_of_gltf(Job& job, ByteSource& source) {
+  return offer_of(attributes_of(peek_gltf(job, source).document));
+}
+
 std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory, const AttributeWish& wish,
-                                      const AttributeOffer& offer) {
-  const bool binary = source->peek(4).bytes.size() == 4 &&
-                      load<std::uint32_t>(source->peek(4).bytes.data(), false) == 0x46546C67;
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, binary ? "GLB" : "glTF", offer,
-                                      parse_gltf_file);
+                                      const ReaderMemory& memory, const AttributeWish& wish) {
+  const GltfFile file = peek_gltf(job, *source);
+  const GltfAttributes attributes = attributes_of(file.document);
+  const auto parse = [&](ByteSource& from, std::size_t /*batch_faces*/, KeptMesh& mesh) {
+    const GltfOwnBuffer own = own_buffer_of(from, file);
+    GltfBytes bytes(job, from, own.begin, own.bytes, file.document);
+    GltfParser(file.document, attributes, bytes, mesh).parse();
+  };
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, file.binary ? "GLB" : "glTF",
+                                      offer_of(attributes), parse);
 }
 
 }  // namespace winnow

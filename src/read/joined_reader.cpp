@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace winnow {
@@ -27,6 +28,13 @@ bool is_bare(const InputOutlook& outlook) {
 
 std::string joint_name(const std::vector<std::string>& names) {
   return names.front() + " and " + grouped(names.size() - 1) + " more";
+}
+
+// As its type can have it.
+double color_of_light(ScalarType type, double stored) {
+  const Attribute light{{}, type, AttributeKind::light};
+  const double color = stored_of_mean(light, mean_of_stored(light, stored));
+  return is_integer(type) ? std::nearbyint(color) : color;
 }
 
 class JoinedReader final : public MeshReader {
@@ -87,8 +95,16 @@ class JoinedReader final : public MeshReader {
     reader_->decode_faces(batch, slice, [&](const FaceBatch& /*slice*/) {
       slice.first += before_;
       for (std::size_t i = 0; i < place_.size(); ++i) {
-        const auto from = slice.attributes.begin() + static_cast<std::ptrdiff_t>(place_[i] * block);
-        std::copy_n(from, block, attributes.begin() + static_cast<std::ptrdiff_t>(i * block));
+        const auto from = slice.attributes.begin() + static_cast<std::ptrdiff_t>(place_[i].number * block);
+        const auto to = attributes.begin() + static_cast<std::ptrdiff_t>(i * block);
+        std::copy_n(from, block, to);
+        if (!place_[i].light) continue;
+        const ScalarType type = facts_.choice.carried[i].type;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          const auto first = to + static_cast<std::ptrdiff_t>(corner * FaceBatch::capacity);
+          std::transform(first, first + static_cast<std::ptrdiff_t>(slice.count), first,
+                         [&](double stored) { return color_of_light(type, stored); });
+        }
       }
       slice.attributes.swap(attributes);
       sink(slice);
@@ -118,8 +134,11 @@ class JoinedReader final : public MeshReader {
       open(part);
       const std::vector<AttributeRange> here = reader_->attribute_ranges();
       for (std::size_t i = 0; i < place_.size(); ++i) {
-        ranges[i].largest = std::max(ranges[i].largest, here[place_[i]].largest);
-        ranges[i].not_finite += here[place_[i]].not_finite;
+        const AttributeRange& range = here[place_[i].number];
+        const double largest =
+            place_[i].light ? color_of_light(facts_.choice.carried[i].type, range.largest) : range.largest;
+        ranges[i].largest = std::max(ranges[i].largest, largest);
+        ranges[i].not_finite += range.not_finite;
       }
     }
     return ranges;
@@ -156,7 +175,8 @@ class JoinedReader final : public MeshReader {
         throw Error(ErrorKind::bad_input,
                     "'" + names_[part] + "' lacks '" + attribute.name + "' by now: it was changed meanwhile");
       }
-      place_.push_back(static_cast<std::size_t>(found - here.begin()));
+      place_.push_back({static_cast<std::size_t>(found - here.begin()),
+                        found->kind == AttributeKind::light && attribute.kind != AttributeKind::light});
     }
   }
 
@@ -184,7 +204,13 @@ class JoinedReader final : public MeshReader {
   std::string name_;
   std::vector<std::uint64_t> bytes_;  // of each file, as far as it was read
   AttributeWish carried_;             // what is asked of each file
-  std::vector<std::size_t> place_;    // of each attribute its place among those of the file at work
+  // Of each attribute its number among those of the file at work, and whether it is of light there and of
+  // colours here.
+  struct Place {
+    std::size_t number;
+    bool light;
+  };
+  std::vector<Place> place_;
   std::unique_ptr<MeshReader> reader_;
   std::size_t current_ = 0;
   bool bare_ = false;         // this one

@@ -58,8 +58,8 @@ bool is_m(std::string_view head) {
 }
 
 std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                                   const AttributeWish& wish, const AttributeOffer& offer) {
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "M", offer, parse_m);
+                                   const AttributeWish& wish) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "M", AttributeOffer{}, parse_m);
 }
 
 }  // namespace winnow

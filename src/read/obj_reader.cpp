@@ -99,7 +99,8 @@ AttributeOffer offer_of_obj(std::string_view head) {
 }
 
 std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                                     const AttributeWish& wish, const AttributeOffer& offer) {
+                                     const AttributeWish& wish) {
+  const AttributeOffer offer = offer_by_head<offer_of_obj>(job, *source);
   return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OBJ", offer, parse_obj);
 }
 

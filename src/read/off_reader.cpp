@@ -302,7 +302,8 @@ AttributeOffer offer_of_off(std::string_view head) {
 }
 
 std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                                     const AttributeWish& wish, const AttributeOffer& offer) {
+                                     const AttributeWish& wish) {
+  const AttributeOffer offer = offer_by_head<offer_of_off>(job, *source);
   return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OFF", offer, parse_off);
 }
 

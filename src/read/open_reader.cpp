@@ -2,6 +2,7 @@
 #include <winnow/error.hpp>
 
 #include "read/formats.hpp"
+#include "read/text_mesh.hpp"
 #include "read/text_tokens.hpp"
 
 #include <algorithm>
@@ -18,14 +19,15 @@ struct KeptFormat {
   const char* name;
   bool (*is)(std::string_view head);
   std::unique_ptr<MeshReader> (*open)(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory, const AttributeWish& wish,
-                                      const AttributeOffer& offer);
-  AttributeOffer (*offer)(std::string_view head) = nullptr;  // none: it offers nothing
+                                      const ReaderMemory& memory, const AttributeWish& wish);
+  // By the first bytes; none: it offers nothing.
+  AttributeOffer (*offer)(Job& job, ByteSource& source) = nullptr;
 };
-constexpr std::array<KeptFormat, 4> kept_formats{{{Format::gltf, "glTF", is_gltf, open_gltf},
-                                                  {Format::off, "OFF", is_off, open_off, offer_of_off},
-                                                  {Format::m, "M", is_m, open_m},
-                                                  {Format::obj, "OBJ", is_obj, open_obj, offer_of_obj}}};
+constexpr std::array<KeptFormat, 4> kept_formats{
+    {{Format::gltf, "glTF", is_gltf, open_gltf, offer_of_gltf},
+     {Format::off, "OFF", is_off, open_off, offer_by_head<offer_of_off>},
+     {Format::m, "M", is_m, open_m},
+     {Format::obj, "OBJ", is_obj, open_obj, offer_by_head<offer_of_obj>}}};
 
 const KeptFormat* kept_format(Format format) {
   const auto* found = std::find_if(kept_formats.begin(), kept_formats.end(),
@@ -33,20 +35,8 @@ const KeptFormat* kept_format(Format format) {
   return found == kept_formats.end() ? nullptr : found;
 }
 
-// What a format and its attributes are told by.
-constexpr std::size_t head_bytes = std::size_t{1} << 16;
-
 std::string_view text_of(const Block& block) {
   return {reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size()};
-}
-
-AttributeOffer offer_of(const KeptFormat& format, ByteSource& source) {
-  if (format.offer == nullptr) return {};
-  const Block head = source.peek(head_bytes);
-  std::string_view text = text_of(head);
-  // The last line may be cut.
-  if (text.size() == head_bytes) text = text.substr(0, text.find_last_of("\r\n") + 1);
-  return format.offer(text);
 }
 
 Format format_of(ByteSource& source, Format asked) {
@@ -58,7 +48,7 @@ Format format_of(ByteSource& source, Format asked) {
   if (text.substr(0, 16).find("OFF BINARY") != std::string_view::npos) return Format::off;
   if (!is_text(text)) return Format::stl;
   // Comments may come first, a licence say.
-  const Block more = source.peek(head_bytes);
+  const Block more = source.peek(text_head_bytes);
   for (const KeptFormat& format : kept_formats) {
     if (format.is(text_of(more))) return format.format;
   }
@@ -81,23 +71,19 @@ std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> so
   format = format_of(*source, format);
   if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
   if (format == Format::ply) return open_ply(job, std::move(source), memory, wish);
-  if (const KeptFormat* kept = kept_format(format)) {
-    const AttributeOffer offer = offer_of(*kept, *source);
-    return kept->open(job, std::move(source), memory, wish, offer);
-  }
+  if (const KeptFormat* kept = kept_format(format)) return kept->open(job, std::move(source), memory, wish);
   choose_attributes(wish, {}, source->name());  // for its checks: there are none
   return open_stl(job, std::move(source), memory);
 }
 
-InputOutlook look_at(Job& /*job*/, ByteSource& source, Format format, Access access,
-                     const AttributeWish& wish) {
+InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access, const AttributeWish& wish) {
   format = format_of(source, format);
   InputOutlook outlook;
   if (format == Format::ply) {
     outlook = look_at_ply(source, wish);
   } else if (const KeptFormat* kept = kept_format(format)) {
     outlook.facts.format = kept->name;
-    outlook.facts.offer = offer_of(*kept, source);
+    if (kept->offer != nullptr) outlook.facts.offer = kept->offer(job, source);
     outlook.taken_in = true;
   } else {
     outlook = look_at_stl(source);

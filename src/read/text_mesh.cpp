@@ -85,6 +85,14 @@ struct Item {
 
 }  // namespace
 
+std::string first_lines(ByteSource& source) {
+  const Block head = source.peek(text_head_bytes);
+  std::string text(reinterpret_cast<const char*>(head.bytes.data()), head.bytes.size());
+  // The last line may be cut.
+  if (text.size() == text_head_bytes) text.resize(text.find_last_of("\r\n") + 1);
+  return text;
+}
+
 void parse_text(const TextParser& parser, KeptMesh& mesh) {
   pipeline<Item>(
       batches_in_flight(mesh.job().threads), [&](Item& item) { return parser.next(item.block); },

@@ -68,6 +68,18 @@ struct TextParser {
 };
 void parse_text(const TextParser& parser, KeptMesh& mesh);
 
+// What a format and its attributes are told by.
+constexpr std::size_t text_head_bytes = std::size_t{1} << 16;
+
+// The lines that stand whole in the first bytes.
+std::string first_lines(ByteSource& source);
+
+// What vertices carry by the first lines.
+template <AttributeOffer (*offer)(std::string_view head)>
+AttributeOffer offer_by_head(Job& /*job*/, ByteSource& source) {
+  return offer(first_lines(source));
+}
+
 // Bytes of text at once, so that a block and what it holds take no more than a batch of faces.
 constexpr std::size_t text_block_bytes(std::size_t batch_faces) {
   return 8 * batch_faces;

@@ -27,10 +27,11 @@ void take_normal(const MeshShape& shape, MeshVertex& vertex) {
 AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encoder) {
   AttributeWish wish;
   wish.names = options.attributes;
-  wish.refusal = [&encoder, normals = options.normals](const Attribute& attribute) -> std::string {
+  wish.refusal = [&encoder, normals = options.normals](const Attribute& attribute,
+                                                       std::span<const Attribute> wanted) -> std::string {
     if (normals && names_normal(attribute))
       return "normals of the input, as --normals computes those of the result:";
-    return encoder.attribute_refusal(attribute);
+    return encoder.attribute_refusal(attribute, wanted);
   };
   return wish;
 }
@@ -67,7 +68,13 @@ CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& 
 void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVertex& vertex) {
   const std::vector<Attribute>& attributes = shape.attributes;
   vertex.attributes = values;
-  if (shape.as_stored) return take_normal(shape, vertex);
+  if (shape.as_stored) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (attributes[i].kind == AttributeKind::light)
+        values[i] = stored_of_mean(attributes[i], mean_of_stored(attributes[i], values[i]));
+    }
+    return take_normal(shape, vertex);
+  }
   double square = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (attributes[i].kind == AttributeKind::normal) square += values[i] * values[i];

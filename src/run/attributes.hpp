@@ -23,9 +23,9 @@ void note_dropped(Job& job, const AttributeChoice& choice);
 // faces are read.
 CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report);
 
-// From means to what is written, in place: light to colours, normals as long as 1; these become the vertex's
-// normal where the shape has one besides. Where they cancel out the vertex's normal stands in for their mean.
-// The vertex holds `values` from now on.
+// From means, or what is stored, to what is written, in place: light to colours, normals of means as long as
+// 1; these become the vertex's normal where the shape has one besides. Where they cancel out the vertex's
+// normal stands in for their mean. The vertex holds `values` from now on.
 void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVertex& vertex);
 
 }  // namespace winnow

@@ -41,7 +41,9 @@ AttributeWish wish_for(const MeshEncoder& encoder) {
   AttributeWish wish;
   wish.names.reset();
   wish.averaged = false;
-  wish.refusal = [&encoder](const Attribute& attribute) { return encoder.attribute_refusal(attribute); };
+  wish.refusal = [&encoder](const Attribute& attribute, std::span<const Attribute> wanted) {
+    return encoder.attribute_refusal(attribute, wanted);
+  };
   return wish;
 }
 

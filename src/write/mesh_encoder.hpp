@@ -83,8 +83,10 @@ class MeshEncoder {
 
   [[nodiscard]] virtual std::string footer(const MeshShape& /*shape*/) const { return {}; }
 
-  // Why the format cannot hold an attribute, in words that its name follows; empty where it can.
-  [[nodiscard]] virtual std::string attribute_refusal(const Attribute& /*attribute*/) const {
+  // Why the format cannot hold an attribute that is one of those `wanted`, in words that its name follows;
+  // empty where it can.
+  [[nodiscard]] virtual std::string attribute_refusal(const Attribute& /*attribute*/,
+                                                      std::span<const Attribute> /*wanted*/) const {
     return "the output's format holds no attributes:";
   }
 

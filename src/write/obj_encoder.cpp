@@ -49,8 +49,9 @@ class ObjEncoder final : public MeshEncoder {
     }
   }
 
-  [[nodiscard]] std::string attribute_refusal(const Attribute& attribute) const override {
-    return refusal_but_for_colors(attribute, false);
+  [[nodiscard]] std::string attribute_refusal(const Attribute& attribute,
+                                              std::span<const Attribute> wanted) const override {
+    return refusal_but_for_colors(attribute, wanted, false);
   }
   [[nodiscard]] bool normals_apart() const override { return true; }
 };

@@ -38,8 +38,9 @@ class OffEncoder final : public MeshEncoder {
     append_lines(out, faces);
   }
 
-  [[nodiscard]] std::string attribute_refusal(const Attribute& attribute) const override {
-    return refusal_but_for_colors(attribute, true);
+  [[nodiscard]] std::string attribute_refusal(const Attribute& attribute,
+                                              std::span<const Attribute> wanted) const override {
+    return refusal_but_for_colors(attribute, wanted, true);
   }
   [[nodiscard]] bool normals_apart() const override { return true; }
 };

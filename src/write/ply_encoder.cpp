@@ -103,7 +103,10 @@ class PlyEncoder final : public MeshEncoder {
     }
   }
 
-  [[nodiscard]] std::string attribute_refusal(const Attribute& /*attribute*/) const override { return {}; }
+  [[nodiscard]] std::string attribute_refusal(const Attribute& /*attribute*/,
+                                              std::span<const Attribute> /*wanted*/) const override {
+    return {};
+  }
 
  private:
   bool ascii_;

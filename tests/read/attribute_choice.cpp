@@ -61,7 +61,9 @@ TEST_CASE("named attributes are carried in the order of the input") {
 
 TEST_CASE("what the output cannot hold is told with the reason") {
   AttributeWish none = wish({});
-  none.refusal = [](const Attribute&) { return std::string("STL holds nothing:"); };
+  none.refusal = [](const Attribute&, std::span<const Attribute>) {
+    return std::string("STL holds nothing:");
+  };
   const AttributeChoice choice = choose_attributes(none, offer(), "in");
   CHECK(choice.carried.empty());
   CHECK(choice.dropped.front() == "STL holds nothing: nx, ny, nz, quality, red, green, blue, s, t");

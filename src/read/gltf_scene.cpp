@@ -1,0 +1,109 @@
+#include "read/gltf_scene.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+struct Node {
+  std::optional<std::size_t> mesh;
+  GltfTransform transform = gltf_identity;
+  std::vector<std::size_t> children;
+};
+
+GltfTransform transform_of(const GltfJson& json, const GltfJson::Value& node) {
+  GltfTransform result = gltf_identity;
+  if (const auto matrix = json.numbers<16>(node, "matrix")) {  // column after column
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 4; ++column) result[row][column] = (*matrix)[4 * column + row];
+    }
+    return result;
+  }
+  const auto rotation = json.numbers<4>(node, "rotation");
+  const auto scale = json.numbers<3>(node, "scale");
+  const auto translation = json.numbers<3>(node, "translation");
+  if (rotation) {
+    const auto [x, y, z, w] = *rotation;
+    result[0] = {1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), 0};
+    result[1] = {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), 0};
+    result[2] = {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), 0};
+  }
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3 && scale; ++column) result[row][column] *= (*scale)[column];
+    if (translation) result[row][3] = (*translation)[row];
+  }
+  return result;
+}
+
+std::vector<Node> nodes_of(const GltfJson& json, std::size_t meshes) {
+  std::vector<Node> nodes;
+  const GltfJson::Value& list = json.list("nodes");
+  for (const GltfJson::Value& value : list) {
+    json.check_object(value, "nodes");
+    Node& node = nodes.emplace_back();
+    const GltfJson::Value& mesh = GltfJson::find(value, "mesh");
+    if (!mesh.is_null()) node.mesh = json.index_into(mesh, "mesh", meshes);
+    node.transform = transform_of(json, value);
+    for (const GltfJson::Value& child : json.list(value, "children"))
+      node.children.push_back(json.index_into(child, "children", list.size()));
+  }
+  return nodes;
+}
+
+std::vector<std::size_t> roots_of(const GltfJson& json, const std::vector<Node>& nodes) {
+  std::vector<std::size_t> found;
+  const GltfJson::Value& scenes = json.list("scenes");
+  if (!scenes.empty()) {
+    const GltfJson::Value& chosen = GltfJson::find(json.root(), "scene");
+    const std::size_t scene = chosen.is_null() ? 0 : json.index_into(chosen, "scene", scenes.size());
+    json.check_object(scenes[scene], "scenes");
+    for (const GltfJson::Value& node : json.list(scenes[scene], "nodes"))
+      found.push_back(json.index_into(node, "nodes", nodes.size()));
+    return found;
+  }
+  std::vector<bool> child(nodes.size());
+  for (const Node& node : nodes) {
+    for (const std::size_t one : node.children) child[one] = true;
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!child[i]) found.push_back(i);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshes) {
+  std::vector<GltfPlacedMesh> placed;
+  const std::vector<Node> nodes = nodes_of(json, meshes);
+  if (nodes.empty()) {
+    for (std::size_t i = 0; i < meshes; ++i) placed.push_back({i, gltf_identity});
+    return placed;
+  }
+  struct Waiting {
+    std::size_t node;
+    GltfTransform parent;
+  };
+  std::vector<Waiting> waiting;
+  const std::vector<std::size_t> first = roots_of(json, nodes);
+  for (auto root = first.rbegin(); root != first.rend(); ++root) waiting.push_back({*root, gltf_identity});
+  std::vector<bool> seen(nodes.size());
+  while (!waiting.empty()) {
+    const Waiting next = waiting.back();
+    waiting.pop_back();
+    if (seen[next.node])
+      json.fail("node " + std::to_string(next.node) + " has more than one parent, or is its own");
+    seen[next.node] = true;
+    const Node& node = nodes[next.node];
+    const GltfTransform to_world = next.parent * node.transform;
+    if (node.mesh) placed.push_back({*node.mesh, to_world});
+    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+      waiting.push_back({*child, to_world});
+  }
+  return placed;
+}
+
+}  // namespace winnow
