@@ -1,4 +1,5 @@
 // Attributes as whole numbers: means of equal numbers are that number, whatever its type and size.
+#include "base/srgb.hpp"
 #include "cluster/attribute_scale.hpp"
 #include "support/random.hpp"
 
@@ -66,6 +67,19 @@ TEST_CASE("what is not finite is told apart") {
         -std::numeric_limits<double>::infinity()})
     CHECK(scale.fixed(value) == AttributeScale::not_finite);
   CHECK(scale.fixed(-4) != AttributeScale::not_finite);
+}
+
+TEST_CASE("light is averaged as it is, and written as a colour") {
+  for (const ScalarType type : {ScalarType::uint8, ScalarType::uint16, ScalarType::float32}) {
+    const Attribute attribute{"red", type, AttributeKind::light};
+    const double full = full_component(type);
+    const AttributeScale scale(attribute, full);
+    const double low = type == ScalarType::uint8 ? 51 : 0.2 * full;
+    const double mean = scale.mean(Int128{scale.fixed(0)} + scale.fixed(low), 2);
+    CHECK(mean == Approx(low / full / 2));
+    CHECK(stored_of_mean(attribute, mean) == Approx(full * component_of_light(low / full / 2)));
+    CHECK(mean_of_stored(attribute, low) == low / full);
+  }
 }
 
 }  // namespace winnow::test

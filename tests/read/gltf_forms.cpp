@@ -196,38 +196,22 @@ TEST_CASE("buffer views packed by EXT_meshopt_compression") {
   for (const auto& p : mesh.vertices) {
     for (const double x : p) xyz.push_back(static_cast<float>(x));
   }
-  const auto packed_view = [](GltfBuilder& file, std::vector<unsigned char> packed, std::size_t size,
-                              const char* mode, std::size_t count, std::size_t stride) {
-    packed.resize(size);
-    const std::size_t view = file.view({packed.begin(), packed.end()});
-    Json& json = file.json["bufferViews"][view];
-    json["extensions"] = {{"EXT_meshopt_compression",
-                           {{"buffer", 0},
-                            {"byteOffset", json["byteOffset"]},
-                            {"byteLength", size},
-                            {"byteStride", stride},
-                            {"mode", mode},
-                            {"count", count}}}};
-    json["byteLength"] = count * stride;
-    return view;
-  };
   for (const char* mode : {"TRIANGLES", "INDICES"}) {
     GltfBuilder file;
     file.json["extensionsRequired"] = {"EXT_meshopt_compression"};
     std::vector<unsigned char> vertices(meshopt_encodeVertexBufferBound(3000, 12));
-    const std::size_t vertex_bytes =
-        meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), xyz.data(), 3000, 12);
-    file.add("accessors", {{"bufferView", packed_view(file, vertices, vertex_bytes, "ATTRIBUTES", 3000, 12)},
+    vertices.resize(meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), xyz.data(), 3000, 12));
+    file.add("accessors", {{"bufferView", file.packed_view(vertices, "ATTRIBUTES", 3000, 12)},
                            {"componentType", 5126},
                            {"count", 3000},
                            {"type", "VEC3"}});
     const bool whole = std::string(mode) == "TRIANGLES";
     std::vector<unsigned char> faces(whole ? meshopt_encodeIndexBufferBound(indices.size(), 3000)
                                            : meshopt_encodeIndexSequenceBound(indices.size(), 3000));
-    const std::size_t face_bytes =
+    faces.resize(
         whole ? meshopt_encodeIndexBuffer(faces.data(), faces.size(), indices.data(), indices.size())
-              : meshopt_encodeIndexSequence(faces.data(), faces.size(), indices.data(), indices.size());
-    file.add("accessors", {{"bufferView", packed_view(file, faces, face_bytes, mode, indices.size(), 4)},
+              : meshopt_encodeIndexSequence(faces.data(), faces.size(), indices.data(), indices.size()));
+    file.add("accessors", {{"bufferView", file.packed_view(faces, mode, indices.size(), 4)},
                            {"componentType", 5125},
                            {"count", indices.size()},
                            {"type", "SCALAR"}});

@@ -19,24 +19,8 @@ std::string line_of(const AttributeOffer& offer) {
   return line;
 }
 
-// The numbers of the first face's corners, attribute by attribute.
 std::vector<double> carried_by(const std::string& content, MemorySource::Kind kind) {
-  TestJob test;
-  AttributeWish wish;
-  wish.names.reset();
-  const auto reader = open_reader(test.job, std::make_unique<MemorySource>(content, kind), Format::automatic,
-                                  Access::once, {usual_vertex_memory, 8192}, wish);
-  std::vector<double> numbers;
-  reader->begin_faces();
-  FaceBatch slice;
-  for (RawBatch batch; reader->next_faces(batch); batch = {}) {
-    reader->decode_faces(batch, slice, [&](const FaceBatch& faces) {
-      for (std::size_t i = 0; i < reader->facts().choice.carried.size(); ++i) {
-        for (std::size_t corner = 0; corner < 3; ++corner) numbers.push_back(faces.attribute(i, corner, 0));
-      }
-    });
-  }
-  return numbers;
+  return test::carried_by(std::make_unique<MemorySource>(content, kind)).numbers;
 }
 
 }  // namespace

@@ -61,6 +61,43 @@ class GltfBuilder {
         {{"bufferView", view(bytes)}, {"componentType", type}, {"count", values.size()}, {"type", "SCALAR"}});
   }
 
+  // A view that decodes to `count` elements of `stride` bytes. `filter`: empty for none.
+  std::size_t packed_view(const std::vector<unsigned char>& packed, const char* mode, std::size_t count,
+                          std::size_t stride, const std::string& filter = "") {
+    const std::size_t number = view({packed.begin(), packed.end()});
+    Json& one = json["bufferViews"][number];
+    Json how{{"buffer", 0},
+             {"byteOffset", one["byteOffset"]},
+             {"byteLength", packed.size()},
+             {"byteStride", stride},
+             {"mode", mode},
+             {"count", count}};
+    if (!filter.empty()) how["filter"] = filter;
+    one["extensions"] = {{"EXT_meshopt_compression", how}};
+    one["byteLength"] = count * stride;
+    if (std::string(mode) == "ATTRIBUTES") one["byteStride"] = stride;
+    return number;
+  }
+
+  // Elements as they stand, one behind the other; `type`: "VEC3", say.
+  template <typename Number>
+  std::size_t numbers(const std::vector<Number>& values, int component, const std::string& type,
+                      bool normalized = false, std::size_t stride = 0) {
+    std::string bytes;
+    const std::size_t components = type == "VEC4" ? 4 : 3;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i > 0 && i % components == 0 && stride != 0)
+        bytes.resize(bytes.size() + stride - components * sizeof(Number), '\x7f');
+      put_number(bytes, values[i]);
+    }
+    Json accessor{{"bufferView", view(bytes, stride)},
+                  {"componentType", component},
+                  {"count", values.size() / components},
+                  {"type", type}};
+    if (normalized) accessor["normalized"] = true;
+    return add("accessors", accessor);
+  }
+
   std::size_t mesh(const Json& primitives) { return add("meshes", {{"primitives", primitives}}); }
 
   [[nodiscard]] std::string glb() const {

@@ -109,4 +109,30 @@ std::vector<SeenFace> faces_of_pipe(const std::string& content, const ReadStyle&
   return faces_of(test.job, std::make_unique<MemorySource>(content, MemorySource::Kind::pipe), style);
 }
 
+Carried carried_by(std::unique_ptr<ByteSource> source) {
+  TestJob test;
+  AttributeWish wish;
+  wish.names.reset();
+  const auto reader = open_reader(test.job, std::move(source), Format::automatic, Access::once,
+                                  {usual_vertex_memory, 8192}, wish);
+  Carried carried{{}, {}, reader->facts()};
+  const std::vector<Attribute>& attributes = carried.facts.choice.carried;
+  std::vector<std::vector<double>> columns(attributes.size());
+  reader->begin_faces();
+  FaceBatch slice;
+  for (RawBatch batch; reader->next_faces(batch); batch = {}) {
+    reader->decode_faces(batch, slice, [&](const FaceBatch& faces) {
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        for (std::size_t i = 0; i < 3 * faces.count; ++i)
+          columns[k].push_back(faces.attribute(k, i % 3, i / 3));
+      }
+    });
+  }
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    carried.attributes.push_back(described(attributes[k]));
+    carried.numbers.insert(carried.numbers.end(), columns[k].begin(), columns[k].end());
+  }
+  return carried;
+}
+
 }  // namespace winnow::test

@@ -37,4 +37,12 @@ std::vector<SeenFace> faces_of(const std::string& content, const ReadStyle& styl
 std::vector<SeenFace> faces_of_pipe(const std::string& content,
                                     const ReadStyle& style = {});  // ... or as a pipe
 
+// What the faces of a whole content carry by their corners.
+struct Carried {
+  std::vector<std::string> attributes;  // "red (uchar)"
+  std::vector<double> numbers;          // attribute by attribute, of all faces, corner by corner
+  InputFacts facts;
+};
+Carried carried_by(std::unique_ptr<ByteSource> source);
+
 }  // namespace winnow::test
