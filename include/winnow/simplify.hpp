@@ -59,8 +59,10 @@ struct SimplifyOptions {
   // nz, "colors" for red, green, blue and alpha. Nothing: all whose means say something and that the output's
   // format can hold (the report tells which not). Empty: none. Names and types stay; means are weighted by
   // area, colours (as sRGB has them) averaged in linear light. A PLY may have any; an OBJ has red, green and
-  // blue (float, from 0 to 1), an OFF also alpha and normals, its colours uchar or float. PLY holds all, OBJ,
-  // OFF and GLB normals and colours, STL none. Of several inputs: what all have, of one type.
+  // blue (float, from 0 to 1), an OFF also alpha and normals, its colours uchar or float, a glTF the same,
+  // its colours uchar, ushort or float: its NORMAL and COLOR_0, which is of light and becomes a colour in
+  // other formats. PLY holds all, OBJ, OFF and GLB normals and colours, STL none. Of several inputs: what all
+  // have, of one type.
   std::optional<std::vector<std::string>> attributes;
   bool strict = false;  // the first bad face of the input is an error
 

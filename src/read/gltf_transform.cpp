@@ -50,7 +50,8 @@ GltfTurn::GltfTurn(const GltfTransform& transform) {
 
 Point GltfTurn::normal(const Point& here) const {
   if (stays_) return here;
-  return unit({dot(rows_[0], here), dot(rows_[1], here), dot(rows_[2], here)});
+  // By the sum with 0, no -0 comes of a 0 that is mirrored.
+  return unit(Point{dot(rows_[0], here), dot(rows_[1], here), dot(rows_[2], here)} + Point{});
 }
 
 }  // namespace winnow

@@ -68,7 +68,9 @@ Vertices vertices_of(TextLines& lines) {
 }
 
 // What only the numbers of the first vertices tell: how many a colour has, and whether they are whole, from 0
-// to 255. Whole numbers up to 1 may be either, and are taken for reals.
+// to 255. By Geomview's manual, colours of faces tell by their form alone whether they are whole. That is not
+// said of vertices, where programs write reals from 0 to 1 also as "1 0 0 1". So whole numbers count as such
+// only where one is above 1.
 struct Colors {
   bool whole_lines = false;  // the first vertex has all that the keyword says
   std::size_t components = 0;

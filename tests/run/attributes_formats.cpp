@@ -153,4 +153,24 @@ TEST_CASE("what OBJ OFF and GLB cannot hold is told") {
   CHECK(test.all("in.ply", "out.obj", {"--attributes", "nx"}).json()["attributes"]["dropped"].size() == 1);
 }
 
+TEST_CASE("an alpha without a colour goes to no format that has it only with one") {
+  const Case test;
+  std::vector<Column> columns{{"alpha", ScalarType::uint8, [](const Point&) { return 7; }}};
+  write_attributed(test.file("alone.ply"), test.mesh, columns);
+  columns.push_back({"red", ScalarType::uint8, [](const Point&) { return 9; }});
+  write_attributed(test.file("in.ply"), test.mesh, columns);
+  const nlohmann::json told{"the output's format holds no attributes but normals and colours: alpha"};
+  for (const char* out : {"out.obj", "out.off", "out.glb"}) {
+    INFO(out);
+    const nlohmann::json alone = test.all("alone.ply", out).json()["attributes"];
+    CHECK(alone["carried"].empty());
+    CHECK(alone["dropped"] == told);
+    const nlohmann::json asked = test.all("in.ply", out, {"--attributes", "alpha"}).json()["attributes"];
+    CHECK(asked["carried"].empty());
+    const nlohmann::json both = test.all("in.ply", out).json()["attributes"];
+    CHECK(both["carried"].size() == (std::string(out) == "out.obj" ? 1 : 2));
+  }
+  CHECK(test.all("alone.ply", "out.ply").json()["attributes"]["carried"].size() == 1);
+}
+
 }  // namespace winnow::test
