@@ -109,12 +109,12 @@ std::vector<SeenFace> faces_of_pipe(const std::string& content, const ReadStyle&
   return faces_of(test.job, std::make_unique<MemorySource>(content, MemorySource::Kind::pipe), style);
 }
 
-Carried carried_by(std::unique_ptr<ByteSource> source) {
-  TestJob test;
+Carried carried_by(std::unique_ptr<ByteSource> source, std::uint64_t memory, std::uint64_t vertex_memory) {
+  TestJob test({.memory = memory});
   AttributeWish wish;
   wish.names.reset();
-  const auto reader = open_reader(test.job, std::move(source), Format::automatic, Access::once,
-                                  {usual_vertex_memory, 8192}, wish);
+  const auto reader =
+      open_reader(test.job, std::move(source), Format::automatic, Access::once, {vertex_memory, 8192}, wish);
   Carried carried{{}, {}, reader->facts()};
   const std::vector<Attribute>& attributes = carried.facts.choice.carried;
   std::vector<std::vector<double>> columns(attributes.size());

@@ -43,6 +43,7 @@ struct Carried {
   std::vector<double> numbers;          // attribute by attribute, of all faces, corner by corner
   InputFacts facts;
 };
-Carried carried_by(std::unique_ptr<ByteSource> source);
+Carried carried_by(std::unique_ptr<ByteSource> source, std::uint64_t memory = std::uint64_t{512} << 20,
+                   std::uint64_t vertex_memory = usual_vertex_memory);
 
 }  // namespace winnow::test
