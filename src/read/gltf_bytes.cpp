@@ -127,8 +127,9 @@ void GltfBytes::decode_base64(std::string_view text, Content& into) {
   into.bytes = into.memory.size();
 }
 
-// Views are read in turn, so that unpacking them again each time would take for ever.
+// Views of a part are read in turn, so that unpacking them again each time would take for ever.
 void GltfBytes::set_aside() {
+  std::erase_if(unpacked_, [this](const auto& one) { return one.second.part != part_; });
   for (auto& [view, content] : unpacked_) {
     if (content.file != nullptr) continue;
     std::vector<std::unique_ptr<Spool>> spools;
@@ -144,9 +145,13 @@ void GltfBytes::set_aside() {
 
 GltfBytes::Content& GltfBytes::unpacked(std::size_t view, const GltfPacking& packing) {
   const auto found = unpacked_.find(view);
-  if (found != unpacked_.end()) return found->second;
+  if (found != unpacked_.end()) {
+    found->second.part = part_;
+    return found->second;
+  }
   const std::uint64_t bytes = packing.count * packing.stride;
   Content content;
+  content.part = part_;
   content.reserved = job_.budget.try_reserve(bytes + packing.bytes);
   if (!content.reserved) {
     set_aside();

@@ -22,6 +22,9 @@ class GltfBytes {
             const GltfDocument& document)
       : job_(job), source_(source), own_begin_(begin), own_bytes_(bytes), document_(document) {}
 
+  // What is read from now on is read in turn, and what was read before may not be read again.
+  void begin_part() { ++part_; }
+
   // Part of a view, valid until the next call. Throws Error(bad_input) where it reaches behind the view or
   // the view's buffer is not there.
   std::span<const std::byte> read(std::size_t view, std::uint64_t offset, std::size_t bytes);
@@ -34,6 +37,7 @@ class GltfBytes {
     std::uint64_t begin = 0, bytes = 0;
     std::vector<std::byte> memory;
     Reservation reserved;
+    std::uint64_t part = 0;  // that it was last used for
   };
 
   [[noreturn]] void fail(const std::string& what) const;
@@ -41,7 +45,7 @@ class GltfBytes {
   std::unique_ptr<ByteSource> open_beside(const std::string& uri);
   void decode_base64(std::string_view text, Content& into);
   std::span<const std::byte> read_content(Content& content, std::uint64_t offset, std::size_t bytes);
-  void set_aside();  // what is unpacked, to scratch
+  void set_aside();  // what is unpacked for this part, to scratch; all else is dropped
   Content& unpacked(std::size_t view, const GltfPacking& packing);
 
   Job& job_;
@@ -50,6 +54,7 @@ class GltfBytes {
   const GltfDocument& document_;
   std::map<std::size_t, Content> buffers_;
   std::map<std::size_t, Content> unpacked_;
+  std::uint64_t part_ = 0;
   Block last_;
 };
 

@@ -95,6 +95,7 @@ class GltfParser {
     const GltfTurn turn(to_world);
     const std::uint64_t base = first_vertex_of(primitive, to_world, turn);
     const std::uint64_t vertices = document_.accessors[primitive.positions].count;
+    bytes_.begin_part();
     Corners corners(primitive.mode, turn.mirrors(), base, vertices, mesh_);
     if (primitive.indices) {
       GltfElements indices(bytes_, document_, *primitive.indices, GltfUse::indices, mesh_.name());
@@ -121,6 +122,7 @@ class GltfParser {
 
   void add_vertices(const GltfPrimitive& primitive, const GltfTransform& to_world, const GltfTurn& turn) {
     const bool moved = to_world != gltf_identity;
+    bytes_.begin_part();
     GltfElements positions(bytes_, document_, primitive.positions, GltfUse::positions, mesh_.name());
     GltfVertexAttributes others(bytes_, document_, attributes_, primitive, mesh_.carried(), turn,
                                 mesh_.name());
