@@ -111,8 +111,8 @@ class TileMesh {
     bool falls_together = false;  // a face of one and a face of the other have both other corners in common
   };
   // All faces of `a`, and those of `b` that are not at the edge.
-  [[nodiscard]] Meeting meeting(std::span<const StarFace> of_a, VertexNumber b,
-                                std::span<const StarFace> of_b);
+  [[nodiscard]] Meeting meeting(std::span<const StarFace> faces_a, VertexNumber b,
+                                std::span<const StarFace> faces_b);
 
   // Whether every neighbour of `v` is met in an even number of its faces, so that none of its edges has one
   // face. (But for a chance of 2^-64.)

@@ -40,12 +40,13 @@ void turn(StarBatch& batch, std::size_t end, double least_cosine) {
     // What had no direction has none to turn from.
     const bool far = !(cosine >= least_cosine * __builtin_sqrt(old_square * new_square));
     const bool stays = batch.stays[i] != 0;
-    batch.turned[i] = stays & (line | (far & (old_square != 0))) ? 1.0 : 0.0;
+    const bool turned = (stays & (line | (far & (old_square != 0)))) != 0;
+    batch.turned[i] = turned ? 1.0 : 0.0;
 
     const double old_inverse = 1 / (6 * __builtin_sqrt(old_square));
     const double new_inverse = 1 / (6 * __builtin_sqrt(new_square));
     const double p = old_square > 0 ? old_inverse : 0.0;
-    const double q = stays & (new_square > 0) ? new_inverse : 0.0;
+    const double q = (stays & (new_square > 0)) != 0 ? new_inverse : 0.0;
     const double pxx = p * mx * mx, pxy = p * mx * my, pxz = p * mx * mz;
     const double pyy = p * my * my, pyz = p * my * mz, pzz = p * mz * mz;
     const double qxx = q * nx * nx, qxy = q * nx * ny, qxz = q * nx * nz;
