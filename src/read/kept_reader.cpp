@@ -66,8 +66,7 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
 
 bool KeptReader::read_faces(std::uint64_t first, RawBatch& batch) const {
   faces_.read(first, memory_.batch_faces, batch);
-  for (std::uint32_t& index : std::span(batch.indices).first(numbers_.used() ? batch.indices.size() : 0))
-    index = numbers_.place_of(index);
+  if (numbers_.used()) numbers_.find(batch.indices);
   return batch.count > 0;
 }
 

@@ -61,13 +61,17 @@ void VertexNumbers::sort() {
   others_->finish();
 }
 
-VertexNumbers::Named VertexNumbers::named(std::uint64_t at) const {
-  Named named;
-  others_->read(at * sizeof named, std::as_writable_bytes(std::span(&named, 1)));
-  return named;
+void VertexNumbers::find(std::span<std::uint32_t> numbers) const {
+  RecentBlocks others(*others_, sizeof(Named));
+  for (std::uint32_t& number : numbers) number = place_of(number, others);
 }
 
-std::uint32_t VertexNumbers::place_of(std::uint32_t number) const {
+std::uint32_t VertexNumbers::place_of(std::uint32_t number, RecentBlocks& others) const {
+  const auto named = [&others](std::uint64_t at) {
+    Named found;
+    std::memcpy(&found, others.record(at).data(), sizeof found);
+    return found;
+  };
   std::uint64_t low = 0;
   std::uint64_t high = others_->size() / sizeof(Named);
   while (low < high) {

@@ -1,6 +1,7 @@
 // Vertices that are called by numbers of their own, as some formats do.
 #pragma once
 
+#include "io/recent_blocks.hpp"
 #include "io/spool.hpp"
 
 #include <array>
@@ -21,12 +22,13 @@ class VertexNumbers {
 
   [[nodiscard]] bool used() const { return count_ > 0; }
 
-  // Which vertex has the number, from 0 in their order, the last of several; UINT32_MAX where none has.
-  [[nodiscard]] std::uint32_t place_of(std::uint32_t number) const;
+  // From numbers to the vertices that have them, from 0 in their order, the last of several; UINT32_MAX where
+  // none has.
+  void find(std::span<std::uint32_t> numbers) const;
 
  private:
   struct Named;
-  [[nodiscard]] Named named(std::uint64_t at) const;
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t number, RecentBlocks& others) const;
   void sort();
 
   Job& job_;

@@ -35,7 +35,7 @@ int noticed(const Directory& directory, const std::string& input, const Words& o
 
 }  // namespace
 
-TEST_CASE("a changed bit is noticed in what a run keeps in scratch", "[faults]") {
+TEST_CASE("a changed bit is noticed in what a run keeps in scratch", "[faults][long]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   generate("scan", 400'000, input);
@@ -45,7 +45,8 @@ TEST_CASE("a changed bit is noticed in what a run keeps in scratch", "[faults]")
   CHECK(noticed(directory, input, refined + Words{"--memory", smallest_memory(input, refined)}) >= 4);
 }
 
-TEST_CASE("a changed bit is noticed in a copy of the input and in vertices that were parsed", "[faults]") {
+TEST_CASE("a changed bit is noticed in a copy of the input and in vertices that were parsed",
+          "[faults][long]") {
   const Directory directory;
   generate("scan", 400'000, directory.file("scan.stl"));
   CHECK(noticed(directory, zstd_file(directory.file("scan.stl")), {"--grid", "100"}) >= 4);
@@ -56,7 +57,7 @@ TEST_CASE("a changed bit is noticed in a copy of the input and in vertices that 
   CHECK(noticed(directory, text, options + Words{"--memory", smallest_memory(text, options)}) >= 3);
 }
 
-TEST_CASE("a changed bit is noticed in faces that were sorted", "[faults]") {
+TEST_CASE("a changed bit is noticed in faces that were sorted", "[faults][long]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   generate("scan", 1'300'000, input, {.shuffle = true});

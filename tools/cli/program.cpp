@@ -40,6 +40,12 @@ std::string default_scratch(const std::string& output) {
   return temporary != nullptr && *temporary != '\0' ? temporary : "/var/tmp";
 }
 
+// By these names standard output is no file to be replaced, whatever it is directed to.
+std::string output_name(const std::string& name) {
+  constexpr std::array<const char*, 3> standard{"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"};
+  return std::find(standard.begin(), standard.end(), name) != standard.end() ? "-" : name;
+}
+
 [[noreturn]] void refuse_empty_value(const std::string& name) {
   throw Error(ErrorKind::usage, name + " is empty; give it a value, or leave it out");
 }
@@ -182,8 +188,12 @@ void add_commands(CLI::App& app) {
   add_info(app);
   add_compare(app);
   add_generate(app);
-  for (CLI::App* command : app.get_subcommands({}))
+  for (CLI::App* command : app.get_subcommands({})) {
     command->parse_complete_callback([command] { refuse_empty_values(*command); });
+    for (const char* name : {"--output", "--colored", "--picture"}) {
+      if (CLI::Option* option = command->get_option_no_throw(name)) option->transform(output_name);
+    }
+  }
 }
 
 std::ostream& report_stream(const std::string& output) {

@@ -6,6 +6,7 @@
 #include "program.hpp"
 #include "simplify_report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <limits>
@@ -59,6 +60,9 @@ SimplifyOptions options_of(const SimplifyArguments& arguments) {
     options.attributes.emplace();
   } else if (arguments.attributes != "auto") {
     options.attributes = CLI::detail::split(arguments.attributes, ',');
+    if (std::find(options.attributes->begin(), options.attributes->end(), "") != options.attributes->end())
+      throw Error(ErrorKind::usage, "--attributes '" + arguments.attributes +
+                                        "' has an empty name; put one comma between two names");
   }
   options.strict = arguments.strict;
   options.force = arguments.written.force;

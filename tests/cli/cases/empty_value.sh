@@ -5,6 +5,9 @@ for option in --faces --checkpoint --crop; do
   "$WINNOW" simplify scan.ply -o small.ply --grid 10 "$option" "" 2>&1 || code=$?
   echo "=> $code"
 done
+code=0
+"$WINNOW" simplify scan.ply -o small.ply --grid 10 --attributes red,,blue 2>&1 || code=$?
+echo "=> $code"
 # Nor may the next word be taken for the value, and an input for the output.
 cp scan.ply other.ply
 code=0
