@@ -26,9 +26,9 @@ CollapseLog::Price CollapseLog::at(std::uint64_t entry) const {
   return read_record<Price>(prices_, entry);
 }
 
-std::uint64_t CollapseLog::count(std::size_t tile, double price, bool with_equal) const {
-  std::uint64_t low = first_[tile];
-  std::uint64_t high = first_[tile + 1];
+std::uint64_t CollapseLog::count(std::size_t tile, double price, bool with_equal, Range among) const {
+  std::uint64_t low = first_[tile] + among.least;
+  std::uint64_t high = first_[tile] + among.most;
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
     const double found = at(middle).price;
@@ -45,26 +45,33 @@ std::uint64_t CollapseLog::removed_by(std::size_t tile, std::uint64_t count) con
   return count == 0 ? 0 : at(first_[tile] + count - 1).removed;
 }
 
-std::uint64_t CollapseLog::removed_up_to(double price) const {
-  std::uint64_t sum = 0;
-  for (std::size_t tile = 0; tile < tiles(); ++tile) sum += removed_by(tile, count(tile, price, true));
-  return sum;
-}
-
 std::uint64_t CollapseLog::removed() const {
-  return removed_up_to(std::numeric_limits<double>::infinity());
+  std::uint64_t sum = 0;
+  for (std::size_t tile = 0; tile < tiles(); ++tile) sum += removed_by(tile, first_[tile + 1] - first_[tile]);
+  return sum;
 }
 
 double CollapseLog::price_of(std::uint64_t faces) const {
   // Numbers not below 0 are in the order of their bits.
   std::uint64_t low = 0;
   std::uint64_t high = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  // Collapses of each tile that such prices reach: as they close in, there is less to look at.
+  std::vector<std::uint64_t> least(tiles());
+  std::vector<std::uint64_t> most = all();
+  std::vector<std::uint64_t> counts(tiles());
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
-    if (removed_up_to(std::bit_cast<double>(middle)) < faces) {
+    std::uint64_t sum = 0;
+    for (std::size_t tile = 0; tile < tiles(); ++tile) {
+      counts[tile] = count(tile, std::bit_cast<double>(middle), true, {least[tile], most[tile]});
+      sum += removed_by(tile, counts[tile]);
+    }
+    if (sum < faces) {
       low = middle + 1;
+      least = counts;
     } else {
       high = middle;
+      most = counts;
     }
   }
   return std::bit_cast<double>(low);

@@ -50,10 +50,15 @@ class CollapseLog {
  private:
   [[nodiscard]] std::size_t tiles() const { return first_.size() - 1; }
   [[nodiscard]] Price at(std::uint64_t entry) const;
-  // How many collapses of a tile are below the price, or not above it.
-  [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal) const;
+  // How many collapses of a tile are below the price, or not above it; known to be in that range.
+  struct Range {
+    std::uint64_t least, most;
+  };
+  [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal, Range among) const;
+  [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal) const {
+    return count(tile, price, with_equal, {0, first_[tile + 1] - first_[tile]});
+  }
   [[nodiscard]] std::uint64_t removed_by(std::size_t tile, std::uint64_t count) const;
-  [[nodiscard]] std::uint64_t removed_up_to(double price) const;
 
   Spool edges_, prices_;
   std::vector<std::uint64_t> first_{0};  // entry of each tile; behind the last how many there are
