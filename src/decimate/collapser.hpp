@@ -3,17 +3,15 @@
 // A Cost has
 //   Candidate best(v, after)     the cheapest edge that `v` proposes and that comes after `after`
 //   PricedCollapse place(v, partner)   which end of that edge is kept, where it goes, and what that costs now
-//   void collapsing(now)               told that before the collapse; or collapsing(now, star), with its
-//                                      star moved there
-//   void collapsed(edge, offers)       told after it, or with the star as it was: collapsed(edge, star,
-//                                      offers); offers anew for the vertices whose edges now cost
-//   otherwise, or
-//                                      makes their offers stale
+//   void collapsing(now)         told that before the collapse; or collapsing(now, star), its star moved
+//   there void collapsed(edge, offers)   told after it: offers anew for the vertices whose edges now cost
+//   otherwise,
+//                                or makes their offers stale
 // and may have
 //   double closer_price(now, star, price)   what place() found, looked at more closely: `price` or more;
 //   asked
-//                                      before every collapse, of one that is legal
-//   void gave_up(v, offers)            told when everything that `v` proposes was refused
+//                                before every collapse, of one that is legal
+//   void gave_up(v, offers)      told when everything that `v` proposes was refused
 #pragma once
 
 #include "decimate/edge_star.hpp"
@@ -198,11 +196,7 @@ class Collapser {
       }
       const unsigned gone = mesh_.collapse(edge);
       offers_.set(edge.removed, {});
-      if constexpr (requires { cost_.collapsed(edge, star_, offers_); }) {
-        cost_.collapsed(edge, star_, offers_);
-      } else {
-        cost_.collapsed(edge, offers_);
-      }
+      cost_.collapsed(edge, offers_);
       done({edge, highest_, gone, cost_.largest_error()});
     }
   }

@@ -1,6 +1,5 @@
 #include "decimate/edge_star.hpp"
 
-#include "base/hash.hpp"
 #include "base/instruction_set.hpp"
 
 #include <algorithm>
@@ -20,16 +19,6 @@ void EdgeStar::find(const TileMesh& mesh, VertexNumber kept, VertexNumber remove
   mesh.for_each_corner(removed, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
     if (w != kept && x != kept) faces_.push_back({f, w, x, true});
   });
-}
-
-bool EdgeStar::removed_edges_even() const {
-  std::uint64_t odd = 0;
-  const auto meet = [&](VertexNumber w, VertexNumber x) { odd ^= mixed_hash(w) ^ mixed_hash(x); };
-  for (const StarFace& face : of_kept()) {
-    if (!face.stays) meet(kept_, face.w == removed_ ? face.x : face.w);
-  }
-  for (const StarFace& face : of_removed()) meet(face.w, face.x);
-  return odd == 0;
 }
 
 void EdgeStar::move(const TileMesh& mesh, const Point& to, double least_cosine) {

@@ -28,9 +28,6 @@ class EdgeStar {
   }
   [[nodiscard]] std::span<const StarFace> faces() const { return faces_; }
 
-  // Whether every neighbour of the removed end is met in an even number of its faces: all_edges_even().
-  [[nodiscard]] bool removed_edges_even() const;
-
   // What comes of them, in this order, when the ends move there.
   void move(const TileMesh& mesh, const Point& to, double least_cosine);
   [[nodiscard]] bool turned(std::size_t face) const { return batch(face).turned[lane(face)] != 0; }

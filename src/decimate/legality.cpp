@@ -27,7 +27,7 @@ bool Legality::at_border(VertexNumber v) {
 bool Legality::keeps_surface(const EdgeStar& star) {
   const TileMesh::Meeting meeting = mesh_.meeting(star.of_kept(), star.removed(), star.of_removed());
   if (meeting.faces == 0 || meeting.common != meeting.faces || meeting.falls_together) return false;
-  if (meeting.faces != 2 || star.removed_edges_even()) return true;
+  if (meeting.faces != 2 || mesh_.all_edges_even(star.removed())) return true;
   const auto open = [](std::ptrdiff_t faces) { return faces == 1; };
   return !some_edge_has(star.removed(), open) || !some_edge_has(star.kept(), open);
 }

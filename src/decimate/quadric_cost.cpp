@@ -99,7 +99,7 @@ void QuadricCost::collapsing(const PricedCollapse& now, const EdgeStar& star) {
   }
 }
 
-void QuadricCost::collapsed(const Collapse& edge, const EdgeStar& star, Offers& offers) {
+void QuadricCost::collapsed(const Collapse& edge, Offers& offers) {
   const VertexNumber kept = edge.kept;
   planes_[kept] = planes_of_kept_;
   at_border_[kept] |= at_border_[edge.removed];
@@ -109,11 +109,7 @@ void QuadricCost::collapsed(const Collapse& edge, const EdgeStar& star, Offers& 
     });
   }
   offers.set(kept, best(kept, Candidate::none_yet()));
-  for (const StarFace& face : star.faces()) {
-    for (const VertexNumber w : {face.w, face.x}) {
-      if (w != edge.removed) offers.make_stale(w);
-    }
-  }
+  for (const VertexNumber w : mesh_.neighbours(kept)) offers.make_stale(w);
 }
 
 }  // namespace winnow

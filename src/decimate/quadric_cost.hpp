@@ -30,7 +30,7 @@ class QuadricCost {
     return farthest_.price(now.edge, star, price);
   }
   void collapsing(const PricedCollapse& now, const EdgeStar& star);
-  void collapsed(const Collapse& edge, const EdgeStar& star, Offers& offers);
+  void collapsed(const Collapse& edge, Offers& offers);
 
   // The root of the mean squared distance of a vertex from the planes it was collapsed at, the largest there
   // was.

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,14 @@ class RecentBlocks {
   [[nodiscard]] std::span<const std::byte> block(std::uint64_t number);
   [[nodiscard]] std::span<const std::byte> record(std::uint64_t number) {
     return block(number / block_records_).subspan(number % block_records_ * record_bytes_, record_bytes_);
+  }
+
+  // The same as a value; records must be of that type.
+  template <typename Record>
+  [[nodiscard]] Record at(std::uint64_t number) {
+    Record value;
+    std::memcpy(&value, record(number).data(), sizeof value);
+    return value;
   }
 
  private:

@@ -3,7 +3,6 @@
 #include "io/sorted_runs.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <tuple>
 #include <vector>
 
@@ -67,23 +66,18 @@ void VertexNumbers::find(std::span<std::uint32_t> numbers) const {
 }
 
 std::uint32_t VertexNumbers::place_of(std::uint32_t number, RecentBlocks& others) const {
-  const auto named = [&others](std::uint64_t at) {
-    Named found;
-    std::memcpy(&found, others.record(at).data(), sizeof found);
-    return found;
-  };
   std::uint64_t low = 0;
   std::uint64_t high = others_->size() / sizeof(Named);
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
-    if (named(middle).number <= number) {
+    if (others.at<Named>(middle).number <= number) {
       low = middle + 1;
     } else {
       high = middle;
     }
   }
   if (low > 0) {
-    const Named found = named(low - 1);
+    const Named found = others.at<Named>(low - 1);
     if (found.number == number) return found.place;
   }
   return number >= 1 && number <= plain_ ? number - 1 : UINT32_MAX;

@@ -48,8 +48,10 @@ void VertexStore::open_mapping(const std::string& path, std::uint64_t offset, st
   watched_ = bytes > memory_limit_;
   resident_limit_ = std::min(bytes, memory_limit_);
   wake();
-  if (!watched_ && scratch_ != nullptr) scratch_->check(offset, bytes);
-  if (!watched_) return;
+  if (!watched_) {
+    if (scratch_ != nullptr) scratch_->check(offset, bytes);
+    return;
+  }
   resident_.reset(bytes);
   fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd_ < 0) throw Error(ErrorKind::bad_input, "cannot open '" + path + "': " + std::strerror(errno));

@@ -47,7 +47,7 @@ std::uint64_t CollapseLog::removed_by(std::size_t tile, std::uint64_t count) con
 
 std::uint64_t CollapseLog::removed() const {
   std::uint64_t sum = 0;
-  for (std::size_t tile = 0; tile < tiles(); ++tile) sum += removed_by(tile, first_[tile + 1] - first_[tile]);
+  for (std::size_t tile = 0; tile < tiles(); ++tile) sum += removed_by(tile, entries(tile));
   return sum;
 }
 
@@ -97,7 +97,7 @@ std::vector<std::uint64_t> CollapseLog::cut(std::uint64_t faces) const {
 
 std::vector<std::uint64_t> CollapseLog::all() const {
   std::vector<std::uint64_t> counts;
-  for (std::size_t tile = 0; tile < tiles(); ++tile) counts.push_back(first_[tile + 1] - first_[tile]);
+  for (std::size_t tile = 0; tile < tiles(); ++tile) counts.push_back(entries(tile));
   return counts;
 }
 

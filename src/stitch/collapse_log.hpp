@@ -49,6 +49,7 @@ class CollapseLog {
 
  private:
   [[nodiscard]] std::size_t tiles() const { return first_.size() - 1; }
+  [[nodiscard]] std::uint64_t entries(std::size_t tile) const { return first_[tile + 1] - first_[tile]; }
   [[nodiscard]] Price at(std::uint64_t entry) const;
   // How many collapses of a tile are below the price, or not above it; known to be in that range.
   struct Range {
@@ -56,7 +57,7 @@ class CollapseLog {
   };
   [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal, Range among) const;
   [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal) const {
-    return count(tile, price, with_equal, {0, first_[tile + 1] - first_[tile]});
+    return count(tile, price, with_equal, {0, entries(tile)});
   }
   [[nodiscard]] std::uint64_t removed_by(std::size_t tile, std::uint64_t count) const;
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <optional>
 #include <span>
 #include <utility>
@@ -114,7 +113,7 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
   SpoolCursor<FaceVertices> faces(job, *whole.mesh.faces);
   RecentBlocks new_numbers(numbers, sizeof(std::uint32_t));
   for (FaceVertices face{}; faces.next(face);) {
-    for (std::uint32_t& v : face) std::memcpy(&v, new_numbers.record(v).data(), sizeof v);
+    for (std::uint32_t& v : face) v = new_numbers.at<std::uint32_t>(v);
     list.add({lowest_first(face)});
   }
   whole.mesh.faces.reset();

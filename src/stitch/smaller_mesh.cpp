@@ -3,7 +3,6 @@
 #include "io/spool_records.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 #include <utility>
 
@@ -108,7 +107,7 @@ std::uint32_t SmallerMesh::new_number(const Tiling& tiling, RecentBlocks& named,
   NamedVertex found{};
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
-    std::memcpy(&found, named.record(middle).data(), sizeof found);
+    found = named.at<NamedVertex>(middle);
     if (found.old_number == old_number) break;
     if (found.old_number < old_number) {
       low = middle + 1;

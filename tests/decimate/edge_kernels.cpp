@@ -1,7 +1,7 @@
 // What edges cost: the same bits from the kernels of every instruction set, and what the formulas say.
-#include "base/instruction_set.hpp"
 #include "base/quadric.hpp"
 #include "decimate/edge_batch.hpp"
+#include "support/runnable.hpp"
 #include "support/surfaces.hpp"
 
 #include <cmath>
@@ -18,14 +18,6 @@ namespace winnow {
 using namespace test;
 
 namespace {
-
-std::vector<EdgeKernel> runnable_kernels() {
-  std::vector<EdgeKernel> kernels{edge_kernel_baseline};
-  const InstructionSet widest = widest_instruction_set();
-  if (widest != InstructionSet::baseline) kernels.push_back(edge_kernel_avx2);
-  if (widest == InstructionSet::avx512) kernels.push_back(edge_kernel_avx512);
-  return kernels;
-}
 
 // Of some faces around a vertex; sometimes none, or such as cancel each other.
 VertexPlanes some_planes(Random& random, double scale) {
@@ -47,7 +39,7 @@ Quadric quadric_of(const VertexPlanes& p) {
 
 TEST_CASE("edges have the same prices and places by every instruction set") {
   Random random(31);
-  const auto kernels = runnable_kernels();
+  const auto kernels = runnable(edge_kernel_baseline, edge_kernel_avx2, edge_kernel_avx512);
   for (int round = 0; round < 3000; ++round) {
     const double scale = std::pow(10, random.real(-30, 30));
     auto given = std::make_unique<EdgeBatch>();
@@ -62,8 +54,8 @@ TEST_CASE("edges have the same prices and places by every instruction set") {
     }
     const bool single = random.below(2) == 0;
     const EdgeBatch before = *given;
-    kernels[0](*given, count, single);
-    for (const EdgeKernel kernel : kernels) {
+    kernels[0].second(*given, count, single);
+    for (const auto& [name, kernel] : kernels) {
       EdgeBatch other = before;
       kernel(other, count, single);
       CHECK(std::memcmp(other.price, given->price, count * sizeof(double)) == 0);

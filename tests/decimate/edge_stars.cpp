@@ -1,7 +1,7 @@
 // The faces around an edge, and what comes of them: the same bits from the kernels of every instruction set,
 // and what the formulas say.
-#include "base/instruction_set.hpp"
 #include "decimate/edge_star.hpp"
+#include "support/runnable.hpp"
 #include "support/surfaces.hpp"
 #include "support/tile_meshes.hpp"
 
@@ -18,14 +18,6 @@ namespace winnow {
 using namespace test;
 
 namespace {
-
-std::vector<StarKernel> runnable_star_kernels() {
-  std::vector<StarKernel> kernels{star_kernel_baseline};
-  const InstructionSet widest = widest_instruction_set();
-  if (widest != InstructionSet::baseline) kernels.push_back(star_kernel_avx2);
-  if (widest == InstructionSet::avx512) kernels.push_back(star_kernel_avx512);
-  return kernels;
-}
 
 // A third of the area, times n n'.
 VertexPlanes planes_of(const Triangle& face) {
@@ -48,7 +40,7 @@ void check_near(const VertexPlanes& found, const VertexPlanes& right, double sca
 
 TEST_CASE("kernels of all instruction sets agree about stars to the bit") {
   Random random(850);
-  const std::vector<StarKernel> kernels = runnable_star_kernels();
+  const auto kernels = runnable(star_kernel_baseline, star_kernel_avx2, star_kernel_avx512);
   for (int round = 0; round < 400; ++round) {
     const auto batch = std::make_unique<StarBatch>();
     const std::size_t count = random.between(1, StarBatch::capacity);
@@ -66,7 +58,7 @@ TEST_CASE("kernels of all instruction sets agree about stars to the bit") {
       }
     }
     std::vector<StarBatch> results;
-    for (const StarKernel kernel : kernels) {
+    for (const auto& [name, kernel] : kernels) {
       StarBatch& result = results.emplace_back(*batch);
       kernel(result, count, 0.3);
     }

@@ -4,25 +4,16 @@
 #include "cluster/grid.hpp"
 #include "cluster/kernel/corner_kernel.hpp"
 #include "read/face_batch.hpp"
+#include "support/runnable.hpp"
 #include "support/surfaces.hpp"
 
 #include <memory>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace winnow::test {
 
-// Those that this processor runs, the baseline first.
-inline std::vector<std::pair<std::string, CornerKernel>> runnable_kernels() {
-  std::vector<std::pair<std::string, CornerKernel>> kernels{{"baseline", corner_kernel_baseline}};
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2")) kernels.emplace_back("avx2", corner_kernel_avx2);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl")) {
-    kernels.emplace_back("avx512", corner_kernel_avx512);
-  }
-  return kernels;
+inline auto runnable_kernels() {
+  return runnable(corner_kernel_baseline, corner_kernel_avx2, corner_kernel_avx512);
 }
 
 // What the kernel makes of at most kernel_capacity faces.
