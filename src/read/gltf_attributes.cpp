@@ -8,7 +8,7 @@ namespace winnow {
 
 namespace {
 
-constexpr std::array<const char*, 4> component_names{"red", "green", "blue", "alpha"};
+constexpr std::array<const char*, 4> light_names{"red", "green", "blue", "alpha"};
 
 // Of which each holds all that those before it hold.
 ScalarType scalar_type(GltfType type) {
@@ -48,7 +48,7 @@ AttributeOffer offer_of(const GltfAttributes& attributes) {
     offer.scalars.push_back({std::string(normal_names[i]), ScalarType::float32});
   for (std::size_t i = 0; i < (attributes.alpha ? 4 : 3) && attributes.colors; ++i) {
     offer.scalars.push_back(
-        {component_names[i], attributes.color_type, i < 3 ? AttributeKind::light : AttributeKind::value});
+        {light_names[i], attributes.color_type, i < 3 ? AttributeKind::light : AttributeKind::value});
   }
   offer.unread = attributes.unread;
   return offer;

@@ -1,5 +1,6 @@
 // The corner kernels of every instruction set give the same bits.
 #include "support/kernels.hpp"
+#include "support/not_finite.hpp"
 
 #include <limits>
 

@@ -3,21 +3,17 @@
 #include "cluster/resolution.hpp"
 #include "io/arena.hpp"
 #include "read/for_each_batch.hpp"
+#include "support/not_finite.hpp"
 #include "support/ply_file.hpp"
 #include "support/reading.hpp"
 #include "support/sources.hpp"
 #include "support/stl_file.hpp"
-
-#include <limits>
 
 #include <catch2/catch.hpp>
 
 namespace winnow {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 ClusterCounts counts_of(const std::string& file, double cell = 0.5) {
   test::TestJob test;
@@ -90,7 +86,7 @@ TEST_CASE("the highest index of 32 bits is out of range, not minus one") {
 
 TEST_CASE("corners that are not finite are told, whatever else the vertex list holds") {
   std::vector<test::Point> vertices = corners_of_square;
-  for (const double bad : {nan, infinity, -infinity}) {
+  for (const double bad : {test::nan, test::infinity, -test::infinity}) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       vertices.push_back({0, 0, 0});
       vertices.back()[axis] = bad;
@@ -115,7 +111,7 @@ TEST_CASE("repeated corners are degenerate, by index and by position") {
 
 TEST_CASE("a face of two corners is degenerate, whatever its vertices are") {
   // The first vertex of the file is no number, and there may be none at all.
-  const test::Polygons odd{{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{1, 2, 3}, {1, 2}, {}, {0}}};
+  const test::Polygons odd{{{test::nan, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{1, 2, 3}, {1, 2}, {}, {0}}};
   const test::Polygons none{{}, {{0, 1}, {}}};
   in_every_form([&](const test::PlyStyle& style) {
     check_counts(counts_of(ply_file(odd, style)), 4, {3, 0, 0});
@@ -133,8 +129,8 @@ TEST_CASE("zero area alone is not bad") {
 
 TEST_CASE("bad faces of an STL are told apart as those of a PLY") {
   std::vector<test::Triangle> faces{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
-                                    {{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}},
-                                    {{{0, 0, -infinity}, {1, 0, 0}, {0, 1, 0}}},
+                                    {{{0, 0, 0}, {1, 0, 0}, {0, test::nan, 0}}},
+                                    {{{0, 0, -test::infinity}, {1, 0, 0}, {0, 1, 0}}},
                                     {{{1, 1, 1}, {1, 1, 1}, {0, 1, 0}}},
                                     {{{0, 0, 0}, {1, 0, 0}, {1, 0, -0.0}}}};
   for (const std::string& file : {test::binary_stl(faces), test::ascii_stl(faces)})

@@ -1,25 +1,24 @@
 // Converting averages nothing: what vertices carry is what it was, to the bit.
 #include "support/attributes.hpp"
 #include "support/budget.hpp"
+#include "support/not_finite.hpp"
 #include "support/simplified.hpp"
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace winnow::test {
 
 namespace {
 
 std::vector<Column> all_columns() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<Column> columns = usual_columns();
   columns.insert(columns.begin() + 2, {"s", ScalarType::float32, [](const Point& p) { return p[0]; }});
   columns.push_back({"nx", ScalarType::float32, [](const Point& p) { return 3 * p[0]; }});
   columns.push_back({"ny", ScalarType::float32, [](const Point& p) { return p[1]; }});
   columns.push_back({"nz", ScalarType::float32, [](const Point&) { return 0; }});
   columns.push_back({"odd", ScalarType::float64, [](const Point& p) {
-                       return p[0] > 0.2 ? infinity : p[0] < -0.2 ? std::nan("") : 1e300;
+                       return p[0] > 0.2 ? infinity : p[0] < -0.2 ? nan : 1e300;
                      }});
   return columns;
 }

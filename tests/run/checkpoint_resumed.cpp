@@ -14,12 +14,12 @@ SimplifyOptions to_faces(std::uint64_t faces) {
   return options;
 }
 
-struct Case {
+struct Interrupted {
   Directory directory;
   std::string input = directory.file("in.ply"), output = directory.file("out.ply");
   SimplifyOptions options = to_faces(6'000);
 
-  Case() { generate("scan", 160'000, input); }
+  Interrupted() { generate("scan", 160'000, input); }
 
   std::string undisturbed() {
     Context context;
@@ -34,7 +34,7 @@ struct Case {
 }  // namespace
 
 TEST_CASE("a run goes on where it was stopped", "[faults]") {
-  Case test;
+  Interrupted test;
   const std::string want = test.undisturbed();
   const struct {
     const char* stage;
@@ -89,7 +89,7 @@ TEST_CASE("several files, cropped and written packed, go on to the same bytes", 
 }
 
 TEST_CASE("tiles that were tried are not tried again", "[faults]") {
-  Case test;
+  Interrupted test;
   const std::string want = test.undisturbed();
   // The first round is stopped when its last tile is through and the mesh is being made from them.
   Checkpoint checkpoint;
@@ -107,7 +107,7 @@ TEST_CASE("tiles that were tried are not tried again", "[faults]") {
 }
 
 TEST_CASE("a checkpoint that is kept writes the output again", "[faults]") {
-  Case test;
+  Interrupted test;
   Context context;
   const Checkpoint checkpoint{test.directory.file("kept"), true};
   const SimplifyReport first =

@@ -3,9 +3,9 @@
 #include <winnow/simplify.hpp>
 
 #include "support/job.hpp"
+#include "support/not_finite.hpp"
 
 #include <functional>
-#include <limits>
 
 #include <catch2/catch.hpp>
 
@@ -34,8 +34,6 @@ void check_usage(const std::string& word, const std::function<void(SimplifyOptio
 }  // namespace
 
 TEST_CASE("options of refinement that cannot be are refused by name") {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const Refine cost : {Refine::none, Refine::volume, Refine::importance}) {
     check_usage("--error", [&](SimplifyOptions& o) { o.error = 1, o.refine = cost; });
   }

@@ -5,6 +5,8 @@
 #include "program.hpp"
 #include "report_text.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -43,8 +45,20 @@ Json json_of(const InfoReport& report) {
   return json;
 }
 
-std::string triple(const std::array<double, 3>& values) {
-  return show_length(values[0]) + " " + show_length(values[1]) + " " + show_length(values[2]);
+std::string triple(const std::array<double, 3>& values, int digits = 6) {
+  return show_length(values[0], digits) + " " + show_length(values[1], digits) + " " +
+         show_length(values[2], digits);
+}
+
+// As many as tell places in a box that is far from the origin as finely as in one that is not.
+int digits_of(const InfoReport& report, const std::array<double, 3>& size) {
+  double farthest = 0;
+  for (const auto& corner : {report.box_min, report.box_max}) {
+    for (const double x : corner) farthest = std::max(farthest, std::abs(x));
+  }
+  const double longest = *std::max_element(size.begin(), size.end());
+  const double more = longest > 0 ? std::ceil(std::log10(farthest / longest)) : 0;
+  return 6 + static_cast<int>(std::clamp(more, 0.0, 11.0));
 }
 
 void show(const InfoReport& report, std::ostream& out) {
@@ -55,7 +69,8 @@ void show(const InfoReport& report, std::ostream& out) {
   if (report.has_box) {
     std::array<double, 3> size{};
     for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = report.box_max[axis] - report.box_min[axis];
-    line("box", triple(report.box_min) + "  to  " + triple(report.box_max));
+    const int digits = digits_of(report, size);
+    line("box", triple(report.box_min, digits) + "  to  " + triple(report.box_max, digits));
     line("size", triple(size));
   }
   line("area", show_length(report.area));

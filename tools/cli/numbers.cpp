@@ -136,8 +136,10 @@ std::string show_seconds(double seconds) {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
-std::string show_length(double length) {
-  return format("%.6g", length);
+std::string show_length(double length, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, length);
+  return text.data();
 }
 
 std::string show_bad_faces(const BadFaces& bad) {

@@ -26,7 +26,7 @@ std::string show_list(const std::vector<std::string>& words);  // a, b
 std::string show_bytes(std::uint64_t bytes);                   // 1.5 GiB
 std::string show_rate(double per_second);                      // 45.2 M
 std::string show_seconds(double seconds);                      // 0.45 s, 2 min 10 s
-std::string show_length(double length);                        // six digits
+std::string show_length(double length, int digits = 6);        // significant ones
 
 // "3 left out: 1 repeat a corner, 2 name a vertex that does not exist"
 std::string show_bad_faces(const BadFaces& bad);
