@@ -154,6 +154,7 @@ bool is_plain(const VertexLayout& layout) {
 
 void load_attributes(const std::byte* record, const VertexLayout& layout, std::size_t corner,
                      std::size_t face, FaceBatch& out) {
+  if (layout.attributes.empty()) return;
   double* at = out.attributes.data() + corner * FaceBatch::capacity + face;
   for (const VertexLayout::Number& number : layout.attributes) {
     *at = load_real(record + number.offset, number.type, layout.swapped);
