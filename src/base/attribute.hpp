@@ -31,7 +31,7 @@ struct Attribute {
 // Bounds what a cell's sums take; enough for normals, colours, texture and a few measurements.
 inline constexpr std::size_t most_attributes = 16;
 
-// Those of an input, and the largest size of a finite number of each in it.
+// Those of an input, and the largest size of a number of each in it.
 struct CarriedAttributes {
   std::vector<Attribute> attributes;
   std::vector<double> largest;

@@ -124,7 +124,7 @@ class AttributeMeansOf final : public AttributeMeans {
       Int128 more = 0;
       for (std::size_t c = from; c < to; ++c) {
         const std::int64_t number = scales_[k].fixed(faces.attribute(k, c, face));
-        if (number == AttributeScale::not_finite) {
+        if (number == AttributeScale::none) {
           sum.absent[k] += weight[c];
         } else {
           more += static_cast<Int128>(number) * static_cast<std::int64_t>(weight[c]);

@@ -17,15 +17,15 @@ namespace winnow {
 // below 2^-61 of the largest.
 class AttributeScale {
  public:
-  // `largest`: the largest size of a finite number in the input.
+  // `largest`: the largest size of a number in the input; larger ones are none.
   AttributeScale(const Attribute& attribute, double largest);
 
-  static constexpr std::int64_t not_finite = INT64_MIN;
+  static constexpr std::int64_t none = INT64_MIN;
 
   [[nodiscard]] std::int64_t fixed(double stored) const {
     if (!table_.empty()) {
       const bool there = stored >= 0 && stored < static_cast<double>(table_.size());
-      return there ? table_[static_cast<std::size_t>(stored)] : not_finite;
+      return there ? table_[static_cast<std::size_t>(stored)] : none;
     }
     return scaled(is_color(attribute_) ? mean_of_stored(attribute_, stored) : stored);
   }
@@ -36,7 +36,7 @@ class AttributeScale {
  private:
   [[nodiscard]] std::int64_t scaled(double mean) const {
     const double number = mean * up_[0] * up_[1];
-    return std::abs(number) <= 0x1p62 ? static_cast<std::int64_t>(number) : not_finite;
+    return std::abs(number) <= 0x1p62 ? static_cast<std::int64_t>(number) : none;
   }
 
   Attribute attribute_;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace winnow {
 
@@ -47,6 +48,16 @@ std::optional<std::array<double, 3>> IndexedReader::first_finite_position() {
   return {};
 }
 
+namespace {
+
+// The largest number of a type stands for none in many a file.
+bool stands_for_none(double size) {
+  return !std::isfinite(size) || size == std::numeric_limits<float>::max() ||
+         size == std::numeric_limits<double>::max();
+}
+
+}  // namespace
+
 std::vector<MeshReader::AttributeRange> IndexedReader::attribute_ranges() {
   const auto& attributes = facts_.choice.carried;
   std::vector<AttributeRange> ranges(attributes.size());
@@ -69,10 +80,10 @@ std::vector<MeshReader::AttributeRange> IndexedReader::attribute_ranges() {
       for (const std::size_t k : real) {
         const auto [offset, type] = layout.attributes[k];
         const double size = std::abs(load_real(record + offset, type, layout.swapped));
-        if (std::isfinite(size)) {
-          ranges[k].largest = std::max(ranges[k].largest, size);
+        if (stands_for_none(size)) {
+          ++ranges[k].without;
         } else {
-          ++ranges[k].not_finite;
+          ranges[k].largest = std::max(ranges[k].largest, size);
         }
       }
     }

@@ -138,7 +138,7 @@ class JoinedReader final : public MeshReader {
         const double largest =
             place_[i].light ? color_of_light(facts_.choice.carried[i].type, range.largest) : range.largest;
         ranges[i].largest = std::max(ranges[i].largest, largest);
-        ranges[i].not_finite += range.not_finite;
+        ranges[i].without += range.without;
       }
     }
     return ranges;

@@ -84,11 +84,12 @@ class MeshReader {
   // none. To be called before begin_faces(); costs next to nothing.
   virtual std::optional<std::array<double, 3>> first_finite_position() = 0;
 
-  // Of each attribute that is carried the largest size of a finite number, or a bound for it, over all
-  // vertices, and how many numbers are not finite. To be called before begin_faces().
+  // Of each attribute that is carried the largest size of a number, or a bound for it, over all vertices, and
+  // how many vertices are without: their number is not finite, or the largest that a float or double can be.
+  // To be called before begin_faces().
   struct AttributeRange {
     double largest = 0;
-    std::uint64_t not_finite = 0;
+    std::uint64_t without = 0;
   };
   virtual std::vector<AttributeRange> attribute_ranges() { return {}; }
 

@@ -53,14 +53,15 @@ CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& 
   CarriedAttributes carried{choice.carried, {}};
   for (const MeshReader::AttributeRange& range : reader.attribute_ranges()) {
     carried.largest.push_back(range.largest);
-    report.attributes.ignored += range.not_finite;
+    report.attributes.ignored += range.without;
   }
   report.attributes.carried = descriptions(choice);
   report.attributes.dropped = choice.dropped;
   note_dropped(job, choice);
   if (report.attributes.ignored > 0) {
     job.note(grouped(report.attributes.ignored) +
-             " numbers of carried attributes are not finite; the means leave them out");
+             " numbers of carried attributes are not finite, or the largest of their type; the means leave "
+             "them out");
   }
   return carried;
 }

@@ -27,9 +27,10 @@ Format format_called(const std::string& path) {
   for (const auto& [known, format] : endings) {
     if (ending == known) return format;
   }
-  for (const char* other : {".gltf", ".3mf", ".m", ".dae", ".fbx", ".3ds", ".wrl", ".x3d", ".vtk", ".vtp", ".usd", ".usda",
-                            ".usdc", ".usdz", ".stp", ".step", ".iges", ".las", ".laz", ".e57", ".xyz", ".pcd", ".pts",
-                            ".json", ".bz2", ".xz", ".zip", ".7z", ".lz4"}) {
+  for (const char* other :
+       {".gltf", ".3mf",  ".m",    ".dae",  ".fbx", ".3ds",  ".wrl",  ".x3d", ".vtk", ".vtp",
+        ".usd",  ".usda", ".usdc", ".usdz", ".stp", ".step", ".iges", ".las", ".laz", ".e57",
+        ".xyz",  ".pcd",  ".pts",  ".json", ".bz2", ".xz",   ".zip",  ".7z",  ".lz4"}) {
     if (ending != other) continue;
     throw Error(ErrorKind::usage,
                 "'" + path + "': " + other +

@@ -65,8 +65,8 @@ TEST_CASE("what is not finite is told apart") {
   for (const double value :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
         -std::numeric_limits<double>::infinity()})
-    CHECK(scale.fixed(value) == AttributeScale::not_finite);
-  CHECK(scale.fixed(-4) != AttributeScale::not_finite);
+    CHECK(scale.fixed(value) == AttributeScale::none);
+  CHECK(scale.fixed(-4) != AttributeScale::none);
 }
 
 TEST_CASE("light is averaged as it is, and written as a colour") {

@@ -111,7 +111,8 @@ TEST_CASE("repeated corners are degenerate, by index and by position") {
 
 TEST_CASE("a face of two corners is degenerate, whatever its vertices are") {
   // The first vertex of the file is no number, and there may be none at all.
-  const test::Polygons odd{{{test::nan, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{1, 2, 3}, {1, 2}, {}, {0}}};
+  const test::Polygons odd{{{test::nan, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
+                           {{1, 2, 3}, {1, 2}, {}, {0}}};
   const test::Polygons none{{}, {{0, 1}, {}}};
   in_every_form([&](const test::PlyStyle& style) {
     check_counts(counts_of(ply_file(odd, style)), 4, {3, 0, 0});
