@@ -75,12 +75,35 @@ std::uint64_t VertexIndex::Reader::lower_bound(CellKey key) {
 }
 
 std::uint64_t VertexIndex::Reader::find(CellKey key, const Point& position) {
-  Found& recent = recent_[quick_hash(key) >> (64 - recent_bits)];
-  if (recent.vertex.key != key || recent.vertex.position != position) {
-    recent.number = lower_bound(key);
-    while ((recent.vertex = at(recent.number)).position != position) ++recent.number;
+  // Where one vertex lies far off, all others may have one key.
+  std::uint64_t mixed = key;
+  for (const double x : position) mixed = quick_hash(mixed ^ std::bit_cast<std::uint64_t>(x));
+  Found& recent = recent_[mixed >> (64 - recent_bits)];
+  if (recent.vertex.key == key && recent.vertex.position == position) return recent.number;
+  const auto before = [&](std::uint64_t number) {
+    const IndexedVertex vertex = at(number);
+    return vertex.key != key ? vertex.key < key : vertex.position < position;
+  };
+  // Mostly it is the first; else in steps that grow, and between the last two.
+  std::uint64_t first = lower_bound(key), end = first;
+  for (std::uint64_t step = 1; end < index_.size() && before(end); step *= 2) {
+    first = end + 1;
+    end += step;
   }
-  return recent.number;
+  end = std::min(end, index_.size());
+  while (first < end) {
+    const std::uint64_t middle = first + (end - first) / 2;
+    if (before(middle)) {
+      first = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  if (first == index_.size()) return absent;
+  const IndexedVertex vertex = at(first);
+  if (vertex.key != key || vertex.position != position) return absent;
+  recent = {first, vertex};
+  return first;
 }
 
 VertexIndex::Reader::Found VertexIndex::Reader::search(CellKey key) {

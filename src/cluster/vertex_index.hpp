@@ -49,8 +49,10 @@ class VertexIndex {
     };
     // `key` must be in the index.
     const Found& find(CellKey key);
-    // Of several vertices with one key that at this position, which must be there.
+    // Of the vertices with one key, in the order of their positions, that at this one; `absent` if there is
+    // none.
     std::uint64_t find(CellKey key, const Point& position);
+    static constexpr std::uint64_t absent = UINT64_MAX;
     IndexedVertex at(std::uint64_t number);
     // The number of the first vertex whose key is not below `key`; size() where there is none.
     std::uint64_t lower_bound(CellKey key);

@@ -150,6 +150,8 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const CarriedAttributes& attrib
           for (std::size_t i = 0; i < 3; ++i) {
             const Point p = plain(face.corner[i]);
             number[i] = worker.vertices.find(key_of(grid, p), p);
+            if (number[i] == VertexIndex::Reader::absent)
+              throw Error(ErrorKind::bad_input, "the input was changed while it was read");
           }
           list.add(cell_face(number[0], number[1], number[2]));
           if (means != nullptr) means->add(batch, face.number - batch.first, number);

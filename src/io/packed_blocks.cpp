@@ -71,7 +71,9 @@ bool PackedReader::next(std::vector<std::byte>& block) {
   if (at_ == file_.size()) return false;
   BlockHead head{};
   file_.read(at_, std::as_writable_bytes(std::span(&head, 1)));
-  if (head.plain > most_plain || head.packed > ZSTD_COMPRESSBOUND(most_plain)) file_.damaged();
+  if (head.plain == 0 || head.plain > most_plain || head.packed == 0 ||
+      head.packed > ZSTD_COMPRESSBOUND(most_plain))
+    file_.damaged();
   packed_.resize(head.packed);
   file_.read(at_ + sizeof head, packed_);
   at_ += sizeof head + head.packed;

@@ -69,6 +69,36 @@ TEST_CASE("vertices are found by key and number, in memory and in scratch") {
   }
 }
 
+TEST_CASE("vertices that share a key are found by their position, or not at all") {
+  Random random(521);
+  for (const std::uint64_t keys : {1, 3, 2000}) {
+    std::vector<IndexedVertex> vertices(20'000);
+    for (IndexedVertex& vertex : vertices) {
+      vertex.key = 7 * random.below(keys);
+      for (double& x : vertex.position) x = random.unit();
+    }
+    std::sort(vertices.begin(), vertices.end(), [](const auto& a, const auto& b) {
+      return a.key != b.key ? a.key < b.key : a.position < b.position;
+    });
+    for (const std::uint64_t memory : {std::uint64_t{0}, std::uint64_t{64} << 20}) {
+      CAPTURE(keys, memory);
+      TestJob here;
+      VertexIndex index(here.job, memory);
+      index.append(vertices);
+      index.finish();
+      VertexIndex::Reader reader(index);
+      for (std::size_t number = 0; number < vertices.size(); number += 1 + random.below(20)) {
+        const auto& [key, position, normal, unused] = vertices[number];
+        REQUIRE(reader.find(key, position) == number);
+        REQUIRE(reader.find(key, position) == number);
+        for (const double off : {-1e-9, 1e-9, 2.0, -2.0})
+          REQUIRE(reader.find(key, {position[0] + off, position[1], position[2]}) == reader.absent);
+        REQUIRE(reader.find(key + 1, position) == reader.absent);
+      }
+    }
+  }
+}
+
 TEST_CASE("an index of nothing is empty") {
   TestJob here;
   VertexIndex index(here.job, 1 << 20);

@@ -122,11 +122,12 @@ TEST_CASE("equal positions become one vertex and faces of the same three become 
 }
 
 TEST_CASE("positions that share a key of the lattice stay apart") {
-  // Two clouds, each a billionth of the box wide.
+  // Two clouds, each a billionth of the box wide, as where one vertex of a scan is far off.
+  constexpr std::size_t places = 60'000;
   Random random(891);
   Polygons polygons;
   std::set<Point> used;
-  for (int i = 0; i < 600; ++i) {
+  for (std::size_t i = 0; i < places; ++i) {
     const double far = i % 2 == 0 ? 0 : 100;
     Point p{far, far, far};
     for (double& x : p) x += 1e-7 * random.unit();
@@ -134,9 +135,10 @@ TEST_CASE("positions that share a key of the lattice stay apart") {
     used.insert(p);
   }
   std::set<std::set<std::int64_t>> seen;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 100'000; ++i) {
     std::vector<std::int64_t> face;
-    for (int corner = 0; corner < 3; ++corner) face.push_back(static_cast<std::int64_t>(random.below(600)));
+    for (int corner = 0; corner < 3; ++corner)
+      face.push_back(static_cast<std::int64_t>(random.below(places)));
     const std::set<std::int64_t> corners(face.begin(), face.end());
     if (corners.size() == 3 && seen.insert(corners).second) polygons.faces.push_back(face);
   }

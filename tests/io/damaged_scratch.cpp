@@ -94,6 +94,20 @@ TEST_CASE("a changed length asks for no more memory than a block has") {
   }
 }
 
+TEST_CASE("zeros in the place of blocks are an error") {
+  test::TestJob test;
+  const Blocks blocks = random_blocks(3, 300);
+  const std::set<int> before = test::descriptors();
+  PackedFile file(test.job);
+  const test::OpenedFile opened(test::opened_since(before).front());
+  for (const auto& block : blocks) file.append(block);
+  file.finish();
+  opened.clear(0, 8);
+  CHECK_FALSE(read(file));
+  opened.clear(0, static_cast<std::size_t>(opened.size()));
+  CHECK_FALSE(read(file));
+}
+
 TEST_CASE("a scratch file that lost its end is an error") {
   test::TestJob test;
   const Blocks blocks = random_blocks(3, 300);

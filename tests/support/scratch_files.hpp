@@ -50,6 +50,11 @@ class OpenedFile {
     REQUIRE(::pwrite(fd_, &value, 1, static_cast<off_t>(byte)) == 1);
   }
 
+  void clear(std::uint64_t byte, std::size_t count) const {
+    const std::string zeros(count, '\0');
+    REQUIRE(::pwrite(fd_, zeros.data(), count, static_cast<off_t>(byte)) == static_cast<ssize_t>(count));
+  }
+
   void cut(std::uint64_t size) const { REQUIRE(::ftruncate(fd_, static_cast<off_t>(size)) == 0); }
 
  private:
