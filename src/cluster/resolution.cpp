@@ -17,6 +17,8 @@ namespace {
 constexpr std::uint64_t crude_points = 1 << 15;
 // A clustered surface has about two faces a vertex, as any closed triangle mesh.
 constexpr double faces_a_cell = 2;
+constexpr std::size_t few_points = 100;
+constexpr double far_off = 64;          // by so many times what the others take
 constexpr double largest_edge = 1.001;  // of the box's longest side: all in one cell
 
 Point point_at(const PositionView& view, std::size_t i) {
@@ -65,6 +67,28 @@ std::size_t distinct_cells(const std::vector<Point>& points, const Grid& grid) {
   for (const Point& point : points) hashes.push_back(hash_cell(point, grid));
   std::sort(hashes.begin(), hashes.end());
   return static_cast<std::size_t>(std::unique(hashes.begin(), hashes.end()) - hashes.begin());
+}
+
+struct PickedPoints {
+  Box box;                    // of all positions
+  std::vector<Point> points;  // some of them, in any order
+};
+
+PickedPoints pick_points(Job& job, MeshReader& reader, std::uint64_t positions) {
+  PerSlot<PickedPoints> slots(job.threads, [] { return std::make_unique<PickedPoints>(); });
+  const std::uint64_t step = std::max<std::uint64_t>(1, positions / crude_points);
+  const PositionKernel& kernel = best_position_kernel();
+  for_each_position_batch(job, reader, [&](const PositionView& view) {
+    PickedPoints& part = slots.local();
+    add_to_box(kernel, view, part.box);
+    pick_points(view, step, part.points);
+  });
+  PickedPoints all;
+  for (const PickedPoints* part : slots.all()) {
+    all.box.add(part->box);
+    all.points.insert(all.points.end(), part->points.begin(), part->points.end());
+  }
+  return all;
 }
 
 // Counts different values by the share of a bitmap that their hashes leave empty (linear counting: Whang,
@@ -127,33 +151,38 @@ Box measure_box(Job& job, MeshReader& reader) {
   return box;
 }
 
+Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions) {
+  if (positions == 0) return measure_box(job, reader);
+  job.progress.begin("measure", positions, "positions");
+  const PickedPoints picked = pick_points(job, reader, positions);
+  if (picked.points.size() < few_points) return picked.box;
+  // All but a few on either side, and as much again around them.
+  Box most = picked.box;
+  std::vector<double> along;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    along.clear();
+    for (const Point& point : picked.points) along.push_back(point[axis]);
+    std::sort(along.begin(), along.end());
+    const std::size_t cut = along.size() / 200 + 1;
+    const double low = along[cut], high = along[along.size() - 1 - cut];
+    most.low[axis] = std::max(most.low[axis], low - (high - low));
+    most.high[axis] = std::min(most.high[axis], high + (high - low));
+  }
+  const double side = most.longest_side();
+  return side > 0 && side * far_off < picked.box.longest_side() ? most : picked.box;
+}
+
 std::uint64_t CellCounts::memory(unsigned threads) {
   return threads * sizes * DistinctCounter::most_bits / 8 + 4 * crude_points * sizeof(Point);
 }
 
 CellCounts::CellCounts(Job& job, MeshReader& reader, std::uint64_t positions, std::uint64_t wanted_faces) {
   job.progress.begin("sample", positions, "positions");
-  struct Part {
-    Box box;
-    std::vector<Point> points;
-  };
-  PerSlot<Part> slots(job.threads, [] { return std::make_unique<Part>(); });
-  const std::uint64_t step = std::max<std::uint64_t>(1, positions / crude_points);
-  const PositionKernel& kernel = best_position_kernel();
-  for_each_position_batch(job, reader, [&](const PositionView& view) {
-    Part& part = slots.local();
-    add_to_box(kernel, view, part.box);
-    pick_points(view, step, part.points);
-  });
-  std::vector<Point> points;
-  for (const Part* part : slots.all()) {
-    box_.add(part->box);
-    points.insert(points.end(), part->points.begin(), part->points.end());
-  }
-  slots.clear();
+  const PickedPoints picked = pick_points(job, reader, positions);
+  box_ = picked.box;
   if (box_.empty || !(box_.longest_side() > 0)) return;
   const double cells = std::max(1.0, static_cast<double>(wanted_faces) / faces_a_cell);
-  count_cells(job, reader, crude_cell(points, cells), cells);
+  count_cells(job, reader, crude_cell(picked.points, cells), cells);
 }
 
 // From points picked blindly: good while cells hold many of them; smaller cells are extrapolated, as on a

@@ -11,6 +11,8 @@
 #include "io/spool_records.hpp"
 #include "read/for_each_batch.hpp"
 
+#include <algorithm>
+
 namespace winnow {
 
 namespace {
@@ -31,9 +33,10 @@ Point plain(const Point& p) {
 }
 
 CellKey key_of(const Grid& grid, const Point& p) {
-  return morton_key(static_cast<std::uint32_t>(grid.cell_of(p[0], 0)),
-                    static_cast<std::uint32_t>(grid.cell_of(p[1], 1)),
-                    static_cast<std::uint32_t>(grid.cell_of(p[2], 2)));
+  const auto cell = [&](std::size_t axis) {
+    return static_cast<std::uint32_t>(std::clamp<double>(grid.cell_of(p[axis], axis), 0, axis_cells - 1));
+  };
+  return morton_key(cell(0), cell(1), cell(2));
 }
 
 // Fine enough that few positions share a key, and coarse enough that the lattice has room for a shifted copy.
@@ -113,9 +116,9 @@ std::unique_ptr<Spool> collect_attributes(Job& job, AttributeMeans& means,
 }  // namespace
 
 ClusteredMesh weld(Job& job, MeshReader& reader, const CarriedAttributes& attributes,
-                   const WeldMemory& memory, ClusterCounts& counts) {
+                   const WeldMemory& memory, std::uint64_t available, ClusterCounts& counts) {
   ClusteredMesh mesh;
-  const Box box = measure_box(job, reader);
+  const Box box = measure_box_of_most(job, reader, reader.facts().vertices.value_or(available));
   if (box.empty) return mesh;
   const Grid grid = lattice_over(box);
   weld_vertices(job, reader, grid, memory, mesh);

@@ -15,12 +15,12 @@ struct WeldMemory {
   std::uint64_t means = 0;     // of the result
 };
 
-// Vertices in the order of their keys on a lattice over the box, those of one key by position; -0 is 0. Fills
-// `counts` of the faces. Reads the positions twice and then the faces. The mesh may have vertices that no
-// face uses.
-// Attributes at equal positions are averaged, those of each corner of a face alike: so a seam, where they
-// differ, has their mean. Those of vertices that no face uses are 0.
+// Vertices in the order of their keys on a lattice over the box of most, those beside it as if at its sides,
+// those of one key by position; -0 is 0. Fills `counts` of the faces. `available`: about how many faces there
+// are. Reads the positions twice and then the faces. The mesh may have vertices that no face uses. Attributes
+// at equal positions are averaged, those of each corner of a face alike: so a seam, where they differ, has
+// their mean. Those of vertices that no face uses are 0.
 ClusteredMesh weld(Job& job, MeshReader& reader, const CarriedAttributes& attributes,
-                   const WeldMemory& memory, ClusterCounts& counts);
+                   const WeldMemory& memory, std::uint64_t available, ClusterCounts& counts);
 
 }  // namespace winnow

@@ -70,8 +70,11 @@ ByteSink::ByteSink(Job& job, std::string path, bool force, const char* way_out)
   buffer_.reserve(buffer_bytes);
   if (path_.empty()) throw Error(ErrorKind::usage, "the output's name is empty");
   compressor_ = make_compressor(job_, path_);
-  if (path_ != "-") path_ = behind_links(path_);
   struct stat status {};
+  // A link that leads to no file, as /dev/fd/63 to a pipe, may lead nowhere by its name.
+  const bool device =
+      ::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+  if (path_ != "-" && !device) path_ = behind_links(path_);
   if (path_ == "-") {
     path_.clear();
     fd_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
@@ -198,8 +201,13 @@ void ByteSink::finish() {
     if (::close(fd) != 0 && errno != EINTR) fail(errno);
     return;
   }
-  const int fd = std::exchange(fd_, -1);
-  if (::close(fd) != 0) fail(errno);
+  // With the last descriptor goes the lock that keeps other runs from taking the file away.
+  const int locked = ::fcntl(fd_, F_DUPFD_CLOEXEC, 3);
+  const struct Closed {
+    int fd;
+    ~Closed() { ::close(fd); }
+  } at_the_end{locked};
+  if (::close(std::exchange(fd_, -1)) != 0) fail(errno);
   if (force_) {
     if (::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);
   } else if (::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {

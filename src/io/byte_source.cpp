@@ -177,7 +177,7 @@ std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path) {
   const bool standard = path == "-";
   std::string name = standard ? "standard input" : path;
   const int fd = standard ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : open_input(path);
-  if (fd < 0) throw Error(ErrorKind::bad_input, "cannot open '" + name + "': " + std::strerror(errno));
+  if (fd < 0) throw Error(cannot_open(errno), "cannot open '" + name + "': " + std::strerror(errno));
   auto file = std::make_unique<DescriptorStream>(job, fd, name);
   if (file->is_directory())
     throw Error(ErrorKind::bad_input, "'" + path + "' is a directory, not a mesh file");

@@ -85,20 +85,26 @@ std::unique_ptr<CheckpointDirectory> CheckpointDirectory::begin(Job& job, const 
                                       (error ? ": " + error.message() : ""));
   }
   std::unique_ptr<CheckpointDirectory> directory(new CheckpointDirectory(job, path));
+  directory->refuse_others();  // before there is a lock in it
   directory->lock();
   if (std::filesystem::exists(directory->manifest_path())) {
     throw Error(ErrorKind::usage, "'" + path +
                                       "' holds the checkpoint of another run; go on with it by winnow " +
                                       "resume '" + path + "', remove it, or name another directory");
   }
-  for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
+  return directory;
+}
+
+void CheckpointDirectory::refuse_others() const {
+  std::error_code error;
+  if (std::filesystem::exists(manifest_path(), error)) return;
+  for (const auto& entry : std::filesystem::directory_iterator(path_, error)) {
     const std::string name = entry.path().filename().string();
     // A run that was killed before it had begun can leave these.
     if (name == lock_name || name == new_manifest_name || name.starts_with(scratch_prefix)) continue;
     throw Error(ErrorKind::usage,
-                "--checkpoint: '" + path + "' is not empty; name a directory that is, or a new one");
+                "--checkpoint: '" + path_ + "' is not empty; name a directory that is, or a new one");
   }
-  return directory;
 }
 
 std::unique_ptr<CheckpointDirectory> CheckpointDirectory::open(Job& job, const std::string& path) {

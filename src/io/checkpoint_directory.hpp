@@ -48,6 +48,7 @@ class CheckpointDirectory {
 
  private:
   CheckpointDirectory(Job& job, std::string path);
+  void refuse_others() const;  // files that no run of ours left
   void lock();
   void sync() const;
   template <typename Unwanted>

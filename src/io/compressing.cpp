@@ -2,6 +2,8 @@
 
 #include <winnow/error.hpp>
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <boost/iostreams/device/back_inserter.hpp>
@@ -84,18 +86,28 @@ class ZstdCompressor final : public Compressor {
   std::vector<std::byte> out_;
 };
 
+// That of the name, in small letters; empty where it has none.
+std::string_view compression_ending(std::string_view path) {
+  for (const std::string_view ending : {".gz", ".zst"}) {
+    if (path.size() >= ending.size() &&
+        std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char known, char given) {
+          return known == (given >= 'A' && given <= 'Z' ? given - 'A' + 'a' : given);
+        }))
+      return ending;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string without_compression(const std::string& path) {
-  for (const char* ending : {".gz", ".zst"}) {
-    if (path.ends_with(ending)) return path.substr(0, path.size() - std::string(ending).size());
-  }
-  return path;
+  return path.substr(0, path.size() - compression_ending(path).size());
 }
 
 std::unique_ptr<Compressor> make_compressor(Job& job, const std::string& path) {
-  if (path.ends_with(".gz")) return std::make_unique<GzipCompressor>(job);
-  if (path.ends_with(".zst")) return std::make_unique<ZstdCompressor>(job);
+  const std::string_view ending = compression_ending(path);
+  if (ending == ".gz") return std::make_unique<GzipCompressor>(job);
+  if (ending == ".zst") return std::make_unique<ZstdCompressor>(job);
   return nullptr;
 }
 

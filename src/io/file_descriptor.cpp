@@ -64,6 +64,10 @@ void DescriptorStream::check_whole() const {
   if (now < *size_) shortened(name_, now);
 }
 
+ErrorKind cannot_open(int code) {
+  return code == EMFILE || code == ENFILE || code == ENOMEM ? ErrorKind::resources : ErrorKind::bad_input;
+}
+
 void shortened(const std::string& name, std::uint64_t offset) {
   throw Error(ErrorKind::bad_input, "'" + name +
                                         "' was shortened by another program while it was read, near byte " +

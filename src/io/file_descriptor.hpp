@@ -1,6 +1,8 @@
 // Plain sequential reading of an open file or pipe.
 #pragma once
 
+#include <winnow/error.hpp>
+
 #include "io/job.hpp"
 
 #include <cstddef>
@@ -12,6 +14,10 @@
 #include <vector>
 
 namespace winnow {
+
+// What kind of error it is that an input cannot be opened, by errno: not the input's fault where the system
+// has no more of something.
+ErrorKind cannot_open(int code);
 
 // A stream of bytes, read by one thread at a time.
 class ByteStream {

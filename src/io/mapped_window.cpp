@@ -3,7 +3,10 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "io/file_descriptor.hpp"
 #include "io/mapped_guard.hpp"
+
+#include <cerrno>
 
 #include <sys/mman.h>
 
@@ -17,6 +20,10 @@ ipc::mapped_region map_region(const ipc::file_mapping& file, std::uint64_t offse
   try {
     return {file, ipc::read_only, static_cast<ipc::offset_t>(offset), bytes};
   } catch (const ipc::interprocess_exception& error) {
+    if (error.get_native_error() == ENOMEM) {
+      throw Error(ErrorKind::resources,
+                  std::string("the system has no more memory to map '") + file.get_name() + "' into");
+    }
     throw Error(ErrorKind::bad_input, std::string("cannot map '") + file.get_name() + "' at byte " +
                                           grouped(offset) + ": " + error.what() +
                                           "; was it shortened while it was read?");
@@ -62,7 +69,7 @@ ipc::file_mapping map_file(const std::string& path) {
   try {
     return {path.c_str(), ipc::read_only};
   } catch (const ipc::interprocess_exception& error) {
-    throw Error(ErrorKind::bad_input, "cannot open '" + path + "': " + error.what());
+    throw Error(cannot_open(error.get_native_error()), "cannot open '" + path + "': " + error.what());
   }
 }
 

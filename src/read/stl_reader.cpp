@@ -7,6 +7,7 @@
 #include "read/text_tokens.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -28,6 +29,21 @@ struct StlHead {
 bool contains_word(std::string_view text, std::string_view word) {
   const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
   return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
+}
+
+// Whether half of the faces that are looked at are of numbers that a model may have.
+bool looks_like_faces(std::string_view head) {
+  std::size_t faces = 0, likely = 0;
+  for (std::size_t at = header_bytes; at + face_bytes <= head.size(); at += face_bytes) {
+    std::array<float, 12> numbers{};
+    std::memcpy(numbers.data(), head.data() + at, sizeof numbers);
+    ++faces;
+    likely += std::all_of(numbers.begin(), numbers.end(), [](float x) {
+      const float size = std::abs(x);
+      return size == 0 || (size > 1e-30F && size < 1e30F);
+    });
+  }
+  return 2 * likely >= faces;
 }
 
 // What there is to decide by: whether it begins with "solid", whether it reads like text, whether the count
@@ -58,6 +74,10 @@ StlHead look_at_head(ByteSource& source) {
   if (found.stored && *found.stored == 0 && found.declared != 0) {
     throw Error(ErrorKind::bad_input,
                 "'" + source.name() + "' ends inside its first face: it was cut short, or is no STL");
+  }
+  if (!looks_like_faces(head)) {
+    throw Error(ErrorKind::bad_input, wrong + "as a binary STL it would have faces of wild numbers" +
+                                          (found.stored ? ", and another size" : ""));
   }
   return found;
 }

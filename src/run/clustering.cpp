@@ -3,7 +3,6 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
-#include "cluster/resolution.hpp"
 #include "cluster/welder.hpp"
 #include "read/for_each_batch.hpp"
 #include "run/simplify_options.hpp"
@@ -32,6 +31,8 @@ constexpr std::uint64_t always_full = std::uint64_t{1} << 20;
 // Clustering is to spare three quarters of the faces; with less to gain than that, what it loses of a spongy
 // surface is not worth it (bench/RESULTS.md).
 constexpr double worth_clustering = 0.25;
+// Where the finest cells leave less than this part of the faces that are wanted, clustering is no help.
+constexpr double fine_enough = 0.5;
 // An edge of a cell, beside the error that refinement may make.
 constexpr double cell_for_error = 1.5;
 
@@ -101,7 +102,7 @@ ClusteredMesh Clustering::as_asked() {
   if (options_.error || options_.relative_error) return to_error();
   target_ = target_of(options_, available_).value_or(0);
   report_.target_faces = target_;
-  return cost_of(options_) == Refine::none ? to_count(target_, tolerance) : to_detail();
+  return cost_of(options_) == Refine::none ? to_count(sample(target_), target_, tolerance) : to_detail();
 }
 
 Grid Clustering::grid_of_cell() {
@@ -120,8 +121,9 @@ ClusteredMesh Clustering::to_error() {
   const Box box = measure_box(job_, reader_);
   if (box.empty) refuse_empty();
   error_ = options_.error ? *options_.error : *options_.relative_error * box.diagonal();
-  if (available_ > always_full) {
-    settings_.grid = Grid::over(box, std::max(cell_for_error * error_, Grid::edge_for(box, axis_cells / 2)));
+  const double cell = cell_for_error * error_;
+  if (available_ > always_full && cell >= Grid::edge_for(box, axis_cells / 2)) {
+    settings_.grid = Grid::over(box, cell);
     ClusteredMesh mesh = once();
     if (mesh.face_count < available_ / 2) return mesh;
   }
@@ -130,7 +132,14 @@ ClusteredMesh Clustering::to_error() {
 
 ClusteredMesh Clustering::to_detail() {
   const Detail detail = detail_for(options_, available_, target_);
-  return detail.welded ? welded() : to_count(detail.faces, detail_tolerance);
+  if (detail.welded) return welded();
+  const CellCounts cells = sample(detail.faces);
+  const auto wanted = static_cast<double>(detail.faces);
+  if (cells.expected_faces(cells.cell_for(wanted)) >= fine_enough * wanted)
+    return to_count(cells, detail.faces, detail_tolerance);
+  job_.note("the finest cells in a box of " + shortest(cells.box().longest_side()) +
+            " are too coarse for this count, so all faces were refined: some vertices may be far off");
+  return welded();
 }
 
 ClusteredMesh Clustering::welded() {
@@ -146,17 +155,20 @@ ClusteredMesh Clustering::welded() {
   }
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   ClusterCounts counts;
-  ClusteredMesh mesh = weld(job_, reader_, settings_.attributes, memory, counts);
+  ClusteredMesh mesh = weld(job_, reader_, settings_.attributes, memory, available_, counts);
   take_counts(counts);
   reader_.rest();
   if (mesh.face_count == 0) refuse_empty();
   return mesh;
 }
 
-ClusteredMesh Clustering::to_count(std::uint64_t target, double tolerated) {
-  const CellCounts sample(job_, reader_, reader_.facts().vertices.value_or(available_), target);
+CellCounts Clustering::sample(std::uint64_t target) {
+  CellCounts sample(job_, reader_, reader_.facts().vertices.value_or(available_), target);
   if (sample.box().empty) refuse_empty();
+  return sample;
+}
 
+ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t target, double tolerated) {
   // What the sample foretells is corrected by what came of it.
   double wanted = static_cast<double>(target);
   for (report_.runs = 1;; ++report_.runs) {
@@ -217,7 +229,8 @@ void Clustering::refuse_empty() const {
 void Clustering::refuse_result(const ClusteredMesh& mesh) const {
   if (mesh.cells == 0) refuse_empty();
   throw Error(ErrorKind::failed, "no face is left: the whole model falls into " + grouped(mesh.cells) +
-                                     " cells of " + shortest(settings_.grid.cell) + "; choose smaller cells");
+                                     " cells of " + shortest(settings_.grid.cell) + "; choose smaller cells" +
+                                     (options_.cell ? "" : ", or --crop if some vertices are far off"));
 }
 
 }  // namespace winnow

@@ -4,6 +4,7 @@
 #include <winnow/simplify.hpp>
 
 #include "cluster/clusterer.hpp"
+#include "cluster/resolution.hpp"
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
 #include "run/plan.hpp"
@@ -49,7 +50,8 @@ class Clustering {
   Grid grid_of_box();
   ClusteredMesh to_error();
   ClusteredMesh to_detail();
-  ClusteredMesh to_count(std::uint64_t target, double tolerated);
+  CellCounts sample(std::uint64_t target);
+  ClusteredMesh to_count(const CellCounts& sample, std::uint64_t target, double tolerated);
   ClusteredMesh once();
   ClusteredMesh welded();
   void take_counts(const ClusterCounts& counts);

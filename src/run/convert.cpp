@@ -33,7 +33,7 @@ ClusteredMesh mesh_of(Job& job, MeshReader& reader, const MemoryPlan& plan, Clus
     return plain_mesh(job, reader, {left - attributes, attributes, plan.cluster.result}, counts);
   }
   return weld(job, reader, {}, {plan.cluster.table, plan.cluster.vertices, plan.cluster.result, {}, 0},
-              counts);
+              reader.facts().faces.value_or(0), counts);
 }
 
 // Whatever the output's format can hold.

@@ -175,8 +175,10 @@ SimplifyReport resume(Context& context, const Checkpoint& settings) {
   SimplifyCheckpoint checkpoint = SimplifyCheckpoint::open(job, settings);
   const SimplifyRequest request = checkpoint.request();
   SimplifyReport report;
-  if (!checkpoint.is_written(request.output, report))
+  if (!checkpoint.is_written(request.output, report)) {
+    checkpoint.check_inputs();
     return simplify_with(job, request, std::move(checkpoint));
+  }
   report.resumed.emplace().written = true;
   checkpoint.finish(job);
   report.peak_memory_bytes = peak_resident_bytes();

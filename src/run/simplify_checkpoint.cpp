@@ -44,8 +44,11 @@ SimplifyCheckpoint SimplifyCheckpoint::open(Job& job, const Checkpoint& settings
                 "'" + settings.directory + "' is of winnow " + manifest.text("version") + ", this is " +
                     WINNOW_VERSION + "; resume it with that one, or remove it and run winnow simplify again");
   }
-  check_inputs(manifest, checkpoint.has_mesh(), settings.directory);
   return checkpoint;
+}
+
+void SimplifyCheckpoint::check_inputs() const {
+  winnow::check_inputs(directory_->manifest(), has_mesh(), directory_->path());
 }
 
 SimplifyRequest SimplifyCheckpoint::request() const {

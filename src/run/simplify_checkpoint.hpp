@@ -21,6 +21,8 @@ class SimplifyCheckpoint {
 
   // Of a checkpoint that was opened.
   [[nodiscard]] SimplifyRequest request() const;
+  // Throws Error(bad_input) where an input is not what it was.
+  void check_inputs() const;
 
   // The input could be opened: from now on the run can be resumed.
   void begun();

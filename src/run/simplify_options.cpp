@@ -70,6 +70,11 @@ void check(const SimplifyOptions& options) {
   if (options.borders == Borders::keep && cost_of(options) == Refine::none) {
     throw Error(ErrorKind::usage, "--boundary keep goes with refinement; clustering moves every vertex");
   }
+  if (options.max_normal_deviation != SimplifyOptions{}.max_normal_deviation &&
+      cost_of(options) == Refine::none) {
+    throw Error(ErrorKind::usage,
+                "--max-normal-deviation bounds what refinement does; it has no meaning without");
+  }
   if (!(options.max_normal_deviation > 0 && options.max_normal_deviation <= 90)) {
     throw Error(ErrorKind::usage,
                 "--max-normal-deviation takes an angle above 0 and at most 90 degrees, not " +

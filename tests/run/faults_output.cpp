@@ -195,8 +195,12 @@ TEST_CASE("a result is there before the program says so", "[faults]") {
   const std::string output = input.directory.file("out.ply");
   // A summary that cannot be written is told, but the mesh is whole.
   const Run run = input.simplify_to(output, {}, {.out = "/dev/full"});
-  CHECK(run.signal == 0);
+  CHECK(run.code == 4);
+  CHECK(run.err.find("standard output") != std::string::npos);
   CHECK(hash_of_file(output) == input.hash);
+  for (const Words& words :
+       {Words{"info", input.directory.file("scan.ply"), "--json"}, Words{"--help"}, Words{"--version"}})
+    CHECK(run_winnow(words, {.out = "/dev/full"}).code == 4);
 }
 
 }  // namespace winnow::test

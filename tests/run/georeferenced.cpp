@@ -110,6 +110,31 @@ TEST_CASE("a scan moved by whole cells keeps its faces, and all digits of its ve
   }
 }
 
+TEST_CASE("a vertex at the origin of georeferenced coordinates changes next to nothing") {
+  const Directory directory;
+  Polygons scan = moved(fine_scan(directory, 300'000), far);
+  const std::string clean = write_doubles(directory, "clean.ply", scan);
+  scan.vertices.push_back({0, 0, 0});
+  const std::string stray = write_doubles(directory, "stray.ply", scan);
+  SimplifyOptions options = by("faces");
+  // Cells that the lattice has in so large a box are coarser than the scan.
+  for (const bool cluster : {false, true}) {
+    CAPTURE(cluster);
+    if (cluster) options.detail = 4;
+    const RefinedFile without = refine_file(directory, clean, options);
+    const RefinedFile with = refine_file(directory, stray, options);
+    CHECK(with.report.output.faces == 3000);
+    CHECK(with.report.refine.tiles >= without.report.refine.tiles);
+    CHECK(with.report.refine.tiles > 1);
+    CHECK(with.report.notes.size() == without.report.notes.size() + (cluster ? 1 : 0));
+    const double right = error_of_result(directory, clean, back(without, {}));
+    CHECK(error_of_result(directory, clean, back(with, {})) < 1.1 * right);
+  }
+  options = by("error");
+  CHECK(refine_file(directory, stray, options).report.output.faces ==
+        Approx(static_cast<double>(refine_file(directory, clean, options).report.output.faces)).epsilon(0.1));
+}
+
 TEST_CASE("a scan moved by anything is simplified with the same error") {
   const Directory directory;
   const Polygons scan = fine_scan(directory, 40'000);

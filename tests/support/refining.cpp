@@ -15,7 +15,9 @@ ClusteredMesh weld_source(Job& job, std::unique_ptr<ByteSource> source, ClusterC
   const std::uint64_t part = job.budget.total() / 8;
   const std::unique_ptr<MeshReader> reader =
       open_reader(job, std::move(source), Format::automatic, Access::repeatedly, {part, 8192});
-  return in_arena(job, [&] { return weld(job, *reader, {}, {part, part, part, {}, 0}, counts); });
+  return in_arena(job, [&] {
+    return weld(job, *reader, {}, {part, part, part, {}, 0}, reader->facts().faces.value_or(0), counts);
+  });
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ void open_standard_streams() {
 int main(int argc, char** argv) {
   using winnow::ErrorKind;
 
+  // Who closes it wants no report; but one that is wanted must not be lost.
+  const bool heard = ::fcntl(STDOUT_FILENO, F_GETFD) >= 0;
   open_standard_streams();
   CLI::App app;
   winnow::cli::add_commands(app);
@@ -43,10 +45,14 @@ int main(int argc, char** argv) {
   try {
     winnow::guard_mapped_files();
     winnow::cli::refuse_empty_values({argv, static_cast<std::size_t>(argc)});
-    app.parse(argc, argv);
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::Success& asked_for_text) {
+      app.exit(asked_for_text);
+    }
+    if (!std::cout.flush() && heard)
+      return fail("cannot write to standard output; what it was to get is not whole", ErrorKind::resources);
     return 0;
-  } catch (const CLI::Success& asked_for_text) {
-    return app.exit(asked_for_text);
   } catch (const CLI::ParseError& error) {
     return fail((std::string(error.what()) + "\nTry 'winnow --help' or 'winnow COMMAND --help'.").c_str(),
                 ErrorKind::usage);

@@ -99,6 +99,10 @@ void prepare(Context& context, const CommonOptions& options, const std::string& 
   action.sa_handler = on_stop_signal;  // without SA_RESTART: a waiting read returns
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
+  // A terminal that goes away ends the run, unless nohup was asked to keep it.
+  struct sigaction before {};
+  if (::sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+    ::sigaction(SIGHUP, &action, nullptr);
 }
 
 namespace {
