@@ -75,6 +75,7 @@ class MappedSource final : public ByteSource {
   [[nodiscard]] bool seekable() const override { return true; }
   void seek(std::uint64_t position) override {
     position_ = std::min(position, size_);
+    if (window_ != nullptr && window_->size() > window_bytes) window_.reset();  // memory that one question took
     ahead_.start_again();
   }
   [[nodiscard]] std::string map_name() const override { return path_; }
@@ -173,7 +174,7 @@ int open_input(const std::string& path) {
 
 }  // namespace
 
-std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path) {
+std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path, Unpacking unpacking) {
   const bool standard = path == "-";
   std::string name = standard ? "standard input" : path;
   const int fd = standard ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : open_input(path);
@@ -190,7 +191,7 @@ std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path) {
     filled += got;
   }
   head.resize(filled);
-  const std::string compression = compression_of(head);
+  const std::string compression = unpacking == Unpacking::by_content ? compression_of(head) : "";
 
   if (compression.empty() && file->seekable()) {
     if (job.context.map_input && *file->size() > 0) {

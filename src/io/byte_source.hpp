@@ -68,8 +68,12 @@ class ByteSource {
   std::string compression_;
 };
 
-// Opens a file, or standard input for "-"; sees through gzip and zstd by content. Throws Error(bad_input).
-std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path);
+enum class Unpacking { by_content, none };
+
+// Opens a file, or standard input for "-"; sees through gzip and zstd, unless it is not to. Throws
+// Error(bad_input), or Error(resources) where the system has no more descriptors or memory.
+std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path,
+                                        Unpacking unpacking = Unpacking::by_content);
 
 // The content of `source` from its beginning, copied to scratch, so that it can be read again. `source`
 // must not have been read from.

@@ -56,6 +56,7 @@ std::span<const std::byte> GltfBytes::read_content(Content& content, std::uint64
     fail("a buffer ends after " + grouped(content.bytes) +
          " bytes, before what it should hold; it was cut short");
   }
+  content.part = part_;
   if (content.file == nullptr) return std::span(content.memory).subspan(offset, bytes);
   const std::uint64_t at = content.begin + offset;
   if (content.file->position() != at) content.file->seek(at);
@@ -78,6 +79,7 @@ GltfBytes::Content& GltfBytes::buffer(std::size_t index) {
   } else if (buffer.uri->starts_with("data:")) {
     decode_base64(*buffer.uri, content);
   } else {
+    close_one_of_many();
     content.owned = open_beside(*buffer.uri);
     content.file = content.owned.get();
     content.bytes = content.file->size().value_or(0);
@@ -89,14 +91,27 @@ GltfBytes::Content& GltfBytes::buffer(std::size_t index) {
   return buffers_.emplace(index, std::move(content)).first->second;
 }
 
+// Each open file holds descriptors, and a window of it.
+void GltfBytes::close_one_of_many() {
+  constexpr std::ptrdiff_t most_open = 8;
+  const auto open = [](const auto& entry) { return entry.second.owned != nullptr; };
+  if (std::count_if(buffers_.begin(), buffers_.end(), open) < most_open) return;
+  auto oldest = buffers_.end();
+  for (auto entry = buffers_.begin(); entry != buffers_.end(); ++entry) {
+    if (open(*entry) && (oldest == buffers_.end() || entry->second.part < oldest->second.part)) oldest = entry;
+  }
+  buffers_.erase(oldest);
+}
+
 std::unique_ptr<ByteSource> GltfBytes::open_beside(const std::string& uri) {
   const std::optional<std::filesystem::path> path = path_of(uri);
   if (!path) fail("its buffer '" + uri.substr(0, 100) + "' is no file beside or below it, and is not read");
   if (source_.name() == "standard input")
     fail("its buffer '" + uri.substr(0, 100) +
          "' is a file beside it, which standard input has not; name the file");
-  std::unique_ptr<ByteSource> file =
-      open_source(job_, (std::filesystem::path(source_.name()).parent_path() / *path).string());
+  const std::string name = (std::filesystem::path(source_.name()).parent_path() / *path).string();
+  // A lone "-" would be standard input.
+  std::unique_ptr<ByteSource> file = open_source(job_, name == "-" ? "./-" : name, Unpacking::none);
   return file->seekable() ? std::move(file) : copy_to_scratch(job_, std::move(file));
 }
 

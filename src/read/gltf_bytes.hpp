@@ -42,6 +42,7 @@ class GltfBytes {
 
   [[noreturn]] void fail(const std::string& what) const;
   Content& buffer(std::size_t index);
+  void close_one_of_many();
   std::unique_ptr<ByteSource> open_beside(const std::string& uri);
   void decode_base64(std::string_view text, Content& into);
   std::span<const std::byte> read_content(Content& content, std::uint64_t offset, std::size_t bytes);

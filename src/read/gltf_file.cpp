@@ -72,6 +72,7 @@ GltfFile peek_gltf(Job& job, ByteSource& source) {
   file.memory = job.budget.reserve(memory_to_parse_gltf(json), "the JSON of a glTF");
   file.document = parse_gltf(json, source.name());
   block.check_intact(source.name());
+  if (source.seekable()) source.seek(source.position());  // lets go of the JSON
   return file;
 }
 

@@ -89,19 +89,20 @@ std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshe
   };
   std::vector<Waiting> waiting;
   const std::vector<std::size_t> first = roots_of(json, nodes);
-  for (auto root = first.rbegin(); root != first.rend(); ++root) waiting.push_back({*root, gltf_identity});
   std::vector<bool> seen(nodes.size());
+  const auto visit = [&](std::size_t node, const GltfTransform& parent) {
+    if (seen[node]) json.fail("node " + std::to_string(node) + " has more than one parent, or is its own");
+    seen[node] = true;
+    waiting.push_back({node, parent});
+  };
+  for (auto root = first.rbegin(); root != first.rend(); ++root) visit(*root, gltf_identity);
   while (!waiting.empty()) {
     const Waiting next = waiting.back();
     waiting.pop_back();
-    if (seen[next.node])
-      json.fail("node " + std::to_string(next.node) + " has more than one parent, or is its own");
-    seen[next.node] = true;
     const Node& node = nodes[next.node];
     const GltfTransform to_world = next.parent * node.transform;
     if (node.mesh) placed.push_back({*node.mesh, to_world});
-    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-      waiting.push_back({*child, to_world});
+    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) visit(*child, to_world);
   }
   return placed;
 }

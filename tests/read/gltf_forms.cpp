@@ -11,6 +11,7 @@
 #include <functional>
 
 #include <catch2/catch.hpp>
+#include <sys/resource.h>
 #include <meshoptimizer.h>
 
 namespace winnow {
@@ -185,6 +186,55 @@ TEST_CASE("buffers beside a glTF, but no others") {
   test::write_file(directory.file("the buffer.bin"), file.buffer.substr(1));
   CHECK(std::string(test::error_of([&] { read("the%20buffer.bin"); }).what()).find("cut short") !=
         std::string::npos);
+}
+
+TEST_CASE("more buffers beside a glTF than files may be open, whatever bytes they begin with") {
+  test::Random random(505);
+  const test::Polygons mesh = triangles(random, 50, 70);
+  const test::Directory directory;
+  const GltfBuilder file = test::gltf_of(mesh);
+  const std::string like_gzip("\x1f\x8b\x08\x00", 4);
+  constexpr std::size_t buffers = 60;
+  auto json = nlohmann::json::parse(file.gltf("0.bin"));
+  json["buffers"][0]["byteLength"] = file.buffer.size() + like_gzip.size();
+  for (auto& view : json["bufferViews"]) view["byteOffset"] = view.value("byteOffset", 0) + 4;
+  const nlohmann::json one = json;
+  for (std::size_t k = 0; k < buffers; ++k) {
+    const std::string name = std::to_string(k) + ".bin";
+    test::write_file(directory.file(name), like_gzip + file.buffer);
+    if (k == 0) continue;
+    json["buffers"].push_back(one["buffers"][0]);
+    json["buffers"][k]["uri"] = name;
+    for (auto view : one["bufferViews"]) {
+      view["buffer"] = k;
+      json["bufferViews"].push_back(view);
+    }
+    for (auto accessor : one["accessors"]) {
+      accessor["bufferView"] = accessor["bufferView"].get<std::size_t>() + k * one["bufferViews"].size();
+      json["accessors"].push_back(accessor);
+    }
+    auto primitive = one["meshes"][0]["primitives"][0];
+    const std::size_t shift = k * one["accessors"].size();
+    primitive["indices"] = primitive["indices"].get<std::size_t>() + shift;
+    for (auto& attribute : primitive["attributes"]) attribute = attribute.get<std::size_t>() + shift;
+    json["meshes"][0]["primitives"].push_back(primitive);
+  }
+  test::write_file(directory.file("mesh.gltf"), json.dump());
+  rlimit before{};
+  REQUIRE(::getrlimit(RLIMIT_NOFILE, &before) == 0);
+  const rlimit few{48, before.rlim_max};
+  REQUIRE(::setrlimit(RLIMIT_NOFILE, &few) == 0);
+  std::size_t faces = 0;
+  std::string error;
+  try {
+    test::TestJob test;
+    faces = faces_of(test.job, open_source(test.job, directory.file("mesh.gltf"))).size();
+  } catch (const Error& failed) {
+    error = failed.what();
+  }
+  ::setrlimit(RLIMIT_NOFILE, &before);
+  CHECK(error == "");
+  CHECK(faces == buffers * as_fans(mesh).size());
 }
 
 TEST_CASE("buffer views packed by EXT_meshopt_compression") {
