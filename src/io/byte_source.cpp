@@ -75,7 +75,8 @@ class MappedSource final : public ByteSource {
   [[nodiscard]] bool seekable() const override { return true; }
   void seek(std::uint64_t position) override {
     position_ = std::min(position, size_);
-    if (window_ != nullptr && window_->size() > window_bytes) window_.reset();  // memory that one question took
+    if (window_ != nullptr && window_->size() > window_bytes)
+      window_.reset();  // memory that one question took
     ahead_.start_again();
   }
   [[nodiscard]] std::string map_name() const override { return path_; }

@@ -98,7 +98,8 @@ void GltfBytes::close_one_of_many() {
   if (std::count_if(buffers_.begin(), buffers_.end(), open) < most_open) return;
   auto oldest = buffers_.end();
   for (auto entry = buffers_.begin(); entry != buffers_.end(); ++entry) {
-    if (open(*entry) && (oldest == buffers_.end() || entry->second.part < oldest->second.part)) oldest = entry;
+    if (open(*entry) && (oldest == buffers_.end() || entry->second.part < oldest->second.part))
+      oldest = entry;
   }
   buffers_.erase(oldest);
 }

@@ -238,8 +238,8 @@ GltfDocument parse_gltf(std::string_view json, const std::string& name) {
 }
 
 std::uint64_t memory_to_parse_gltf(std::string_view json) {
-  // Every value stands behind one of these, and none takes more than a node of a map with its key, or than a number
-  // in a list and what is made of it while that grows.
+  // Every value stands behind one of these, and none takes more than a node of a map with its key, or than a
+  // number in a list and what is made of it while that grows.
   constexpr std::uint64_t bytes_a_value = 192;
   std::uint64_t values = 1;
   bool in_string = false;

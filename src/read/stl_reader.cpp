@@ -31,7 +31,8 @@ bool contains_word(std::string_view text, std::string_view word) {
   return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
-// Whether half of the faces that are looked at are of numbers that a model may have.
+// Any binary file could be an STL. Whether half of the faces that are looked at are of numbers that a model
+// may have.
 bool looks_like_faces(std::string_view head) {
   std::size_t faces = 0, likely = 0;
   for (std::size_t at = header_bytes; at + face_bytes <= head.size(); at += face_bytes) {
@@ -75,7 +76,7 @@ StlHead look_at_head(ByteSource& source) {
     throw Error(ErrorKind::bad_input,
                 "'" + source.name() + "' ends inside its first face: it was cut short, or is no STL");
   }
-  if (!looks_like_faces(head)) {
+  if (found.stored != found.declared && !looks_like_faces(head)) {
     throw Error(ErrorKind::bad_input, wrong + "as a binary STL it would have faces of wild numbers" +
                                           (found.stored ? ", and another size" : ""));
   }

@@ -11,8 +11,8 @@
 #include <functional>
 
 #include <catch2/catch.hpp>
-#include <sys/resource.h>
 #include <meshoptimizer.h>
+#include <sys/resource.h>
 
 namespace winnow {
 

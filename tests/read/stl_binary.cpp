@@ -96,6 +96,20 @@ TEST_CASE("what is left behind the last face is told and left out") {
   }
 }
 
+TEST_CASE("bytes that are no mesh are not taken for a binary STL") {
+  test::Random random(275);
+  for (int i = 0; i < 200; ++i) {
+    const std::string noise = random.bytes(200 + random.below(5000));
+    for (const auto kind : both_kinds)
+      CHECK(test::error_of([&] { read(noise, kind); }).kind() == ErrorKind::bad_input);
+  }
+  // A count that is wrong makes no picture of a mesh.
+  const std::vector<test::Triangle> faces = test::random_triangles(random, 300);
+  std::string file = test::binary_stl(faces);
+  file[82] = 1;
+  for (const auto kind : both_kinds) CHECK(difference(read(file, kind).faces, test::as_seen(faces)) == "");
+}
+
 TEST_CASE("an STL of no faces is one of no faces") {
   for (const auto kind : both_kinds) CHECK(read(test::binary_stl({}), kind).faces.empty());
 }

@@ -177,7 +177,9 @@ TEST_CASE("a directory that holds something else is no place for a checkpoint", 
     CHECK(run.err.find(part) != std::string::npos);
     CHECK_FALSE(exists(directory.file("out.ply")));
   };
+  const Words before = directory.names();
   refused(directory.path(), "is not empty", 2);
+  CHECK(directory.names() == before);
   refused(input, "'" + input + "' is no directory", 2);
   refused(directory.file("missing/kept"), "cannot be made one", 2);
   CHECK(bytes_of_file(input).substr(0, 3) == "ply");

@@ -4,6 +4,7 @@
 #include "program.hpp"
 #include "report_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -96,8 +97,11 @@ void show(const CompareReport& report, std::ostream& out) {
   distances("  forward", report.forward);
   distances("  backward", report.backward);
   distances("  symmetric", report.symmetric);
-  line("  worst at", show_length(report.worst[0]) + " " + show_length(report.worst[1]) + " " +
-                         show_length(report.worst[2]));
+  double farthest = 0;
+  for (const double x : report.worst) farthest = std::max(farthest, std::abs(x));
+  const int digits = digits_for(farthest, report.diagonal);
+  line("  worst at", show_length(report.worst[0], digits) + " " + show_length(report.worst[1], digits) + " " +
+                         show_length(report.worst[2], digits));
   line("normals", "differ by " + fixed(report.normal_deviation.mean, 2) +
                       " degrees in the mean, 95 of 100 by up to " + fixed(report.normal_deviation.p95, 2));
   const auto change = [](double part) { return (part < 0 ? "" : "+") + fixed(100 * part, 3) + " %"; };

@@ -50,15 +50,12 @@ std::string triple(const std::array<double, 3>& values, int digits = 6) {
          show_length(values[2], digits);
 }
 
-// As many as tell places in a box that is far from the origin as finely as in one that is not.
 int digits_of(const InfoReport& report, const std::array<double, 3>& size) {
   double farthest = 0;
   for (const auto& corner : {report.box_min, report.box_max}) {
     for (const double x : corner) farthest = std::max(farthest, std::abs(x));
   }
-  const double longest = *std::max_element(size.begin(), size.end());
-  const double more = longest > 0 ? std::ceil(std::log10(farthest / longest)) : 0;
-  return 6 + static_cast<int>(std::clamp(more, 0.0, 11.0));
+  return digits_for(farthest, *std::max_element(size.begin(), size.end()));
 }
 
 void show(const InfoReport& report, std::ostream& out) {

@@ -142,6 +142,11 @@ std::string show_length(double length, int digits) {
   return text.data();
 }
 
+int digits_for(double farthest, double size) {
+  const double more = size > 0 && farthest > size ? std::ceil(std::log10(farthest / size)) : 0;
+  return 6 + static_cast<int>(std::min(more, 11.0));
+}
+
 std::string show_bad_faces(const BadFaces& bad) {
   std::string text = show_count(bad.total()) + " left out:";
   const char* separator = " ";

@@ -130,7 +130,7 @@ Format format_called(const std::string& text, std::size_t known, const std::stri
 CLI::Option* add_from(CLI::App& command, std::string& from) {
   return command
       .add_option("--from", from,
-                  std::string("Input format, where the content does not tell: ") + input_formats)
+                  std::string("Read the input as this, whatever its content looks like: ") + input_formats)
       ->type_name("FORMAT");
 }
 
