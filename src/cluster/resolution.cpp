@@ -162,9 +162,11 @@ Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     along.clear();
     for (const Point& point : picked.points) along.push_back(point[axis]);
-    std::sort(along.begin(), along.end());
-    const std::size_t cut = along.size() / 200 + 1;
-    const double low = along[cut], high = along[along.size() - 1 - cut];
+    const auto cut = static_cast<std::ptrdiff_t>(along.size() / 200 + 1);
+    const auto lower = along.begin() + cut, upper = along.end() - 1 - cut;
+    std::nth_element(along.begin(), lower, along.end());
+    std::nth_element(lower, upper, along.end());
+    const double low = *lower, high = *upper;
     most.low[axis] = std::max(most.low[axis], low - (high - low));
     most.high[axis] = std::min(most.high[axis], high + (high - low));
   }

@@ -76,16 +76,22 @@ std::uint64_t VertexIndex::Reader::lower_bound(CellKey key) {
 
 std::uint64_t VertexIndex::Reader::find(CellKey key, const Point& position) {
   // Where one vertex lies far off, all others may have one key.
-  std::uint64_t mixed = key;
-  for (const double x : position) mixed = quick_hash(mixed ^ std::bit_cast<std::uint64_t>(x));
-  Found& recent = recent_[mixed >> (64 - recent_bits)];
-  if (recent.vertex.key == key && recent.vertex.position == position) return recent.number;
+  const std::uint64_t mixed = key + std::bit_cast<std::uint64_t>(position[0]) +
+                              3 * std::bit_cast<std::uint64_t>(position[1]) +
+                              5 * std::bit_cast<std::uint64_t>(position[2]);
+  Found& recent = recent_[quick_hash(mixed) >> (64 - recent_bits)];
+  const auto is_it = [&] { return recent.vertex.key == key && recent.vertex.position == position; };
+  if (is_it()) return recent.number;
+  std::uint64_t first = lower_bound(key);
+  if (first == index_.size()) return absent;
+  recent = {first, at(first)};
+  if (is_it()) return first;
   const auto before = [&](std::uint64_t number) {
     const IndexedVertex vertex = at(number);
     return vertex.key != key ? vertex.key < key : vertex.position < position;
   };
-  // Mostly it is the first; else in steps that grow, and between the last two.
-  std::uint64_t first = lower_bound(key), end = first;
+  // Mostly it was the first; else in steps that grow, and between the last two.
+  std::uint64_t end = first;
   for (std::uint64_t step = 1; end < index_.size() && before(end); step *= 2) {
     first = end + 1;
     end += step;
@@ -100,10 +106,8 @@ std::uint64_t VertexIndex::Reader::find(CellKey key, const Point& position) {
     }
   }
   if (first == index_.size()) return absent;
-  const IndexedVertex vertex = at(first);
-  if (vertex.key != key || vertex.position != position) return absent;
-  recent = {first, vertex};
-  return first;
+  recent = {first, at(first)};
+  return is_it() ? first : absent;
 }
 
 VertexIndex::Reader::Found VertexIndex::Reader::search(CellKey key) {
