@@ -48,6 +48,10 @@ TEST_CASE("options of refinement that cannot be are refused by name") {
   for (const double angle : {0.0, -10.0, 90.5, nan, infinity})
     check_usage("--max-normal-deviation",
                 [&](SimplifyOptions& o) { o.faces = 100, o.max_normal_deviation = angle; });
+  check_usage("--max-normal-deviation", [](SimplifyOptions& o) { o.cell = 1, o.max_normal_deviation = 20; });
+  check_usage("--max-normal-deviation", [](SimplifyOptions& o) {
+    o.faces = 100, o.refine = Refine::none, o.max_normal_deviation = 20;
+  });
   check_usage("--error", [](SimplifyOptions& o) { o.faces = 100, o.error = 1; });
 }
 
