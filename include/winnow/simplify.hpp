@@ -128,8 +128,8 @@ struct SimplifyReport {
   struct {
     std::vector<std::string> carried;  // "red (uchar)", in the order of the output
     std::vector<std::string> dropped;  // what was not carried, and why: "properties of faces: flags"
-    std::uint64_t ignored =
-        0;  // numbers that are not finite, or FLT_MAX or DBL_MAX in size: left out of means
+    // Numbers that are not finite, or FLT_MAX or DBL_MAX in size: the means leave them out.
+    std::uint64_t ignored = 0;
   } attributes;
 
   double cell_size = 0;             // edge of a cell, in the units of the model; 0 where none was clustered

@@ -1,4 +1,4 @@
-// Numbers as people read them, for messages.
+// Numbers as people read them, for messages; letters.
 #pragma once
 
 #include <cstdint>
@@ -10,5 +10,10 @@ std::string human_bytes(std::uint64_t bytes);  // "512 MiB", "1.5 GiB", "84 byte
 std::string size_option(std::uint64_t bytes);  // "34M": rounded up, as --memory takes it
 std::string grouped(std::uint64_t count);      // "1,234,567"
 std::string shortest(double value);            // the shortest text that reads back as the same double
+
+// The small letter of a capital one of ASCII, whatever the locale.
+constexpr char small_letter(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 }  // namespace winnow

@@ -17,8 +17,9 @@ namespace {
 constexpr std::uint64_t crude_points = 1 << 15;
 // A clustered surface has about two faces a vertex, as any closed triangle mesh.
 constexpr double faces_a_cell = 2;
+// Of fewer points nothing is said to lie far off; of more, what lies so many times what most of them take.
 constexpr std::size_t few_points = 100;
-constexpr double far_off = 64;          // by so many times what the others take
+constexpr double far_off = 64;
 constexpr double largest_edge = 1.001;  // of the box's longest side: all in one cell
 
 Point point_at(const PositionView& view, std::size_t i) {

@@ -1,6 +1,7 @@
 #include "cluster/vertex_index.hpp"
 
 #include "base/hash.hpp"
+#include "base/search.hpp"
 #include "io/spool_records.hpp"
 
 #include <algorithm>
@@ -82,32 +83,16 @@ std::uint64_t VertexIndex::Reader::find(CellKey key, const Point& position) {
   Found& recent = recent_[quick_hash(mixed) >> (64 - recent_bits)];
   const auto is_it = [&] { return recent.vertex.key == key && recent.vertex.position == position; };
   if (is_it()) return recent.number;
-  std::uint64_t first = lower_bound(key);
-  if (first == index_.size()) return absent;
-  recent = {first, at(first)};
-  if (is_it()) return first;
-  const auto before = [&](std::uint64_t number) {
-    const IndexedVertex vertex = at(number);
-    return vertex.key != key ? vertex.key < key : vertex.position < position;
-  };
-  // Mostly it was the first; else in steps that grow, and between the last two.
-  std::uint64_t end = first;
-  for (std::uint64_t step = 1; end < index_.size() && before(end); step *= 2) {
-    first = end + 1;
-    end += step;
-  }
-  end = std::min(end, index_.size());
-  while (first < end) {
-    const std::uint64_t middle = first + (end - first) / 2;
-    if (before(middle)) {
-      first = middle + 1;
-    } else {
-      end = middle;
-    }
-  }
-  if (first == index_.size()) return absent;
-  recent = {first, at(first)};
-  return is_it() ? first : absent;
+  std::uint64_t number = lower_bound(key);
+  if (number == index_.size()) return absent;
+  recent = {number, at(number)};
+  if (is_it()) return number;
+  // Mostly it was the first.
+  const std::uint64_t end = lower_bound(key + 1);
+  number = first_not_before(number, end, [&](std::uint64_t n) { return at(n).position < position; });
+  if (number == end) return absent;
+  recent = {number, at(number)};
+  return is_it() ? number : absent;
 }
 
 VertexIndex::Reader::Found VertexIndex::Reader::search(CellKey key) {

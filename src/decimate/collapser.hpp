@@ -1,17 +1,18 @@
 // Collapses edges, the cheapest first. What an edge costs is the business of a Cost.
 //
 // A Cost has
-//   Candidate best(v, after)     the cheapest edge that `v` proposes and that comes after `after`
-//   PricedCollapse place(v, partner)   which end of that edge is kept, where it goes, and what that costs now
-//   void collapsing(now)         told that before the collapse; or collapsing(now, star), its star moved
-//   there void collapsed(edge, offers)   told after it: offers anew for the vertices whose edges now cost
-//   otherwise,
-//                                or makes their offers stale
+//
+// - Candidate best(v, after): the cheapest edge that `v` proposes and that comes after `after`;
+// - PricedCollapse place(v, partner): which end of that edge is kept, where it goes, what that costs now;
+// - void collapsing(now), told that before the collapse; or collapsing(now, star), its star moved there;
+// - void collapsed(edge, offers), told after it: makes offers anew for the vertices whose edges now cost
+//   otherwise, or makes their offers stale;
+//
 // and may have
-//   double closer_price(now, star, price)   what place() found, looked at more closely: `price` or more;
-//   asked
-//                                before every collapse, of one that is legal
-//   void gave_up(v, offers)      told when everything that `v` proposes was refused
+//
+// - double closer_price(now, star, price): what place() found, looked at more closely, `price` or more; asked
+//   before every collapse, of one that is legal;
+// - void gave_up(v, offers), told when everything that `v` proposes was refused.
 #pragma once
 
 #include "decimate/edge_star.hpp"

@@ -72,14 +72,13 @@ ByteSink::ByteSink(Job& job, std::string path, bool force, const char* way_out)
   compressor_ = make_compressor(job_, path_);
   struct stat status {};
   // A link that leads to no file, as /dev/fd/63 to a pipe, may lead nowhere by its name.
-  const bool device =
-      ::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-  if (path_ != "-" && !device) path_ = behind_links(path_);
+  const bool no_file = ::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+  if (path_ != "-" && (!no_file || S_ISDIR(status.st_mode))) path_ = behind_links(path_);
   if (path_ == "-") {
     path_.clear();
     fd_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
     if (fd_ < 0) fail(errno);
-  } else if (::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+  } else if (no_file) {
     if (S_ISDIR(status.st_mode))
       throw Error(ErrorKind::usage, "'" + path_ + "' is a directory; name a file in it");
     open_straight(S_ISFIFO(status.st_mode));
@@ -201,13 +200,10 @@ void ByteSink::finish() {
     if (::close(fd) != 0 && errno != EINTR) fail(errno);
     return;
   }
-  // With the last descriptor goes the lock that keeps other runs from taking the file away.
-  const int locked = ::fcntl(fd_, F_DUPFD_CLOEXEC, 3);
-  const struct Closed {
-    int fd;
-    ~Closed() { ::close(fd); }
-  } at_the_end{locked};
-  if (::close(std::exchange(fd_, -1)) != 0) fail(errno);
+  // With the last descriptor goes the lock that keeps other runs from taking the file away: not before it has
+  // its name.
+  const int written = std::exchange(fd_, ::fcntl(fd_, F_DUPFD_CLOEXEC, 3));
+  if (::close(written) != 0) fail(errno);
   if (force_) {
     if (::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);
   } else if (::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {

@@ -2,6 +2,8 @@
 
 #include <winnow/error.hpp>
 
+#include "base/text.hpp"
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -90,9 +92,8 @@ class ZstdCompressor final : public Compressor {
 std::string_view compression_ending(std::string_view path) {
   for (const std::string_view ending : {".gz", ".zst"}) {
     if (path.size() >= ending.size() &&
-        std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char known, char given) {
-          return known == (given >= 'A' && given <= 'Z' ? given - 'A' + 'a' : given);
-        }))
+        std::equal(ending.rbegin(), ending.rend(), path.rbegin(),
+                   [](char known, char given) { return known == small_letter(given); }))
       return ending;
   }
   return {};

@@ -1,5 +1,6 @@
 #include "read/vertex_numbers.hpp"
 
+#include "base/search.hpp"
 #include "io/sorted_runs.hpp"
 
 #include <algorithm>
@@ -66,18 +67,11 @@ void VertexNumbers::find(std::span<std::uint32_t> numbers) const {
 }
 
 std::uint32_t VertexNumbers::place_of(std::uint32_t number, RecentBlocks& others) const {
-  std::uint64_t low = 0;
-  std::uint64_t high = others_->size() / sizeof(Named);
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    if (others.at<Named>(middle).number <= number) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  if (low > 0) {
-    const Named found = others.at<Named>(low - 1);
+  const std::uint64_t behind = first_not_before(0, others_->size() / sizeof(Named), [&](std::uint64_t n) {
+    return others.at<Named>(n).number <= number;
+  });
+  if (behind > 0) {
+    const Named found = others.at<Named>(behind - 1);
     if (found.number == number) return found.place;
   }
   return number >= 1 && number <= plain_ ? number - 1 : UINT32_MAX;

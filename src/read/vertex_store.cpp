@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "io/file_descriptor.hpp"
 #include "read/ply_scalar.hpp"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ void VertexStore::open_mapping(const std::string& path, std::uint64_t offset, st
   }
   resident_.reset(bytes);
   fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd_ < 0) throw Error(ErrorKind::bad_input, "cannot open '" + path + "': " + std::strerror(errno));
+  if (fd_ < 0) throw Error(cannot_open(errno), "cannot open '" + path + "': " + std::strerror(errno));
 }
 
 void VertexStore::map(const std::string& path, std::uint64_t offset, std::uint64_t count,

@@ -1,5 +1,6 @@
 #include "stitch/collapse_log.hpp"
 
+#include "base/search.hpp"
 #include "io/spool_records.hpp"
 
 #include <bit>
@@ -27,18 +28,12 @@ CollapseLog::Price CollapseLog::at(std::uint64_t entry) const {
 }
 
 std::uint64_t CollapseLog::count(std::size_t tile, double price, bool with_equal, Range among) const {
-  std::uint64_t low = first_[tile] + among.least;
-  std::uint64_t high = first_[tile] + among.most;
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    const double found = at(middle).price;
-    if (found < price || (with_equal && found == price)) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low - first_[tile];
+  const std::uint64_t first = first_[tile];
+  const auto counts = [&](std::uint64_t entry) {
+    const double found = at(entry).price;
+    return found < price || (with_equal && found == price);
+  };
+  return first_not_before(first + among.least, first + among.most, counts) - first;
 }
 
 std::uint64_t CollapseLog::removed_by(std::size_t tile, std::uint64_t count) const {

@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/text.hpp"
 #include "io/compressing.hpp"
 
 #include <algorithm>
@@ -22,8 +23,7 @@ Format format_called(const std::string& path) {
   const std::string name = std::filesystem::path(without_compression(path)).filename().string();
   const std::size_t dot = name.rfind('.');
   std::string ending = dot == std::string::npos ? "" : name.substr(dot);
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(ending.begin(), ending.end(), ending.begin(), small_letter);
   for (const auto& [known, format] : endings) {
     if (ending == known) return format;
   }

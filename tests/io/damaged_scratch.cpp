@@ -41,6 +41,20 @@ std::optional<Blocks> read(const PackedFile& file) {
   }
 }
 
+// Short blocks in a file that can be damaged.
+struct Packed {
+  explicit Packed(std::size_t count) : blocks(random_blocks(count, 300)) {
+    for (const auto& block : blocks) file.append(block);
+    file.finish();
+  }
+
+  Blocks blocks;
+  test::TestJob test;
+  std::set<int> before = test::descriptors();
+  PackedFile file{test.job};
+  test::OpenedFile opened{test::opened_since(before).front()};
+};
+
 }  // namespace
 
 TEST_CASE("blocks come back as they were appended") {
@@ -54,73 +68,49 @@ TEST_CASE("blocks come back as they were appended") {
 }
 
 TEST_CASE("any changed bit of a scratch file is an error, never other data") {
-  test::TestJob test;
-  const Blocks blocks = random_blocks(5, 300);
-  const std::set<int> before = test::descriptors();
-  PackedFile file(test.job);
-  const test::OpenedFile opened(test::opened_since(before).front());
-  for (const auto& block : blocks) file.append(block);
-  file.finish();
-  REQUIRE(read(file) == blocks);
-  const std::uint64_t size = opened.size();
+  const Packed packed(5);
+  REQUIRE(read(packed.file) == packed.blocks);
+  const std::uint64_t size = packed.opened.size();
   for (std::uint64_t byte = 0; byte < size; ++byte) {
     // Higher bits of a length are tried below.
     const unsigned bit = static_cast<unsigned>(byte % 8);
-    opened.flip(byte, bit);
-    const std::optional<Blocks> found = read(file);
+    packed.opened.flip(byte, bit);
+    const std::optional<Blocks> found = read(packed.file);
     CAPTURE(byte, bit);
     // zstd does not look at every bit of its frame header; but what comes must be what went.
-    REQUIRE((!found || *found == blocks));
-    opened.flip(byte, bit);
+    REQUIRE((!found || *found == packed.blocks));
+    packed.opened.flip(byte, bit);
   }
-  REQUIRE(read(file) == blocks);
+  REQUIRE(read(packed.file) == packed.blocks);
 }
 
 TEST_CASE("a changed length asks for no more memory than a block has") {
-  test::TestJob test;
-  const Blocks blocks = random_blocks(2, 300);
-  const std::set<int> before = test::descriptors();
-  PackedFile file(test.job);
-  const test::OpenedFile opened(test::opened_since(before).front());
-  for (const auto& block : blocks) file.append(block);
-  file.finish();
+  const Packed packed(2);
   for (const std::uint64_t byte : {3, 7}) {  // the highest byte of the packed and of the plain length
     const std::uint64_t peak = peak_resident_bytes();
-    opened.flip(byte, 4);
-    CHECK_FALSE(read(file));
-    opened.flip(byte, 4);
+    packed.opened.flip(byte, 4);
+    CHECK_FALSE(read(packed.file));
+    packed.opened.flip(byte, 4);
     CAPTURE(byte);
     CHECK(peak_resident_bytes() - peak < std::uint64_t{100} << 20);
   }
 }
 
 TEST_CASE("zeros in the place of blocks are an error") {
-  test::TestJob test;
-  const Blocks blocks = random_blocks(3, 300);
-  const std::set<int> before = test::descriptors();
-  PackedFile file(test.job);
-  const test::OpenedFile opened(test::opened_since(before).front());
-  for (const auto& block : blocks) file.append(block);
-  file.finish();
-  opened.clear(0, 8);
-  CHECK_FALSE(read(file));
-  opened.clear(0, static_cast<std::size_t>(opened.size()));
-  CHECK_FALSE(read(file));
+  const Packed packed(3);
+  packed.opened.clear(0, 8);
+  CHECK_FALSE(read(packed.file));
+  packed.opened.clear(0, static_cast<std::size_t>(packed.opened.size()));
+  CHECK_FALSE(read(packed.file));
 }
 
 TEST_CASE("a scratch file that lost its end is an error") {
-  test::TestJob test;
-  const Blocks blocks = random_blocks(3, 300);
-  const std::set<int> before = test::descriptors();
-  PackedFile file(test.job);
-  const test::OpenedFile opened(test::opened_since(before).front());
-  for (const auto& block : blocks) file.append(block);
-  file.finish();
-  const std::uint64_t size = opened.size();
+  const Packed packed(3);
+  const std::uint64_t size = packed.opened.size();
   for (const std::uint64_t lost : {std::uint64_t{1}, std::uint64_t{9}, size}) {
-    opened.cut(size - lost);
+    packed.opened.cut(size - lost);
     CAPTURE(lost);
-    CHECK_FALSE(read(file));
+    CHECK_FALSE(read(packed.file));
   }
 }
 

@@ -4,8 +4,6 @@
 #include "program.hpp"
 #include "report_text.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -97,11 +95,7 @@ void show(const CompareReport& report, std::ostream& out) {
   distances("  forward", report.forward);
   distances("  backward", report.backward);
   distances("  symmetric", report.symmetric);
-  double farthest = 0;
-  for (const double x : report.worst) farthest = std::max(farthest, std::abs(x));
-  const int digits = digits_for(farthest, report.diagonal);
-  line("  worst at", show_length(report.worst[0], digits) + " " + show_length(report.worst[1], digits) + " " +
-                         show_length(report.worst[2], digits));
+  line("  worst at", show_place(report.worst, digits_for({report.worst}, report.diagonal)));
   line("normals", "differ by " + fixed(report.normal_deviation.mean, 2) +
                       " degrees in the mean, 95 of 100 by up to " + fixed(report.normal_deviation.p95, 2));
   const auto change = [](double part) { return (part < 0 ? "" : "+") + fixed(100 * part, 3) + " %"; };

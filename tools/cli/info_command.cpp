@@ -6,7 +6,6 @@
 #include "report_text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -45,19 +44,6 @@ Json json_of(const InfoReport& report) {
   return json;
 }
 
-std::string triple(const std::array<double, 3>& values, int digits = 6) {
-  return show_length(values[0], digits) + " " + show_length(values[1], digits) + " " +
-         show_length(values[2], digits);
-}
-
-int digits_of(const InfoReport& report, const std::array<double, 3>& size) {
-  double farthest = 0;
-  for (const auto& corner : {report.box_min, report.box_max}) {
-    for (const double x : corner) farthest = std::max(farthest, std::abs(x));
-  }
-  return digits_for(farthest, *std::max_element(size.begin(), size.end()));
-}
-
 void show(const InfoReport& report, std::ostream& out) {
   const Lines line(out, 12);
   line("format", report.format + ", " + show_bytes(report.bytes));
@@ -66,9 +52,10 @@ void show(const InfoReport& report, std::ostream& out) {
   if (report.has_box) {
     std::array<double, 3> size{};
     for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = report.box_max[axis] - report.box_min[axis];
-    const int digits = digits_of(report, size);
-    line("box", triple(report.box_min, digits) + "  to  " + triple(report.box_max, digits));
-    line("size", triple(size));
+    const int digits =
+        digits_for({report.box_min, report.box_max}, *std::max_element(size.begin(), size.end()));
+    line("box", show_place(report.box_min, digits) + "  to  " + show_place(report.box_max, digits));
+    line("size", show_place(size));
   }
   line("area", show_length(report.area));
   line("mean edge", show_length(report.mean_edge));

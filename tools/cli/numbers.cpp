@@ -49,9 +49,10 @@ std::uint64_t parse_scaled(const std::string& option, const std::string& text, c
   return static_cast<std::uint64_t>(std::llround(value));
 }
 
-std::string format(const char* pattern, double value) {
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), pattern, value);
+  std::snprintf(text.data(), text.size(), pattern, values...);
   return text.data();
 }
 
@@ -137,12 +138,19 @@ std::string show_seconds(double seconds) {
 }
 
 std::string show_length(double length, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, length);
-  return text.data();
+  return format("%.*g", digits, length);
 }
 
-int digits_for(double farthest, double size) {
+std::string show_place(const std::array<double, 3>& place, int digits) {
+  return show_length(place[0], digits) + " " + show_length(place[1], digits) + " " +
+         show_length(place[2], digits);
+}
+
+int digits_for(std::initializer_list<std::array<double, 3>> places, double size) {
+  double farthest = 0;
+  for (const auto& place : places) {
+    for (const double x : place) farthest = std::max(farthest, std::abs(x));
+  }
   const double more = size > 0 && farthest > size ? std::ceil(std::log10(farthest / size)) : 0;
   return 6 + static_cast<int>(std::min(more, 11.0));
 }

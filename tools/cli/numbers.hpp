@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,9 @@ std::string show_bytes(std::uint64_t bytes);                   // 1.5 GiB
 std::string show_rate(double per_second);                      // 45.2 M
 std::string show_seconds(double seconds);                      // 0.45 s, 2 min 10 s
 std::string show_length(double length, int digits = 6);        // significant ones
-// Digits that tell places up to `farthest` from the origin, in a model of this size, as finely as near it.
-int digits_for(double farthest, double size);
+std::string show_place(const std::array<double, 3>& place, int digits = 6);
+// Digits that tell these places in a model of this size as finely as if they were near the origin.
+int digits_for(std::initializer_list<std::array<double, 3>> places, double size);
 
 // "3 left out: 1 repeat a corner, 2 name a vertex that does not exist"
 std::string show_bad_faces(const BadFaces& bad);
