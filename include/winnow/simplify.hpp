@@ -38,15 +38,16 @@ struct SimplifyOptions {
   std::optional<std::uint64_t> grid;   // cells along the longest side of the bounding box; 1 to 2^21
   std::optional<std::uint64_t> faces;  // so many faces; >= 4. Exact if refined, else about
   std::optional<double> ratio;         // the same as a part of the input's faces; in (0, 1]
-  // As few faces as there can be with this error, in model units; > 0: the root of the mean squared distance
-  // of a vertex from the planes of all faces that it stands for. Only with Refine::quadric.
+  // As few faces as there can be with this error, in model units; > 0. It bounds the two-sided RMS distance.
+  // No point of a boundary is farther than 1.5 times the error from the other boundary, both ways (of inputs
+  // that are not clustered: see `detail`). Only with Refine::quadric.
   std::optional<double> error;
   std::optional<double> relative_error;  // the same as a part of the diagonal of the input's box; in (0, 1)
 
   // Default: quadric with faces, ratio and error, none with cell and grid (which allow nothing else).
   std::optional<Refine> refine;
   // Faces that clustering leaves for each that is wanted; > 1. Infinite: none are clustered, equal positions
-  // are welded and all faces refined. Default: 6, and infinite where that would not spare three quarters of
+  // are welded and all faces refined; with an error no other number is allowed. Default: 6, and infinite where that would not spare three quarters of
   // the faces, or where the input has no more than 2^20.
   std::optional<double> detail;
   Borders borders = Borders::weigh;

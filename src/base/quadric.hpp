@@ -29,6 +29,17 @@ struct Quadric {
     c += weight * distance * distance;
   }
 
+  // Of the line through the vertex along `edge`, with the square of its length times `weight`.
+  void add_line(const Point& edge, double weight) {
+    const double square = dot(edge, edge);
+    xx += weight * (square - edge[0] * edge[0]);
+    xy -= weight * edge[0] * edge[1];
+    xz -= weight * edge[0] * edge[2];
+    yy += weight * (square - edge[1] * edge[1]);
+    yz -= weight * edge[1] * edge[2];
+    zz += weight * (square - edge[2] * edge[2]);
+  }
+
   void add(const Quadric& q) {
     xx += q.xx;
     xy += q.xy;

@@ -10,8 +10,10 @@
 //
 // and may have
 //
-// - double closer_price(now, star, price): what place() found, looked at more closely, `price` or more; asked
-//   before every collapse, of one that is legal;
+// - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price, asked for
+//   where place() gave one that is not legal;
+// - double closer_price(now, star, price): what place() found, looked at more closely, `price` or more, and
+//   infinity where it may not be; asked before every collapse, of one that is legal;
 // - void gave_up(v, offers), told when everything that `v` proposes was refused.
 #pragma once
 
@@ -21,6 +23,7 @@
 #include "decimate/tile_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -148,16 +151,23 @@ struct DoneCollapse {
 template <typename Cost>
 class Collapser {
  public:
-  Collapser(TileMesh& mesh, Cost& cost, double least_cosine)
-      : mesh_(mesh), cost_(cost), legality_(mesh, least_cosine), offers_(mesh.vertex_count()) {
+  // `rounding`: of positions (base/rounding.hpp).
+  Collapser(TileMesh& mesh, Cost& cost, double least_cosine, double rounding)
+      : mesh_(mesh),
+        cost_(cost),
+        legality_(mesh, least_cosine),
+        star_(rounding),
+        offers_(mesh.vertex_count()) {
     for (VertexNumber v = 0; v < mesh.vertex_count(); ++v)
       offers_.append(v, cost.best(v, Candidate::none_yet()));
     offers_.order();
   }
 
-  // Tells `done` of every collapse.
-  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) {
-    while (mesh_.live_faces() > limits.faces && !offers_.empty()) {
+  // Tells `done` of every collapse. `turn` comes now and then, also where nothing can be collapsed.
+  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
+           const std::function<void()>& turn) {
+    for (std::uint32_t turns = 0; mesh_.live_faces() > limits.faces && !offers_.empty(); ++turns) {
+      if (turns % turns_between == 0 && turn) turn();
       const VertexNumber v = offers_.cheapest();
       if (offers_.stale(v)) {
         offers_.set(v, cost_.best(v, Candidate::none_yet()));
@@ -165,15 +175,13 @@ class Collapser {
       }
       const Candidate candidate = offers_.of(v);
       if (candidate.price > limits.price) return;
-      const PricedCollapse now = cost_.place(v, candidate.partner);
+      PricedCollapse now = cost_.place(v, candidate.partner);
       if (now.price > candidate.price) {
         // The other end has become dearer since.
         offers_.set(v, cost_.best(v, Candidate::none_yet()));
         continue;
       }
-      const Collapse& edge = now.edge;
-      star_.find(mesh_, edge.kept, edge.removed);
-      if (!legality_.keeps_surface(star_) || !legality_.keeps_faces(star_, edge)) {
+      if (!allowed(now)) {
         // It waits until a collapse beside it makes the vertex offer anew.
         offers_.go_on(v, cost_.best(v, candidate));
         if constexpr (requires { cost_.gave_up(v, offers_); }) {
@@ -184,11 +192,12 @@ class Collapser {
       if constexpr (requires { cost_.closer_price(now, star_, candidate.price); }) {
         const double price = cost_.closer_price(now, star_, candidate.price);
         if (price > candidate.price) {
-          offers_.postpone(v, {price, candidate.partner});
+          if (std::isfinite(price)) offers_.postpone(v, {price, candidate.partner});
           offers_.go_on(v, cost_.best(v, candidate));
           continue;
         }
       }
+      const Collapse& edge = now.edge;
       highest_ = std::max(highest_, candidate.price);
       if constexpr (requires { cost_.collapsing(now, star_); }) {
         cost_.collapsing(now, star_);
@@ -203,6 +212,22 @@ class Collapser {
   }
 
  private:
+  static constexpr std::uint32_t turns_between = 1024;
+
+  // Whether the collapse is legal; in the other way that the cost knows, if not in this.
+  bool allowed(PricedCollapse& now) {
+    star_.find(mesh_, now.edge.kept, now.edge.removed);
+    if (!legality_.keeps_surface(star_)) return false;
+    if (legality_.keeps_faces(star_, now.edge)) return true;
+    if constexpr (requires { cost_.other_place(now); }) {
+      if (const auto other = cost_.other_place(now)) {
+        now = *other;
+        return legality_.keeps_faces(star_, now.edge);
+      }
+    }
+    return false;
+  }
+
   TileMesh& mesh_;
   Cost& cost_;
   Legality legality_;

@@ -1,10 +1,10 @@
 #include "decimate/decimation.hpp"
 
+#include "base/rounding.hpp"
+#include "decimate/error_bound.hpp"
 #include "decimate/importance_cost.hpp"
-#include "decimate/initial_quadrics.hpp"
 #include "decimate/quadric_cost.hpp"
 #include "decimate/quadric_placement.hpp"
-#include "decimate/remembered_quadric_cost.hpp"
 #include "decimate/volume_cost.hpp"
 
 #include <cstring>
@@ -21,10 +21,11 @@ class ForgetfulDecimation final : public Decimation {
   ForgetfulDecimation(TileMesh& mesh, const DecimationSettings& settings, MakeCost make)
       : mesh_(mesh), settings_(settings), make_(std::move(make)) {}
 
-  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) override {
+  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
+           const std::function<void()>& turn) override {
     auto cost = make_(mesh_);
-    Collapser collapser(mesh_, cost, settings_.least_cosine);
-    collapser.run(limits, done);
+    Collapser collapser(mesh_, cost, settings_.least_cosine, coordinate_rounding(settings_.single));
+    collapser.run(limits, done, turn);
     largest_error_ = cost.largest_error();
   }
   void repeat(const Collapse& edge) override { mesh_.collapse(edge); }
@@ -49,15 +50,23 @@ class RememberingDecimation final : public Decimation {
  public:
   template <typename... Arguments>
   RememberingDecimation(TileMesh& mesh, const DecimationSettings& settings, Arguments&&... arguments)
-      : mesh_(mesh), settings_(settings), cost_(mesh, std::forward<Arguments>(arguments)...) {}
+      : mesh_(mesh),
+        settings_(settings),
+        star_(coordinate_rounding(settings.single)),
+        cost_(mesh, std::forward<Arguments>(arguments)...) {}
 
-  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) override {
-    Collapser<Cost> collapser(mesh_, cost_, settings_.least_cosine);
-    collapser.run(limits, done);
+  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
+           const std::function<void()>& turn) override {
+    Collapser<Cost> collapser(mesh_, cost_, settings_.least_cosine, coordinate_rounding(settings_.single));
+    collapser.run(limits, done, turn);
   }
   void repeat(const Collapse& edge) override {
-    cost_.collapsing({edge, 0});
-    mesh_.collapse(edge);
+    if constexpr (requires { cost_.repeat(edge, star_); }) {
+      cost_.repeat(edge, star_);
+    } else {
+      cost_.collapsing({edge, 0});
+      mesh_.collapse(edge);
+    }
   }
   void save(VertexNumber v, std::byte* into) const override {
     const typename Cost::State state = cost_.state(v);
@@ -68,6 +77,7 @@ class RememberingDecimation final : public Decimation {
  private:
   TileMesh& mesh_;
   DecimationSettings settings_;
+  EdgeStar star_;
   Cost cost_;
 };
 
@@ -85,7 +95,19 @@ void lock_borders(TileMesh& mesh) {
   }
 }
 
-bool remembers_quadrics(const DecimationSettings& settings) {
+// Before the first round the state is that of cells, if any: their quadrics.
+std::vector<ErrorBound::State> bound_states(const TileMesh& mesh, std::span<const std::byte> bytes,
+                                            const DecimationSettings& settings) {
+  if (settings.borders_known) return states_of<ErrorBound::State>(mesh, bytes);
+  const std::vector<Quadric> quadrics = states_of<Quadric>(mesh, bytes);
+  std::vector<ErrorBound::State> states(mesh.vertex_count());
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) states[v].planes = quadrics[v];
+  if (bytes.empty()) ErrorBound::add_faces(mesh, coordinate_rounding(settings.single), states);
+  ErrorBound::add_borders(mesh, states);
+  return states;
+}
+
+bool bounds_error(const DecimationSettings& settings) {
   return settings.cost == CollapseCost::quadric && settings.error.has_value();
 }
 
@@ -99,21 +121,22 @@ std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std
   if (settings.cost == CollapseCost::importance)
     return std::make_unique<RememberingDecimation<ImportanceCost>>(mesh, settings,
                                                                    states_of<double>(mesh, state));
-  if (!remembers_quadrics(settings)) {
+  if (!bounds_error(settings)) {
     const bool single = settings.single;
     return forgetful(mesh, settings, [single](TileMesh& of) { return QuadricCost(of, single); });
   }
-  std::vector<Quadric> quadrics = states_of<Quadric>(mesh, state);
-  if (state.empty()) add_faces(mesh, quadrics);
-  if (!settings.borders_known) add_borders(mesh, upright_plane_weight, quadrics);
-  return std::make_unique<RememberingDecimation<RememberedQuadricCost>>(mesh, settings, std::move(quadrics),
-                                                                        settings.single, settings.error);
+  return std::make_unique<RememberingDecimation<QuadricCost>>(
+      mesh, settings, settings.single, *settings.error, bound_states(mesh, state, settings));
+}
+
+std::size_t Decimation::first_state_size(const DecimationSettings& settings) {
+  return bounds_error(settings) ? sizeof(Quadric) : state_size(settings);
 }
 
 std::size_t Decimation::state_size(const DecimationSettings& settings) {
   switch (settings.cost) {
     case CollapseCost::quadric:
-      return remembers_quadrics(settings) ? sizeof(Quadric) : 0;
+      return bounds_error(settings) ? sizeof(ErrorBound::State) : 0;
     case CollapseCost::importance:
       return sizeof(ImportanceCost::State);
     case CollapseCost::volume:
@@ -125,8 +148,7 @@ std::size_t Decimation::state_size(const DecimationSettings& settings) {
 std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64_t vertices) {
   std::uint64_t forgetful = 0;
   if (settings.cost == CollapseCost::volume) forgetful = VolumeCost::memory(vertices);
-  if (settings.cost == CollapseCost::quadric && !remembers_quadrics(settings))
-    forgetful = QuadricCost::memory(vertices);
+  if (settings.cost == CollapseCost::quadric) forgetful = QuadricCost::memory(vertices);
   return forgetful + vertices * state_size(settings) + Offers::memory(vertices);
 }
 

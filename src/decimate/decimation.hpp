@@ -22,7 +22,7 @@ struct DecimationSettings {
   bool keep_borders = false;  // vertices at borders stay
   bool borders_known =
       false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone
-  std::optional<double> error;  // no collapse may put a vertex farther than this from its planes, in the mean
+  std::optional<double> error;  // how far the surface may come from what it was: error_bound.hpp
 };
 
 class Decimation {
@@ -34,11 +34,18 @@ class Decimation {
 
   // Bytes that a vertex takes to remember what was collapsed into it; 0 where nothing is remembered.
   static std::size_t state_size(const DecimationSettings& settings);
+  // The same of what comes from clustering.
+  static std::size_t first_state_size(const DecimationSettings& settings);
   // Bytes in use at the most, besides the mesh.
   static std::uint64_t memory(const DecimationSettings& settings, std::uint64_t vertices);
 
-  // Collapses edges, the cheapest first; `done` is told of each.
-  virtual void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) = 0;
+  // Collapses edges, the cheapest first; `done` is told of each. `turn` comes many times a second, also where
+  // nothing can be collapsed; what it throws ends the run.
+  virtual void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
+                   const std::function<void()>& turn) = 0;
+  void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) {
+    run(limits, done, {});
+  }
 
   // Repeats a collapse of an earlier run.
   virtual void repeat(const Collapse& edge) = 0;

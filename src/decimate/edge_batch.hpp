@@ -19,6 +19,16 @@ inline void add(VertexPlanes& planes, const Point& along, double weight) {
   planes.zz += weight * along[2] * along[2];
 }
 
+// The line along an edge, as two planes through it that stand upright on each other: the square of the
+// distance from it times that of its length, times `weight`.
+inline void add_line(VertexPlanes& planes, const Point& edge, double weight) {
+  const double square = dot(edge, edge);
+  add(planes, edge, -weight);
+  planes.xx += weight * square;
+  planes.yy += weight * square;
+  planes.zz += weight * square;
+}
+
 inline void add(VertexPlanes& planes, const VertexPlanes& more) {
   planes.xx += more.xx;
   planes.xy += more.xy;
@@ -37,7 +47,10 @@ inline void set_low(EdgeBatch& batch, const Point& low, const VertexPlanes& plan
   batch.low_planes = planes;
 }
 
-inline void set_high(EdgeBatch& batch, std::size_t i, const Point& high, const VertexPlanes& planes) {
+// `stays`: this end takes whatever is collapsed into it, where it is.
+inline void set_high(EdgeBatch& batch, std::size_t i, const Point& high, const VertexPlanes& planes,
+                     bool stays) {
+  batch.to_high[i] = stays ? 1.0 : 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) batch.high[axis][i] = high[axis];
   batch.xx[i] = planes.xx;
   batch.xy[i] = planes.xy;

@@ -6,15 +6,23 @@
 
 namespace winnow {
 
-EdgeStar::EdgeStar() : turn_(best_kernel(star_kernel_baseline, star_kernel_avx2, star_kernel_avx512)) {}
+EdgeStar::EdgeStar(double rounding)
+    : rounding_(rounding), turn_(best_kernel(star_kernel_baseline, star_kernel_avx2, star_kernel_avx512)) {}
 
 void EdgeStar::find(const TileMesh& mesh, VertexNumber kept, VertexNumber removed) {
   kept_ = kept;
   removed_ = removed;
   faces_.clear();
-  mesh.for_each_corner(kept, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
-    faces_.push_back({f, w, x, w != removed && x != removed});
-  });
+  if (mesh.hub(kept)) {
+    mesh.for_each_corner(removed, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
+      if (w == kept) faces_.push_back({f, x, removed, false});
+      if (x == kept) faces_.push_back({f, removed, w, false});
+    });
+  } else {
+    mesh.for_each_corner(kept, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
+      faces_.push_back({f, w, x, w != removed && x != removed});
+    });
+  }
   kept_faces_ = faces_.size();
   mesh.for_each_corner(removed, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
     if (w != kept && x != kept) faces_.push_back({f, w, x, true});
@@ -43,7 +51,7 @@ void EdgeStar::move(const TileMesh& mesh, const Point& to, double least_cosine) 
       }
       batch.stays[i] = face.stays ? 1 : 0;
     }
-    turn_(batch, count, least_cosine);
+    turn_(batch, count, {least_cosine, rounding_});
   }
 }
 

@@ -12,16 +12,19 @@
 
 namespace winnow {
 
+// Around a hub only the faces that the collapse changes: the hub stays where it is.
 class EdgeStar {
  public:
-  EdgeStar();
+  // `rounding`: of positions (base/rounding.hpp).
+  explicit EdgeStar(double rounding);
 
   void find(const TileMesh& mesh, VertexNumber kept, VertexNumber removed);
 
   [[nodiscard]] VertexNumber kept() const { return kept_; }
   [[nodiscard]] VertexNumber removed() const { return removed_; }
 
-  // The faces of one end, and those of the other without the ones at the edge, which are told once.
+  // The faces of one end, of a hub those at the edge, and those of the other without the ones at the edge,
+  // which are told once.
   [[nodiscard]] std::span<const StarFace> of_kept() const { return std::span(faces_).first(kept_faces_); }
   [[nodiscard]] std::span<const StarFace> of_removed() const {
     return std::span(faces_).subspan(kept_faces_);
@@ -31,6 +34,8 @@ class EdgeStar {
   // What comes of them, in this order, when the ends move there.
   void move(const TileMesh& mesh, const Point& to, double least_cosine);
   [[nodiscard]] bool turned(std::size_t face) const { return batch(face).turned[lane(face)] != 0; }
+  // Whether a face that was thinner than rounding no longer is.
+  [[nodiscard]] bool opened(std::size_t face) const { return batch(face).opened[lane(face)] != 0; }
   [[nodiscard]] VertexPlanes planes(std::size_t face) const { return of(batch(face).planes, lane(face)); }
   [[nodiscard]] VertexPlanes change(std::size_t face) const { return of(batch(face).change, lane(face)); }
 
@@ -46,6 +51,7 @@ class EdgeStar {
   VertexNumber kept_ = no_number, removed_ = no_number;
   std::vector<StarFace> faces_;
   std::size_t kept_faces_ = 0;
+  double rounding_;
   StarKernel turn_;
   std::vector<StarBatch> batches_;
 };

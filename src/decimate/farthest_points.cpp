@@ -16,20 +16,27 @@ namespace {
 // (bench/RESULTS.md).
 constexpr double weight = 5;
 
+// How many times the rounding of coordinates a point may be off: positions and the planes that they lie in
+// are rounded, again and again.
+constexpr double roundings = 4;
+
 double square_between(const Point& a, const Point& b) {
   return dot(a - b, a - b);
 }
 
 }  // namespace
 
-FarthestPoints::FarthestPoints(const TileMesh& mesh) : mesh_(mesh), point_(mesh.vertex_count()) {
+FarthestPoints::FarthestPoints(const TileMesh& mesh, double rounding)
+    : mesh_(mesh),
+      rounding_square_(roundings * roundings * rounding * rounding),
+      point_(mesh.vertex_count()) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) point_[v] = mesh.position(v);
 }
 
 double FarthestPoints::price(const Collapse& edge, const EdgeStar& star, double price) {
-  // As soon as both are this near, no more needs to be known.
-  const double near = std::sqrt(price / weight);
   const Point& to = edge.position;
+  // As soon as both are this near, no more needs to be known.
+  const double near = std::max(std::sqrt(price / weight), rounding_square_ * dot(to, to));
   // What was collapsed into an end lies beside its faces, mostly.
   using Faces = std::span<const StarFace>;
   const auto square_left = [&](const Point& point, Faces own, Faces others) {
@@ -46,11 +53,12 @@ double FarthestPoints::price(const Collapse& edge, const EdgeStar& star, double 
   };
   const Point& of_kept = point_[edge.kept];
   const Point& of_removed = point_[edge.removed];
-  const double kept_square = square_left(of_kept, star.of_kept(), star.of_removed());
+  const double kept_square =
+      mesh_.hub(edge.kept) ? 0 : square_left(of_kept, star.of_kept(), star.of_removed());
   const double removed_square = square_left(of_removed, star.of_removed(), star.of_kept());
-  const double square = std::max(kept_square, removed_square);
-  next_ = kept_square >= removed_square ? of_kept : of_removed;
-  return std::max(price, weight * square * square);
+  square_ = std::max(kept_square, removed_square);
+  next_ = mesh_.hub(edge.kept) || kept_square >= removed_square ? of_kept : of_removed;
+  return square_ <= near ? price : weight * square_ * square_;
 }
 
 }  // namespace winnow

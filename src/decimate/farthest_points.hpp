@@ -14,22 +14,33 @@ namespace winnow {
 
 class FarthestPoints {
  public:
-  explicit FarthestPoints(const TileMesh& mesh);
+  // `rounding`: of positions (base/rounding.hpp). A point that is off by no more is not off.
+  FarthestPoints(const TileMesh& mesh, double rounding);
+
+  // The point that a vertex keeps, seen from it.
+  [[nodiscard]] Point of(VertexNumber v) const { return point_[v] - mesh_.position(v); }
+  void set(VertexNumber v, const Point& from_it) { point_[v] = mesh_.position(v) + from_it; }
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) { return vertices * sizeof(Point); }
 
   // What it costs that the points of both ends would be so far from the faces left around the collapsed edge:
   // a multiple of the fourth power of the larger distance; `price` where that is not above it.
-  // `star`: the edge's.
+  // `star`: the edge's. A hub keeps its own point, which is not looked at.
   double price(const Collapse& edge, const EdgeStar& star, double price);
+
+  // The square of the larger distance of those that price() was asked about last; no more than rounding
+  // where it was not measured.
+  [[nodiscard]] double square() const { return square_; }
 
   // To be told of the collapse that price() was asked about last, before it is done.
   void collapsing(const Collapse& edge) { point_[edge.kept] = next_; }
 
  private:
   const TileMesh& mesh_;
+  double rounding_square_;
   std::vector<Point> point_;
   Point next_{};
+  double square_ = 0;
 };
 
 }  // namespace winnow

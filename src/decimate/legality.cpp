@@ -25,19 +25,36 @@ bool Legality::at_border(VertexNumber v) {
 }
 
 bool Legality::keeps_surface(const EdgeStar& star) {
-  const TileMesh::Meeting meeting = mesh_.meeting(star.of_kept(), star.removed(), star.of_removed());
+  const bool hub = mesh_.hub(star.kept());
+  const TileMesh::Meeting meeting =
+      hub ? mesh_.meeting_at_hub(star.kept(), star.of_kept(), star.removed(), star.of_removed())
+          : mesh_.meeting(star.of_kept(), star.removed(), star.of_removed());
   if (meeting.faces == 0 || meeting.common != meeting.faces || meeting.falls_together) return false;
   if (meeting.faces != 2 || mesh_.all_edges_even(star.removed())) return true;
   const auto open = [](std::ptrdiff_t faces) { return faces == 1; };
-  return !some_edge_has(star.removed(), open) || !some_edge_has(star.kept(), open);
+  // A hub may be at a border: to know would take a walk.
+  return !some_edge_has(star.removed(), open) || (!hub && !some_edge_has(star.kept(), open));
 }
 
 bool Legality::keeps_faces(EdgeStar& star, const Collapse& edge) const {
   star.move(mesh_, edge.position, least_cosine_);
   // Faces that do not move may be as thin as they are.
   const bool moves = edge.position != mesh_.position(edge.kept);
+  bool opened = false;
   for (std::size_t face = moves ? 0 : star.of_kept().size(); face < star.faces().size(); ++face) {
     if (star.turned(face)) return false;
+    opened |= star.opened(face);
+  }
+  return !opened || opens_outwards(star, edge);
+}
+
+bool Legality::opens_outwards(const EdgeStar& star, const Collapse& edge) const {
+  Point sum{};
+  for (const StarFace& face : star.faces()) sum = sum + doubled_area(mesh_.triangle(face.number));
+  for (std::size_t face = 0; face < star.faces().size(); ++face) {
+    if (!star.opened(face)) continue;
+    const auto [number, w, x, stays] = star.faces()[face];
+    if (!(dot(doubled_area({edge.position, mesh_.position(w), mesh_.position(x)}), sum) > 0)) return false;
   }
   return true;
 }

@@ -19,13 +19,16 @@ class Legality {
   // where there was none. A face whose other two edges are border goes as a whole.
   [[nodiscard]] bool keeps_surface(const EdgeStar& star);
 
-  // No face turns by more than the bound or shrinks to a line. `star`: that of the edge; it is moved there.
+  // No face turns by more than the bound or shrinks to a line. One that is thinner than rounding has nothing
+  // to turn from; where it gets an area, that looks the way of the faces around the edge. `star`: that of the
+  // edge; it is moved there.
   [[nodiscard]] bool keeps_faces(EdgeStar& star, const Collapse& edge) const;
 
   // Whether some edge at `v` has more or less than two faces.
   [[nodiscard]] bool at_border(VertexNumber v);
 
  private:
+  [[nodiscard]] bool opens_outwards(const EdgeStar& star, const Collapse& edge) const;
   template <typename Asked>
   bool some_edge_has(VertexNumber v, const Asked& asked);
 

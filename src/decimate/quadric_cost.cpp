@@ -1,60 +1,73 @@
 #include "decimate/quadric_cost.hpp"
 
 #include "base/instruction_set.hpp"
+#include "base/rounding.hpp"
 #include "decimate/quadric_placement.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace winnow {
 
 QuadricCost::QuadricCost(TileMesh& mesh, bool single)
     : mesh_(mesh),
+      single_(single),
+      rounding_(coordinate_rounding(single)),
       planes_(mesh.vertex_count()),
-      farthest_(mesh),
+      farthest_(mesh, rounding_),
       at_border_(mesh.vertex_count(), 0),
-      price_edges_(best_kernel(edge_kernel_baseline, edge_kernel_avx2, edge_kernel_avx512)),
-      single_(single) {
+      price_edges_(best_kernel(edge_kernel_baseline, edge_kernel_avx2, edge_kernel_avx512)) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_border_[v] = !mesh.all_edges_even(v);
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
     const VertexPlanes planes = planes_of(f);
     for (const VertexNumber v : mesh.face(f)) add(planes_[v], planes);
-    if (touches_border(f)) add_border(f, 1);
+    add_borders(mesh.face(f), 1);
   }
+}
+
+QuadricCost::QuadricCost(TileMesh& mesh, bool single, double error, std::vector<State> states)
+    : QuadricCost(mesh, single) {
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) farthest_.set(v, states[v].farthest);
+  bound_.emplace(mesh, error, std::move(states), at_border_);
 }
 
 // Of one face, for each of its corners: a third of the area.
 VertexPlanes QuadricCost::planes_of(FaceNumber f) const {
-  const Point doubled = doubled_area(mesh_.triangle(f));
-  const double square = dot(doubled, doubled);
+  const Triangle triangle = mesh_.triangle(f);
+  const Point doubled = doubled_area(triangle);
   VertexPlanes planes;
-  if (!(square > 0)) return planes;
-  add(planes, doubled, 1 / (6 * std::sqrt(square)));
+  if (thinner_than_rounding(triangle, doubled, rounding_)) return planes;
+  add(planes, doubled, 1 / (6 * length(doubled)));
   return planes;
 }
 
-// The planes through edges with one face, upright on that.
-void QuadricCost::add_border(FaceNumber f, double sign) {
-  const FaceVertices& face = mesh_.face(f);
-  const Point doubled = doubled_area(mesh_.triangle(f));
-  for (std::size_t i = 0; i < 3; ++i) {
-    const VertexNumber a = face[i];
-    const VertexNumber b = face[(i + 1) % 3];
-    if (!at_border_[a] || !at_border_[b] || mesh_.faces_at(a, b) != 1) continue;
-    const Point edge = mesh_.position(b) - mesh_.position(a);
-    const Point upright = cross(edge, doubled);
-    const double square = dot(upright, upright);
-    if (!(square > 0)) continue;
-    const double weight = sign * upright_plane_weight * dot(edge, edge) / square;
-    add(planes_[a], upright, weight);
-    add(planes_[b], upright, weight);
-  }
+void QuadricCost::add_borders(const FaceVertices& face, double sign) {
+  if (at_border_[face[0]] + at_border_[face[1]] + at_border_[face[2]] < 2) return;
+  for (std::size_t i = 0; i < 3; ++i) add_border(face[i], face[(i + 1) % 3], sign);
+}
+
+// The line of an edge with one face. It needs no face to stand upright on, which may be none but a line.
+void QuadricCost::add_border(VertexNumber a, VertexNumber b, double sign) {
+  if (!at_border_[a] || !at_border_[b] || mesh_.faces_at(a, b, 2) != 1) return;
+  const Point edge = mesh_.position(b) - mesh_.position(a);
+  add_line(planes_[a], edge, sign * border_line_weight);
+  add_line(planes_[b], edge, sign * border_line_weight);
 }
 
 PricedCollapse QuadricCost::place(VertexNumber low, VertexNumber high) {
   set_low(batch_, mesh_.position(low), planes_[low]);
-  set_high(batch_, 0, mesh_.position(high), planes_[high]);
+  set_high(batch_, 0, mesh_.position(high), planes_[high], mesh_.hub(high));
   price_edges_(batch_, 1, single_);
+  if (mesh_.hub(high)) return {{high, low, mesh_.position(high)}, batch_.price[0]};
   return {{low, high, position_of(batch_, 0)}, batch_.price[0]};
+}
+
+std::optional<PricedCollapse> QuadricCost::other_place(const PricedCollapse& now) const {
+  if (batch_.flat_low[0] == 0 || batch_.flat_high[0] == 0) return std::nullopt;
+  const Point& high = mesh_.position(now.edge.removed);
+  const bool at_high = now.edge.position == high;
+  return PricedCollapse{{now.edge.kept, now.edge.removed, at_high ? mesh_.position(now.edge.kept) : high},
+                        now.price};
 }
 
 Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
@@ -66,7 +79,7 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
     const std::size_t count = std::min(EdgeBatch::capacity, ends.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       const VertexNumber high = ends[first + i];
-      set_high(batch_, i, mesh_.position(high), planes_[high]);
+      set_high(batch_, i, mesh_.position(high), planes_[high], mesh_.hub(high));
     }
     price_edges_(batch_, count, single_);
     for (std::size_t i = 0; i < count; ++i) {
@@ -77,39 +90,91 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
   return cheapest;
 }
 
+double QuadricCost::closer_price(const PricedCollapse& now, const EdgeStar& star, double price) {
+  if (!bound_) return farthest_.price(now.edge, star, price);
+  // Measured whole, so that a repeated collapse, whose price is not known, remembers the same.
+  const double closer = std::max(price, farthest_.price(now.edge, star, 0));
+  const double far = bound_->farthest();
+  const bool near = farthest_.square() <= far * far;
+  return near && bound_->allows(now.edge, star) ? closer : std::numeric_limits<double>::infinity();
+}
+
+QuadricCost::State QuadricCost::state(VertexNumber v) const {
+  State state = bound_->state(v);
+  state.farthest = farthest_.of(v);
+  return state;
+}
+
+double QuadricCost::largest_error() const {
+  return bound_ ? bound_->largest_error() : std::sqrt(largest_square_);
+}
+
 void QuadricCost::collapsing(const PricedCollapse& now, const EdgeStar& star) {
   const VertexNumber kept = now.edge.kept;
   const VertexNumber removed = now.edge.removed;
   farthest_.collapsing(now.edge);
+  if (bound_) bound_->collapsing(now.edge);
   const double weight = weight_of(planes_[kept]) + weight_of(planes_[removed]);
   if (weight > 0) largest_square_ = std::max(largest_square_, now.price / weight);
-  planes_of_kept_ = {};
+  into_hub_ = mesh_.hub(kept);
+  handed_over_.clear();
   const auto faces = star.faces();
   unsigned border = at_border_[kept] | at_border_[removed];
+  for (const StarFace& face : faces) border |= static_cast<unsigned>(at_border_[face.w] | at_border_[face.x]);
+  near_border_ = border != 0;
+  for (std::size_t i = 0; i < faces.size() && near_border_; ++i) add_borders(mesh_.face(faces[i].number), -1);
+  planes_of_kept_ = into_hub_ ? planes_[kept] : VertexPlanes{};
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const VertexPlanes change = star.change(i);
     add(planes_[faces[i].w], change);
     add(planes_[faces[i].x], change);
-    add(planes_of_kept_, star.planes(i));
-    border |= static_cast<unsigned>(at_border_[faces[i].w] | at_border_[faces[i].x]);
+    // A hub's own faces stay as they are, but for those at the edge.
+    add(planes_of_kept_, into_hub_ && !faces[i].stays ? change : star.planes(i));
   }
-  near_border_ = border != 0;
-  for (std::size_t i = 0; i < faces.size() && near_border_; ++i) {
-    if (touches_border(faces[i].number)) add_border(faces[i].number, -1);
+  if (into_hub_) handed_over_.assign(faces.begin(), faces.end());
+}
+
+// changed(vertex) for each one beside the collapse.
+template <typename Changed>
+void QuadricCost::settle(const Collapse& edge, const Changed& changed) {
+  const VertexNumber kept = edge.kept;
+  planes_[kept] = planes_of_kept_;
+  at_border_[kept] |= at_border_[edge.removed];
+  if (!into_hub_) {
+    if (near_border_) mesh_.for_each_face(kept, [&](FaceNumber f) { add_borders(mesh_.face(f), 1); });
+    for (const VertexNumber w : mesh_.neighbours(kept)) changed(w);
+    return;
+  }
+  mesh_.mark_anew();
+  mesh_.mark(kept);
+  mesh_.mark(edge.removed);
+  for (const auto& [number, w, x, stays] : handed_over_) {
+    if (near_border_ && stays) add_border(w, x, 1);
+    for (const VertexNumber v : {w, x}) {
+      if (!mesh_.mark(v)) continue;
+      if (near_border_) add_border(kept, v, 1);
+      changed(v);
+    }
   }
 }
 
 void QuadricCost::collapsed(const Collapse& edge, Offers& offers) {
-  const VertexNumber kept = edge.kept;
-  planes_[kept] = planes_of_kept_;
-  at_border_[kept] |= at_border_[edge.removed];
-  if (near_border_) {
-    mesh_.for_each_face(kept, [&](FaceNumber f) {
-      if (touches_border(f)) add_border(f, 1);
-    });
+  settle(edge, [&](VertexNumber v) { offers.make_stale(v); });
+  if (into_hub_) {
+    // It may be one no more.
+    offers.make_stale(edge.kept);
+  } else {
+    offers.set(edge.kept, best(edge.kept, Candidate::none_yet()));
   }
-  offers.set(kept, best(kept, Candidate::none_yet()));
-  for (const VertexNumber w : mesh_.neighbours(kept)) offers.make_stale(w);
+}
+
+void QuadricCost::repeat(const Collapse& edge, EdgeStar& star) {
+  star.find(mesh_, edge.kept, edge.removed);
+  star.move(mesh_, edge.position, -1);
+  (void)closer_price({edge, 0}, star, 0);
+  collapsing({edge, 0}, star);
+  mesh_.collapse(edge);
+  settle(edge, [](VertexNumber) {});
 }
 
 }  // namespace winnow

@@ -6,19 +6,25 @@
 
 #include "decimate/collapser.hpp"
 #include "decimate/edge_batch.hpp"
+#include "decimate/error_bound.hpp"
 #include "decimate/farthest_points.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace winnow {
 
 class QuadricCost {
  public:
+  using State = ErrorBound::State;
+
   // `single`: vertices go to numbers that floats have.
   QuadricCost(TileMesh& mesh, bool single);
+  // The same within an error; `states`: of each vertex.
+  QuadricCost(TileMesh& mesh, bool single, double error, std::vector<State> states);
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
     return vertices * (sizeof(VertexPlanes) + 1) + FarthestPoints::memory(vertices);
@@ -26,34 +32,43 @@ class QuadricCost {
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
   [[nodiscard]] PricedCollapse place(VertexNumber low, VertexNumber high);
-  [[nodiscard]] double closer_price(const PricedCollapse& now, const EdgeStar& star, double price) {
-    return farthest_.price(now.edge, star, price);
-  }
+  // The same at the other end, where nothing is lost there either. Asked only of what place() gave last.
+  [[nodiscard]] std::optional<PricedCollapse> other_place(const PricedCollapse& now) const;
+  [[nodiscard]] double closer_price(const PricedCollapse& now, const EdgeStar& star, double price);
   void collapsing(const PricedCollapse& now, const EdgeStar& star);
   void collapsed(const Collapse& edge, Offers& offers);
+  // A collapse of an earlier run: what collapsing() and collapsed() do but for offers.
+  void repeat(const Collapse& edge, EdgeStar& star);
+
+  // Within an error.
+  [[nodiscard]] State state(VertexNumber v) const;
 
   // The root of the mean squared distance of a vertex from the planes it was collapsed at, the largest there
-  // was.
-  [[nodiscard]] double largest_error() const { return std::sqrt(largest_square_); }
+  // was; within an error, from all planes that it stands for.
+  [[nodiscard]] double largest_error() const;
 
  private:
   [[nodiscard]] VertexPlanes planes_of(FaceNumber f) const;
-  [[nodiscard]] bool touches_border(FaceNumber f) const {
-    const FaceVertices& face = mesh_.face(f);
-    return at_border_[face[0]] + at_border_[face[1]] + at_border_[face[2]] >= 2;
-  }
-  void add_border(FaceNumber f, double sign);
+  void add_borders(const FaceVertices& face, double sign);
+  void add_border(VertexNumber a, VertexNumber b, double sign);
+  template <typename Changed>
+  void settle(const Collapse& edge, const Changed& changed);
 
   TileMesh& mesh_;
+  bool single_;
+  double rounding_;
   std::vector<VertexPlanes> planes_;
   FarthestPoints farthest_;
   std::vector<std::uint8_t> at_border_;  // may be; a vertex that is not is at none
+  std::optional<ErrorBound> bound_;
   EdgeKernel price_edges_;
   EdgeBatch batch_{};
-  bool single_;
   double largest_square_ = 0;
-  VertexPlanes planes_of_kept_;  // after the collapse
-  bool near_border_ = false;     // the collapse is
+  // Of the collapse that is being made.
+  VertexPlanes planes_of_kept_;        // afterwards
+  std::vector<StarFace> handed_over_;  // to a hub
+  bool into_hub_ = false;
+  bool near_border_ = false;
 };
 
 }  // namespace winnow

@@ -9,20 +9,35 @@ TileMesh::TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces
                    std::vector<std::uint8_t> locked)
     : position_(std::move(positions)),
       face_(std::move(faces)),
-      locked_(std::move(locked)),
+      flags_(std::move(locked)),
       first_(position_.size(), no_number),
-      next_(3 * face_.size()),
+      degree_(position_.size(), 0),
+      link_(3 * face_.size()),
       mark_(position_.size(), 0),
       live_faces_(face_.size()) {
   // From the back, so that every chain begins with the vertex's lowest face.
   for (FaceNumber f = face_count(); f-- > 0;) {
-    for (std::uint32_t i = 3; i-- > 0;) next(4 * f + i) = std::exchange(first_[face_[f][i]], 4 * f + i);
+    for (std::uint32_t i = 3; i-- > 0;) {
+      const VertexNumber v = face_[f][i];
+      const std::uint32_t corner = 4 * f + i;
+      const std::uint32_t second = std::exchange(first_[v], corner);
+      link_[place_of(corner)].next = second;
+      if (second != no_number) link_[place_of(second)].previous = corner;
+      ++degree_[v];
+    }
   }
+  for (VertexNumber v = 0; v < vertex_count(); ++v) update_hub(v);
 }
 
 std::uint64_t TileMesh::memory(std::uint64_t vertices, std::uint64_t faces) {
-  return vertices * (sizeof(Point) + 1 + 2 * sizeof(std::uint32_t)) +
-         faces * (sizeof(FaceVertices) + 3 * sizeof(std::uint32_t));
+  return vertices * (sizeof(Point) + 1 + 3 * sizeof(std::uint32_t)) +
+         faces * (sizeof(FaceVertices) + 3 * sizeof(Link));
+}
+
+void TileMesh::update_hub(VertexNumber v) {
+  const bool many = degree_[v] > (hub(v) ? hub_no_more : most_faces_beside_hubs);
+  const unsigned hub = many || (flags_[v] & fixed_hub) != 0 ? hub_now : 0U;
+  flags_[v] = static_cast<std::uint8_t>((flags_[v] & ~hub_now) | hub);
 }
 
 std::uint32_t TileMesh::new_marks(std::uint32_t count) {
@@ -65,44 +80,85 @@ TileMesh::Meeting TileMesh::meeting(std::span<const StarFace> faces_a, VertexNum
   return meeting;
 }
 
-void TileMesh::unlink(VertexNumber v, FaceNumber f) {
-  std::uint32_t* link = &first_[v];
-  while (face_of(*link) != f) link = &next(*link);
-  *link = next(*link);
+TileMesh::Meeting TileMesh::meeting_at_hub(VertexNumber a, std::span<const StarFace> faces_at_edge,
+                                           VertexNumber b, std::span<const StarFace> faces_b) {
+  const std::uint32_t met = new_marks(1);
+  Meeting meeting;
+  for (const StarFace& face : faces_at_edge) {
+    const VertexNumber across = face.w == b ? face.x : face.w;
+    ++meeting.faces;
+    meeting.common += mark_[across] != met;
+    mark_[across] = met;
+  }
+  if (meeting.common != meeting.faces) return meeting;
+  const std::uint32_t apart = new_marks(1);
+  for (const StarFace& face : faces_b) {
+    for (const VertexNumber w : {face.w, face.x}) {
+      if (mark_[w] == met || mark_[w] == apart) continue;
+      if (unknown(w) || faces_at(w, a, 1) != 0) {
+        ++meeting.common;
+        return meeting;
+      }
+      mark_[w] = apart;
+    }
+    if (mark_[face.w] != met || mark_[face.x] != met) continue;
+    if (unknown(face.w) && unknown(face.x)) {
+      meeting.falls_together = true;
+      return meeting;
+    }
+    for_each_face(unknown(face.w) ? face.x : face.w, [&](FaceNumber f) {
+      meeting.falls_together |= has(face_[f], a) && has(face_[f], face.w) && has(face_[f], face.x);
+    });
+  }
+  return meeting;
+}
+
+void TileMesh::unlink(VertexNumber v, std::uint32_t corner) {
+  const auto [next, previous] = link_[place_of(corner)];
+  (previous == no_number ? first_[v] : link_[place_of(previous)].next) = next;
+  if (next != no_number) link_[place_of(next)].previous = previous;
+  --degree_[v];
 }
 
 unsigned TileMesh::collapse(const Collapse& edge) {
   const auto [kept, removed, position] = edge;
   position_[kept] = position;
+  steps_ += degree_[removed];
   unsigned gone = 0;
-  std::uint32_t* link = &first_[kept];
-  while (*link != no_number) {
-    const FaceNumber f = face_of(*link);
+  // What is handed over goes in front of the chain of `kept`.
+  std::uint32_t first = no_number;
+  std::uint32_t last = no_number;
+  for (std::uint32_t corner = first_[removed]; corner != no_number;) {
+    const std::uint32_t following = next(corner);
+    const FaceNumber f = face_of(corner);
     FaceVertices& face = face_[f];
-    if (has(face, removed)) {
-      *link = next(*link);
-      for (const VertexNumber v : face) {
-        if (v != kept && v != removed) unlink(v, f);
+    if (has(face, kept)) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const VertexNumber v = face[i];
+        if (v == removed) continue;
+        unlink(v, 4 * f + i);
+        update_hub(v);
       }
       face[0] = no_number;
       ++gone;
     } else {
-      link = &next(*link);
-    }
-  }
-  // What is left of the chain of `removed`, behind that of `kept`.
-  for (std::uint32_t corner = first_[removed]; corner != no_number;) {
-    const std::uint32_t following = next(corner);
-    FaceVertices& face = face_[face_of(corner)];
-    if (face[0] != no_number) {
       face[place_in_face(corner)] = kept;
-      *link = corner;
-      link = &next(corner);
+      link_[place_of(corner)].previous = last;
+      (last == no_number ? first : link_[place_of(last)].next) = corner;
+      last = corner;
     }
     corner = following;
   }
-  *link = no_number;
+  if (last != no_number) {
+    const std::uint32_t rest = std::exchange(first_[kept], first);
+    link_[place_of(last)].next = rest;
+    if (rest != no_number) link_[place_of(rest)].previous = last;
+  }
+  degree_[kept] += degree_[removed] - gone;
+  update_hub(kept);
   first_[removed] = no_number;
+  degree_[removed] = 0;
+  update_hub(removed);
   live_faces_ -= gone;
   return gone;
 }

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace winnow {
@@ -20,6 +21,12 @@ using FaceNumber = std::uint32_t;
 using FaceVertices = std::array<VertexNumber, 3>;
 
 inline constexpr std::uint32_t no_number = UINT32_MAX;
+
+// A vertex with more faces than this is a hub, until it has no more than the second number. Nothing that is
+// done for each collapse walks around a hub: neighbours are collapsed into it, unless they are hubs too, and
+// it stays where it is.
+inline constexpr std::uint32_t most_faces_beside_hubs = 64;
+inline constexpr std::uint32_t hub_no_more = 32;
 
 inline bool has(const FaceVertices& face, VertexNumber v) {
   return face[0] == v || face[1] == v || face[2] == v;
@@ -44,10 +51,16 @@ struct StarFace {
   bool stays;  // is not at the edge
 };
 
+// Whether a vertex has faces outside of the tile, which then are not known. It neither moves nor goes.
+enum Lock : std::uint8_t {
+  free_vertex = 0,
+  closed_vertex = 1,  // no neighbour is collapsed into it
+  fixed_hub = 2,      // neighbours may be
+};
+
 class TileMesh {
  public:
-  // `locked` vertices, one byte each, belong to faces outside of the tile: they neither move nor go, and no
-  // neighbour is collapsed into them.
+  // `locked`: the Lock of each vertex.
   TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces, std::vector<std::uint8_t> locked);
 
   // Bytes in use at the most while collapsing, for the plan.
@@ -60,9 +73,11 @@ class TileMesh {
   [[nodiscard]] std::uint64_t live_faces() const { return live_faces_; }
 
   [[nodiscard]] const Point& position(VertexNumber v) const { return position_[v]; }
-  [[nodiscard]] bool locked(VertexNumber v) const { return locked_[v] != 0; }
-  void lock(VertexNumber v) { locked_[v] = 1; }
+  [[nodiscard]] bool locked(VertexNumber v) const { return (flags_[v] & (closed_vertex | fixed_hub)) != 0; }
+  void lock(VertexNumber v) { flags_[v] |= closed_vertex; }
   [[nodiscard]] bool has_faces(VertexNumber v) const { return first_[v] != no_number; }
+  [[nodiscard]] std::uint32_t degree(VertexNumber v) const { return degree_[v]; }  // its faces
+  [[nodiscard]] bool hub(VertexNumber v) const { return (flags_[v] & hub_now) != 0; }
   [[nodiscard]] const FaceVertices& face(FaceNumber f) const { return face_[f]; }
   [[nodiscard]] bool removed(FaceNumber f) const { return face_[f][0] == no_number; }
   [[nodiscard]] Triangle triangle(FaceNumber f) const {
@@ -72,12 +87,14 @@ class TileMesh {
   // each(face) for the faces of `v`.
   template <typename Each>
   void for_each_face(VertexNumber v, const Each& each) const {
+    steps_ += degree_[v];
     for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner)) each(face_of(corner));
   }
 
   // each(face, w, x) for the faces v, w, x of `v`, in that winding.
   template <typename Each>
   void for_each_corner(VertexNumber v, const Each& each) const {
+    steps_ += degree_[v];
     for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner)) {
       const FaceNumber f = face_of(corner);
       const std::uint32_t at = place_in_face(corner);
@@ -86,10 +103,15 @@ class TileMesh {
     }
   }
 
-  // Faces at the edge between two vertices.
-  [[nodiscard]] unsigned faces_at(VertexNumber a, VertexNumber b) const {
+  // Faces at the edge between two vertices, counted no further than to `most`: around the end that has
+  // fewer.
+  [[nodiscard]] unsigned faces_at(VertexNumber a, VertexNumber b, unsigned most) const {
+    if (degree_[b] < degree_[a]) std::swap(a, b);
     unsigned faces = 0;
-    for_each_corner(a, [&](FaceNumber, VertexNumber w, VertexNumber x) { faces += w == b || x == b; });
+    for (std::uint32_t corner = first_[a]; corner != no_number && faces < most; corner = next(corner)) {
+      faces += has(face_[face_of(corner)], b);
+      ++steps_;
+    }
     return faces;
   }
 
@@ -98,11 +120,19 @@ class TileMesh {
     return neighbours_that(v, [](VertexNumber) { return true; });
   }
 
-  // Of these the ones that the edges which belong to `v` lead to: every edge belongs to its lower end, unless
-  // the other is locked.
+  // Of these the ones that the edges which belong to `v` lead to. An edge belongs to its lower end, one to a
+  // hub to the other end, and none to a hub.
   std::span<const VertexNumber> owned_edges(VertexNumber v) {
-    return neighbours_that(v, [this, v](VertexNumber w) { return (w > v) & (locked_[w] == 0); });
+    if (hub(v)) return {};
+    return neighbours_that(v, [this, v](VertexNumber w) {
+      return ((w > v) | ((flags_[w] & hub_now) != 0)) & ((flags_[w] & closed_vertex) == 0);
+    });
   }
+
+  // Marks vertices, each once: false where it is marked already. Good until the next question about
+  // neighbours.
+  void mark_anew() { marking_ = new_marks(1); }
+  bool mark(VertexNumber v) { return std::exchange(mark_[v], marking_) != marking_; }
 
   // How the faces of two vertices `a` and `b` meet.
   struct Meeting {
@@ -114,6 +144,14 @@ class TileMesh {
   [[nodiscard]] Meeting meeting(std::span<const StarFace> faces_a, VertexNumber b,
                                 std::span<const StarFace> faces_b);
 
+  // The same where `a` is a hub: `faces_at_edge` are those at the edge alone. Another hub or a locked vertex
+  // beside `b` that no face at the edge has counts as one beside `a`: to know would take a walk.
+  [[nodiscard]] Meeting meeting_at_hub(VertexNumber a, std::span<const StarFace> faces_at_edge,
+                                       VertexNumber b, std::span<const StarFace> faces_b);
+
+  // Corners that walks around vertices have met: what the time of everything here grows with.
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
   // Whether every neighbour of `v` is met in an even number of its faces, so that none of its edges has one
   // face. (But for a chance of 2^-64.)
   [[nodiscard]] bool all_edges_even(VertexNumber v) const {
@@ -124,7 +162,7 @@ class TileMesh {
   }
 
   // Removes the faces at the edge, hands the others of `removed` to `kept`, and moves that. Returns how many
-  // faces went.
+  // faces went. Walks around `removed` alone.
   unsigned collapse(const Collapse& edge);
 
  private:
@@ -132,8 +170,7 @@ class TileMesh {
   static FaceNumber face_of(std::uint32_t corner) { return corner >> 2; }
   static std::uint32_t place_in_face(std::uint32_t corner) { return corner & 3; }
   static std::size_t place_of(std::uint32_t corner) { return corner - (corner >> 2); }  // 3 f + i
-  [[nodiscard]] std::uint32_t next(std::uint32_t corner) const { return next_[place_of(corner)]; }
-  std::uint32_t& next(std::uint32_t corner) { return next_[place_of(corner)]; }
+  [[nodiscard]] std::uint32_t next(std::uint32_t corner) const { return link_[place_of(corner)].next; }
 
   // Whether one was met before is a coin toss, so there is no branch on it.
   template <typename Wanted>
@@ -153,17 +190,28 @@ class TileMesh {
 
   // The first of so many marks that no vertex has.
   std::uint32_t new_marks(std::uint32_t count);
-  void unlink(VertexNumber v, FaceNumber f);
+  void unlink(VertexNumber v, std::uint32_t corner);
+  void update_hub(VertexNumber v);
+  // Whether it takes a walk, or another tile, to know what is beside it.
+  [[nodiscard]] bool unknown(VertexNumber v) const { return flags_[v] != 0; }
 
+  static constexpr std::uint8_t hub_now = 4;  // beside its Lock
+
+  struct Link {
+    std::uint32_t next = no_number, previous = no_number;  // corners of the same vertex
+  };
   std::vector<Point> position_;
   std::vector<FaceVertices> face_;
-  std::vector<std::uint8_t> locked_;
+  std::vector<std::uint8_t> flags_;   // Lock, and hub_now
   std::vector<std::uint32_t> first_;  // of each vertex the first of its corners
-  std::vector<std::uint32_t> next_;   // of each corner the next of the same vertex, three a face
-  std::vector<std::uint32_t> mark_;   // which question a vertex was last met by
+  std::vector<std::uint32_t> degree_;
+  std::vector<Link> link_;           // of each corner, three a face
+  std::vector<std::uint32_t> mark_;  // which question a vertex was last met by
   std::uint32_t last_mark_ = 0;
+  std::uint32_t marking_ = 0;  // by mark()
   std::vector<VertexNumber> neighbours_;
   std::uint64_t live_faces_ = 0;
+  mutable std::uint64_t steps_ = 0;
 };
 
 }  // namespace winnow

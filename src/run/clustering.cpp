@@ -122,7 +122,7 @@ ClusteredMesh Clustering::to_error() {
   if (box.empty) refuse_empty();
   error_ = options_.error ? *options_.error : *options_.relative_error * box.diagonal();
   const double cell = cell_for_error * error_;
-  if (available_ > always_full && cell >= Grid::edge_for(box, axis_cells / 2)) {
+  if (!options_.detail && available_ > always_full && cell >= Grid::edge_for(box, axis_cells / 2)) {
     settings_.grid = Grid::over(box, cell);
     ClusteredMesh mesh = once();
     if (mesh.face_count < available_ / 2) return mesh;

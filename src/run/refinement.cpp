@@ -45,12 +45,8 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   whole.state = std::move(whole.mesh.quadrics);
   RefineReport done;
   ClusteredMesh out = refine(job, std::move(whole), settings, memory, done, checkpoint);
-  if (out.face_count == 0) {
-    throw Error(ErrorKind::failed,
-                std::string("no face is left: faces without neighbours ") +
-                    (clustered.error > 0 ? "are all smaller than the error; choose a smaller one"
-                                         : "go first; choose more faces"));
-  }
+  if (out.face_count == 0)
+    throw Error(ErrorKind::failed, "no face is left: faces without neighbours go first; choose more faces");
   report.refine.cost = cost_of(options);
   report.refine.tiles = done.tiles;
   report.refine.collapses = done.collapses;

@@ -61,8 +61,9 @@ void check(const SimplifyOptions& options) {
     throw Error(ErrorKind::usage,
                 "--detail takes a number above 1, or full, not " + shortest(*options.detail));
   }
-  if (options.detail && by_error) {
-    throw Error(ErrorKind::usage, "--detail goes with --faces and --ratio; with --error the error says it");
+  if (options.detail && std::isfinite(*options.detail) && by_error) {
+    throw Error(ErrorKind::usage,
+                "with --error the error says how much is clustered; --detail can only be full there");
   }
   if (options.detail && cost_of(options) == Refine::none) {
     throw Error(ErrorKind::usage, "--detail says what refinement starts from; it has no meaning without");

@@ -104,4 +104,8 @@ std::vector<Collapse> CollapseLog::edges(std::size_t tile, std::uint64_t count) 
   return read_records<Collapse>(edges_, first_[tile], count);
 }
 
+std::vector<CollapseLog::Price> CollapseLog::prices(std::size_t tile) const {
+  return read_records<Price>(prices_, first_[tile], entries(tile));
+}
+
 }  // namespace winnow

@@ -33,6 +33,9 @@ class CollapseLog {
   // where all are not enough. Of equally cheap ones those of lower tiles come first.
   [[nodiscard]] std::vector<std::uint64_t> cut(std::uint64_t faces) const;
 
+  // How many collapses of a tile there are.
+  [[nodiscard]] std::uint64_t entries(std::size_t tile) const { return first_[tile + 1] - first_[tile]; }
+
   // All collapses of each tile.
   [[nodiscard]] std::vector<std::uint64_t> all() const;
 
@@ -46,10 +49,10 @@ class CollapseLog {
   [[nodiscard]] double error(std::size_t tile, std::uint64_t count) const;
 
   [[nodiscard]] std::vector<Collapse> edges(std::size_t tile, std::uint64_t count) const;
+  [[nodiscard]] std::vector<Price> prices(std::size_t tile) const;
 
  private:
   [[nodiscard]] std::size_t tiles() const { return first_.size() - 1; }
-  [[nodiscard]] std::uint64_t entries(std::size_t tile) const { return first_[tile + 1] - first_[tile]; }
   [[nodiscard]] Price at(std::uint64_t entry) const;
   // How many collapses of a tile are below the price, or not above it; known to be in that range.
   struct Range {

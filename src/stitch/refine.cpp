@@ -24,9 +24,18 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 // The first round leaves so many times the faces that are wanted, the later rounds the rest: their borders
 // keep faces that are denser than others by no more than this.
 constexpr double spare = 1.03;
+// Part of a tile's faces that is worth not to be tried.
+constexpr double worth_a_limit = 1.0 / 64;
+// Part of the wanted faces that the last round's borders may freeze, and the round that is the last in any
+// case.
+constexpr double few_frozen = 0.25;
+constexpr std::uint64_t last_round = 4;
 // No tile goes below this part of its share of the wanted faces in the first round: what flat tiles can give
 // beyond is left to the later rounds.
-constexpr double deepest = 1.0 / 3;
+constexpr double deepest = 1.0 / 8;
+// One face in so many may have corners in several tiles; with more, tiles are larger, up to so many times.
+constexpr std::uint64_t most_seams = 4;
+constexpr std::uint64_t largest_tiles = 64;
 // How much dearer than the dearest collapse of the last round those of the next may be, before it is tried
 // again: with more, and then without a limit.
 constexpr double first_headroom = 2;
@@ -56,10 +65,10 @@ class Refiner {
     if (restore()) return std::move(whole.mesh);
     for (++report_.rounds;; ++report_.rounds) {
       const std::uint64_t before = whole.mesh.face_count;
-      const Tiling tiling(whole.mesh, settings_.tile_faces);
+      const auto [tiling, incoming] = cut(whole.mesh);
       if (report_.rounds == 1) report_.tiles = tiling.tiles();
       job_.progress.begin("refine", faces_to_try(before, tiling), "faces");
-      whole = round(std::move(whole), tiling);
+      whole = round(std::move(whole), tiling, incoming);
       settings_.decimation.borders_known = true;
       if (whole.mesh.face_count <= settings_.faces) break;
       // One tile has no borders that kept anything. Of several, two rounds that hardly helped say that no
@@ -112,6 +121,12 @@ class Refiner {
 
   [[nodiscard]] std::size_t state_size() const { return Decimation::state_size(settings_.decimation); }
 
+  // Of the mesh that a round begins with.
+  [[nodiscard]] std::size_t known_state_size() const {
+    return settings_.decimation.borders_known ? state_size()
+                                              : Decimation::first_state_size(settings_.decimation);
+  }
+
   // What a round is going to remove, for its progress: the first of many tiles tries more than it keeps.
   [[nodiscard]] std::uint64_t faces_to_try(std::uint64_t faces, const Tiling& tiling) const {
     const bool deep = report_.rounds == 1 && tiling.tiles() > 1;
@@ -119,43 +134,67 @@ class Refiner {
     return faces - std::min(faces, static_cast<std::uint64_t>(left));
   }
 
-  RefinedMesh round(RefinedMesh whole, const Tiling& tiling) {
-    const IncomingFaces incoming(job_, whole.mesh, tiling, memory_.lists);
+  struct Cut {
+    Tiling tiling;
+    IncomingFaces incoming;
+  };
+
+  // Where most faces are longer than tiles, as those of a tube without rings, nothing could go: such a mesh
+  // gets larger tiles.
+  Cut cut(const ClusteredMesh& mesh) {
+    for (std::uint64_t tile_faces = settings_.tile_faces;; tile_faces *= 8) {
+      Tiling tiling(mesh, tile_faces);
+      IncomingFaces incoming(job_, mesh, tiling, memory_.lists, settings_.hub_faces);
+      const bool few = incoming.seam_faces() <= mesh.face_count / most_seams;
+      if (few || tiling.tiles() == 1 || tile_faces >= largest_tiles * settings_.tile_faces)
+        return {std::move(tiling), std::move(incoming)};
+    }
+  }
+
+  RefinedMesh round(RefinedMesh whole, const Tiling& tiling, const IncomingFaces& incoming) {
     if (whole.mesh.face_count <= settings_.faces) {
       // Nothing goes but vertices without a face; the others get their normals.
       return make_smaller(whole, tiling, incoming, [](std::size_t, Decimation&, CarriedValues&) {});
     }
     if (tiling.tiles() > 1 && settings_.faces == 0 && checkpoint_ != nullptr) {
-      CollapseLog log(job_, memory_.logs);
-      try_all(whole, tiling, incoming, no_limit, 0, log);
-      return repeat(whole, tiling, incoming, log, log.all());
+      const Tried tried = try_all(whole, tiling, incoming, {0, no_limit}, 0);
+      return repeat(whole, tiling, incoming, *tried.log, tried.log->all());
     }
     if (tiling.tiles() == 1 || settings_.faces == 0) {
       return make_smaller(whole, tiling, incoming,
                           [&](std::size_t, Decimation& decimation, CarriedValues& values) {
                             Steps steps(job_.progress);
                             std::uint64_t collapses = 0;
-                            decimation.run({settings_.faces, no_limit}, [&](const DoneCollapse& done) {
-                              ++collapses;
-                              values.collapsed(done.edge);
-                              steps.add(done.faces);
-                            });
+                            decimation.run(
+                                {settings_.faces, no_limit},
+                                [&](const DoneCollapse& done) {
+                                  ++collapses;
+                                  values.collapsed(done.edge);
+                                  steps.add(done.faces);
+                                },
+                                check_);
                             tell(collapses, decimation.largest_error());
                           });
     }
     const bool first = report_.rounds == 1;
     double more = more_headroom;
     unsigned attempt = 0;
-    for (double highest = first ? no_limit : first_headroom * dearest_;;
-         highest *= std::exchange(more, no_limit), ++attempt) {
-      if (highest == 0) highest = no_limit;
-      CollapseLog log(job_, memory_.logs);
-      const std::uint64_t frozen = try_all(whole, tiling, incoming, highest, attempt, log);
-      const std::uint64_t wanted =
-          first ? wanted_first(whole.mesh.face_count, frozen) : whole.mesh.face_count - settings_.faces;
-      if (log.removed() < wanted && highest < no_limit) continue;
+    TryLimits limits{first ? deepest : 0, first || dearest_ == 0 ? no_limit : first_headroom * dearest_};
+    Tried tried = try_all(whole, tiling, incoming, limits, attempt);
+    for (;;) {
+      const CollapseLog& log = *tried.log;
+      const std::uint64_t wanted = wanted_now(whole.mesh.face_count, tried.frozen);
+      if (log.removed() < wanted && limits.price < no_limit) {
+        limits.price *= std::exchange(more, no_limit);
+        tried = try_all(whole, tiling, incoming, limits, ++attempt);
+        continue;
+      }
       dearest_ = log.price_of(std::min(wanted, log.removed()));
-      return repeat(whole, tiling, incoming, log, log.cut(wanted));
+      if (tried.complete_to(dearest_)) return repeat(whole, tiling, incoming, log, log.cut(wanted));
+      // Some tiles have more to give at this price than they were let: as those that are flat, beside a
+      // statue.
+      limits = {0, dearest_};
+      tried = try_all(whole, tiling, incoming, limits, ++attempt, &tried);
     }
   }
 
@@ -173,12 +212,15 @@ class Refiner {
                         });
   }
 
-  // How many faces the first round removes. The faces that the borders freeze will become fewer in
-  // proportion.
-  [[nodiscard]] std::uint64_t wanted_first(std::uint64_t faces, std::uint64_t frozen) const {
+  // How many faces a round removes. The first, and each whose borders freeze more than a few of the faces,
+  // leaves some to the next: the frozen faces will become fewer in proportion, and it is not known yet which
+  // of them are flat.
+  [[nodiscard]] std::uint64_t wanted_now(std::uint64_t faces, std::uint64_t frozen) const {
+    const auto few = static_cast<std::uint64_t>(few_frozen * static_cast<double>(settings_.faces));
+    const bool last = report_.rounds >= last_round || (report_.rounds > 1 && frozen <= few);
     const auto free = static_cast<double>(faces - frozen);
     const double left = spare * static_cast<double>(settings_.faces) * free / static_cast<double>(faces);
-    return left < free ? static_cast<std::uint64_t>(free - left) : 0;
+    return last || left >= free ? faces - settings_.faces : static_cast<std::uint64_t>(free - left);
   }
 
   void tell(std::uint64_t collapses, double largest_error) {
@@ -213,17 +255,37 @@ class Refiner {
         [&](auto& item) { finish(item.first, item.second); });
   }
 
-  // Collapses what can be collapsed and writes it down; nothing is changed. Returns how many faces cannot
-  // change because of the borders between tiles.
-  std::uint64_t try_all(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
-                        double highest, unsigned attempt, CollapseLog& log) {
-    std::uint64_t frozen = 0;
-    const bool first = report_.rounds == 1;
+  struct Tried {
+    std::unique_ptr<CollapseLog> log;
+    std::uint64_t frozen = 0;     // faces that cannot change because of the borders between tiles
+    std::vector<double> reached;  // of each tile: all that costs no more was tried
+
+    [[nodiscard]] bool complete_to(double price) const {
+      return std::all_of(reached.begin(), reached.end(), [price](double to) { return to >= price; });
+    }
+  };
+
+  // How far to try: no tile below this part of its share of the wanted faces, and up to this price.
+  struct TryLimits {
+    double share, price;
+  };
+
+  // Collapses what can be collapsed and writes it down; nothing is changed. `before`: another attempt, whose
+  // tiles are taken over where they went as far.
+  Tried try_all(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
+                const TryLimits& most, unsigned attempt, const Tried* before = nullptr) {
+    Tried all;
+    // Two attempts may be there at once.
+    all.log = std::make_unique<CollapseLog>(job_, memory_.logs / 2);
     TriedTiles kept(checkpoint_, report_.rounds, attempt);
     std::size_t known = 0;
+    const auto take = [&](const TriedTile& tried) {
+      all.log->append(tried.edges, tried.prices);
+      all.frozen += tried.frozen;
+      all.reached.push_back(tried.reached);
+    };
     for (TriedTile tried; known < tiling.tiles() && kept.next(tried); ++known) {
-      log.append(tried.edges, tried.prices);
-      frozen += tried.frozen;
+      take(tried);
       job_.progress.advance(tried.prices.empty() ? 0 : tried.prices.back().removed);
     }
     if (report_.rounds == report_.rounds_before + 1) report_.tiles_before += known;
@@ -231,38 +293,46 @@ class Refiner {
         tiling, incoming, known,
         [&](std::size_t number, TriedTile& tried) {
           tried.clear();
-          Tile tile = load_tile(whole, tiling, incoming, number, state_size(), 0);
-          TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
-          for (FaceNumber f = 0; f < tile.own_faces; ++f) {
-            const FaceVertices& face = mesh.face(f);
-            tried.frozen += mesh.locked(face[0]) || mesh.locked(face[1]) || mesh.locked(face[2]);
+          if (before != nullptr && before->reached[number] >= most.price) {
+            tried.edges = before->log->edges(number, before->log->entries(number));
+            tried.prices = before->log->prices(number);
+            tried.reached = before->reached[number];
+            return;
           }
+          Tile tile = load_tile(whole, tiling, incoming, number, known_state_size(), 0);
+          TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
+          tried.frozen = tile.frozen;
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
-          CollapseLimits limits{0, highest};
-          if (first && settings_.faces > 0) {
-            const double share =
-                static_cast<double>(settings_.faces) / static_cast<double>(whole.mesh.face_count);
+          CollapseLimits limits{0, most.price};
+          const double share =
+              most.share * static_cast<double>(settings_.faces) / static_cast<double>(whole.mesh.face_count);
+          if (share > worth_a_limit) {
             const auto others = static_cast<double>(mesh.face_count() - tile.own_faces + tried.frozen);
-            limits.faces =
-                static_cast<std::uint64_t>(deepest * share * static_cast<double>(tile.own_faces) + others);
+            limits.faces = static_cast<std::uint64_t>(share * static_cast<double>(tile.own_faces) + others);
           }
           std::uint64_t removed = 0;
           Steps steps(job_.progress);
-          decimation->run(limits, [&](const DoneCollapse& done) {
-            removed += done.faces;
-            tried.edges.push_back(done.edge);
-            tried.prices.push_back({done.price, removed, done.error});
-            steps.add(done.faces);
-          });
+          decimation->run(
+              limits,
+              [&](const DoneCollapse& done) {
+                removed += done.faces;
+                tried.edges.push_back(done.edge);
+                tried.prices.push_back({done.price, removed, done.error});
+                steps.add(done.faces);
+              },
+              check_);
+          if (limits.faces > 0 && mesh.live_faces() <= limits.faces)
+            tried.reached = tried.prices.empty() ? 0 : tried.prices.back().price;
         },
         [&](std::size_t, const TriedTile& tried) {
-          log.append(tried.edges, tried.prices);
-          frozen += tried.frozen;
+          take(tried);
           kept.append(tried);
         });
-    log.finish();
-    return frozen;
+    all.log->finish();
+    // Frozen faces hang on the tiles alone.
+    if (before != nullptr) all.frozen = before->frozen;
+    return all;
   }
 
   // What is left when `shrink` has been at every tile.
@@ -273,7 +343,7 @@ class Refiner {
     for_each_tile<TileRest>(
         tiling, incoming, 0,
         [&](std::size_t number, TileRest& rest) {
-          Tile tile = load_tile(whole, tiling, incoming, number, state_size(), settings_.attributes);
+          Tile tile = load_tile(whole, tiling, incoming, number, known_state_size(), settings_.attributes);
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
@@ -282,7 +352,7 @@ class Refiner {
           rest = rest_of(tile, mesh, *decimation, values, state_size());
         },
         [&](std::size_t, TileRest& rest) { smaller.append(std::move(rest)); });
-    RefinedMesh out = smaller.finish(tiling);
+    RefinedMesh out = smaller.finish(tiling, incoming.hubs());
     out.mesh.cells = whole.mesh.cells;
     out.mesh.fused = whole.mesh.fused;
     return out;
@@ -293,6 +363,7 @@ class Refiner {
   RefineMemory memory_;
   RefineReport& report_;
   CheckpointDirectory* checkpoint_;
+  std::function<void()> check_ = [this] { job_.progress.check_cancelled(); };
   std::mutex reporting_;
   double dearest_ = 0;  // collapse of the last round
   unsigned idle_ = 0;   // rounds that hardly helped

@@ -1,8 +1,11 @@
 #include "stitch/smaller_mesh.hpp"
 
+#include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -10,14 +13,26 @@ namespace winnow {
 
 namespace {
 
-std::array<float, 3> normal_of(const TileMesh& mesh, VertexNumber v) {
-  Point sum{};
-  mesh.for_each_face(v, [&](FaceNumber f) { sum = sum + doubled_area(mesh.triangle(f)); });
+std::array<float, 3> normal_along(const Point& sum) {
   const double size = length(sum);
   if (!(size > 0)) return {};
   return {static_cast<float>(sum[0] / size), static_cast<float>(sum[1] / size),
           static_cast<float>(sum[2] / size)};
 }
+
+std::array<float, 3> normal_of(const TileMesh& mesh, VertexNumber v) {
+  Point sum{};
+  mesh.for_each_face(v, [&](FaceNumber f) { sum = sum + doubled_area(mesh.triangle(f)); });
+  return normal_along(sum);
+}
+
+// The faces that a tile's vertices have in ascending order, or the faces at hubs of all tiles.
+struct OrderedFace {
+  FaceVertices vertices;  // the lowest first
+
+  static bool before(const OrderedFace& a, const OrderedFace& b) { return a.vertices < b.vertices; }
+  static bool combine(OrderedFace&, const OrderedFace&) { return false; }
+};
 
 }  // namespace
 
@@ -26,7 +41,9 @@ TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decim
   TileRest rest;
   std::vector<std::uint32_t> place(tile.own_vertices, no_number);
   for (VertexNumber v = 0; v < tile.own_vertices; ++v) {
-    if (!mesh.has_faces(v)) continue;
+    const bool hub = std::binary_search(tile.hubs.begin(), tile.hubs.end(), v);
+    // The faces of a hub may all be other tiles'.
+    if (!mesh.has_faces(v) && !hub) continue;
     place[v] = static_cast<std::uint32_t>(rest.vertices.size());
     IndexedVertex vertex = tile.vertices[v];
     vertex.position = mesh.position(v);
@@ -36,13 +53,16 @@ TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decim
     decimation.save(v, rest.state.data() + rest.state.size() - state_size);
     const std::span<const double> carried = values.of(v);
     rest.attributes.insert(rest.attributes.end(), carried.begin(), carried.end());
-    if (mesh.locked(v)) rest.named.push_back({static_cast<std::uint32_t>(tile.first_vertex + v), place[v]});
+    if (mesh.locked(v) || hub)
+      rest.named.push_back({static_cast<std::uint32_t>(tile.first_vertex + v), place[v]});
   }
   for (FaceNumber f = 0; f < tile.own_faces; ++f) {
     if (mesh.removed(f)) continue;
     const FaceVertices& face = mesh.face(f);
     SeamFace seam{{}, 0};
+    bool hub = false;
     for (std::size_t i = 0; i < 3; ++i) {
+      hub |= std::binary_search(tile.hubs.begin(), tile.hubs.end(), face[i]);
       if (face[i] < tile.own_vertices) {
         seam.vertices[i] = place[face[i]];
       } else {
@@ -50,7 +70,9 @@ TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decim
         seam.old_mask |= 1U << i;
       }
     }
-    if (seam.old_mask != 0) {
+    if (hub) {
+      rest.hub_faces.push_back(seam);
+    } else if (seam.old_mask != 0) {
       rest.seam_faces.push_back(seam);
     } else {
       rest.faces.push_back(lowest_first(seam.vertices));
@@ -64,8 +86,9 @@ SmallerMesh::SmallerMesh(Job& job, std::size_t state_size, std::size_t attribute
     : job_(job),
       memory_(memory),
       faces_(job, memory / 8),
-      seam_faces_(job, memory / 16),
-      named_(job, memory / 16) {
+      seam_faces_(job, memory / 32),
+      hub_faces_(job, memory / 32),
+      named_(job, memory / 32) {
   out_.mesh.vertices = std::make_unique<VertexIndex>(job, memory / 4);
   std::uint64_t left = memory / 4;
   if (attributes > 0) {
@@ -82,18 +105,21 @@ void SmallerMesh::append(TileRest rest) {
   for (FaceVertices& face : rest.faces) {
     for (std::uint32_t& v : face) v += base;
   }
-  for (SeamFace& face : rest.seam_faces) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if ((face.old_mask >> i & 1) == 0) face.vertices[i] += base;
+  for (std::vector<SeamFace>* faces : {&rest.seam_faces, &rest.hub_faces}) {
+    for (SeamFace& face : *faces) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if ((face.old_mask >> i & 1) == 0) face.vertices[i] += base;
+      }
     }
   }
   out_.mesh.vertices->append(rest.vertices);
   if (out_.state != nullptr) out_.state->append(rest.state);
   if (out_.mesh.attributes != nullptr)
     out_.mesh.attributes->append(std::as_bytes(std::span(rest.attributes)));
-  out_.mesh.face_count += rest.faces.size() + rest.seam_faces.size();
+  out_.mesh.face_count += rest.faces.size() + rest.seam_faces.size() + rest.hub_faces.size();
   append_records<FaceVertices>(faces_, rest.faces);
   append_records<SeamFace>(seam_faces_, rest.seam_faces);
+  append_records<SeamFace>(hub_faces_, rest.hub_faces);
   append_records<NamedVertex>(named_, rest.named);
   first_vertex_.push_back(first_vertex_.back() + rest.vertices.size());
   first_named_.push_back(first_named_.back() + rest.named.size());
@@ -118,37 +144,86 @@ std::uint32_t SmallerMesh::new_number(const Tiling& tiling, RecentBlocks& named,
   return static_cast<std::uint32_t>(first_vertex_[tile] + found.place);
 }
 
-RefinedMesh SmallerMesh::finish(const Tiling& tiling) {
+void SmallerMesh::set_normals(const std::map<std::uint32_t, Point>& normals) {
+  const std::unique_ptr<VertexIndex> before =
+      std::exchange(out_.mesh.vertices, std::make_unique<VertexIndex>(job_, memory_ / 32));
+  SpoolCursor<IndexedVertex> vertices(job_, before->records());
+  Appender<IndexedVertex, VertexIndex> append(job_, *out_.mesh.vertices);
+  std::uint32_t number = 0;
+  for (IndexedVertex vertex; vertices.next(vertex); ++number) {
+    const auto found = normals.find(number);
+    if (found != normals.end()) vertex.normal = normal_along(found->second);
+    append.add(vertex);
+  }
+  append.flush();
+  out_.mesh.vertices->finish();
+}
+
+RefinedMesh SmallerMesh::finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs) {
   out_.mesh.vertices->finish();
   if (out_.state != nullptr) out_.state->finish();
   if (out_.mesh.attributes != nullptr) out_.mesh.attributes->finish();
   faces_.finish();
   seam_faces_.finish();
+  hub_faces_.finish();
   named_.finish();
-  // Both kinds of faces are in the order of their lowest vertices.
+  RecentBlocks named(named_, sizeof(NamedVertex));
+  const auto renumbered = [&](SeamFace face) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((face.old_mask >> i & 1) != 0) face.vertices[i] = new_number(tiling, named, face.vertices[i]);
+    }
+    return face.vertices;
+  };
+  std::map<std::uint32_t, Point> normals;  // of hubs
+  for (const std::uint32_t hub : hubs) normals[new_number(tiling, named, hub)] = {};
+  SortedRuns<OrderedFace> runs(job_);
+  SortedList<OrderedFace> list(job_, memory_ / 32, runs);
+  SpoolCursor<SeamFace> at_hubs(job_, hub_faces_);
+  VertexIndex::Reader vertices(*out_.mesh.vertices);
+  for (SeamFace face{}; at_hubs.next(face);) {
+    const FaceVertices corners = lowest_first(renumbered(face));
+    list.add({corners});
+    const Triangle triangle{vertices.at(corners[0]).position, vertices.at(corners[1]).position,
+                            vertices.at(corners[2]).position};
+    for (const std::uint32_t v : corners) {
+      const auto found = normals.find(v);
+      if (found != normals.end()) found->second = found->second + doubled_area(triangle);
+    }
+  }
+  list.sort();
+  MergedCursor<OrderedFace> hub_faces = merge<OrderedFace>({&list}, runs);
+
+  // All kinds of faces are in the order of their lowest vertices.
   out_.mesh.faces = std::make_unique<Spool>(job_, memory_ / 4);
   SpoolCursor<FaceVertices> inner(job_, faces_);
   SpoolCursor<SeamFace> seams(job_, seam_faces_);
-  RecentBlocks named(named_, sizeof(NamedVertex));
-  FaceVertices face{};
-  SeamFace seam{};
-  bool more_inner = inner.next(face);
-  bool more_seams = seams.next(seam);
+  constexpr FaceVertices none{no_number, no_number, no_number};
+  const auto next_inner = [&] {
+    FaceVertices face{};
+    return inner.next(face) ? face : none;
+  };
+  const auto next_seam = [&] {
+    SeamFace face{};
+    return seams.next(face) ? renumbered(face) : none;
+  };
+  const auto next_at_hub = [&] {
+    OrderedFace face{};
+    return hub_faces.next(face) ? face.vertices : none;
+  };
+  std::array<FaceVertices, 3> next{next_inner(), next_seam(), next_at_hub()};
   Appender<FaceVertices> append(job_, *out_.mesh.faces);
-  while (more_inner || more_seams) {
-    if (more_inner && (!more_seams || face[0] <= seam.vertices[0])) {
-      append.add(face);
-      more_inner = inner.next(face);
-    } else {
-      for (std::size_t i = 0; i < 3; ++i) {
-        if ((seam.old_mask >> i & 1) != 0) seam.vertices[i] = new_number(tiling, named, seam.vertices[i]);
-      }
-      append.add(seam.vertices);
-      more_seams = seams.next(seam);
+  for (;;) {
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      if (next[i][0] < next[first][0]) first = i;
     }
+    if (next[first][0] == no_number) break;
+    append.add(next[first]);
+    next[first] = first == 0 ? next_inner() : first == 1 ? next_seam() : next_at_hub();
   }
   append.flush();
   out_.mesh.faces->finish();
+  if (!hubs.empty()) set_normals(normals);
   return std::move(out_);
 }
 

@@ -6,6 +6,7 @@
 #include "stitch/tile.hpp"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace winnow {
 
 // A face with corners in several tiles, on its way to its new numbers.
 struct SeamFace {
-  FaceVertices vertices;   // the lowest, which is the tile's own, first
+  FaceVertices vertices;
   std::uint32_t old_mask;  // bit i: corner i is another tile's and still has its old number
 };
 
@@ -28,9 +29,10 @@ struct TileRest {
   std::vector<IndexedVertex> vertices;
   std::vector<std::byte> state;
   std::vector<double> attributes;
-  std::vector<FaceVertices> faces;  // by places in `vertices`, the lowest first; in ascending order
-  std::vector<SeamFace> seam_faces;
-  std::vector<NamedVertex> named;  // in ascending order
+  std::vector<FaceVertices> faces;   // by places in `vertices`, the lowest first; in ascending order
+  std::vector<SeamFace> seam_faces;  // the lowest first, which is the tile's own; in ascending order
+  std::vector<SeamFace> hub_faces;   // those that have a hub; in any order
+  std::vector<NamedVertex> named;    // in ascending order
 };
 
 // Vertices without faces go; the others get the normals of their faces.
@@ -44,17 +46,18 @@ class SmallerMesh {
 
   void append(TileRest rest);
 
-  // `tiling`: that of the tiles.
-  RefinedMesh finish(const Tiling& tiling);
+  // `tiling`: that of the tiles; `hubs`: IncomingFaces::hubs(). A hub that has lost all its faces is left.
+  RefinedMesh finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs);
 
  private:
+  void set_normals(const std::map<std::uint32_t, Point>& normals);
   [[nodiscard]] std::uint32_t new_number(const Tiling& tiling, RecentBlocks& named,
                                          std::uint32_t old_number) const;
 
   Job& job_;
   std::uint64_t memory_;
   RefinedMesh out_;
-  Spool faces_, seam_faces_, named_;
+  Spool faces_, seam_faces_, hub_faces_, named_;
   std::vector<std::uint64_t> first_vertex_{0}, first_named_{0};
 };
 

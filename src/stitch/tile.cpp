@@ -1,9 +1,13 @@
 #include "stitch/tile.hpp"
 
+#include "base/hash.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -11,44 +15,66 @@ namespace winnow {
 
 namespace {
 
-struct IncomingFace {
-  std::uint32_t tile;
+// In the order of tiles; of each its own first.
+struct ListedFace {
+  std::uint32_t list;
   FaceVertices vertices;
 
-  static bool before(const IncomingFace& a, const IncomingFace& b) {
-    return a.tile != b.tile ? a.tile < b.tile : a.vertices < b.vertices;
+  static bool before(const ListedFace& a, const ListedFace& b) {
+    return a.list != b.list ? a.list < b.list : a.vertices < b.vertices;
   }
-  static bool combine(IncomingFace&, const IncomingFace&) { return false; }
+  static bool combine(ListedFace&, const ListedFace&) { return false; }
 };
 
-}  // namespace
+std::uint32_t adopted_list(std::size_t tile) {
+  return static_cast<std::uint32_t>(2 * tile);
+}
+std::uint32_t incoming_list(std::size_t tile) {
+  return static_cast<std::uint32_t>(2 * tile + 1);
+}
 
-IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, std::uint64_t memory)
-    : faces_(job, memory / 2), first_(tiling.tiles() + 1, 0) {
-  if (tiling.tiles() == 1) {
-    faces_.finish();
-    return;
-  }
-  const Reservation reserved = job.budget.reserve(memory / 2, "sorting");
-  SortedRuns<IncomingFace> runs(job);
-  SortedList<IncomingFace> list(job, memory / 2, runs);
+// each(face) for the faces with corners in several tiles.
+template <typename Each>
+void for_each_seam_face(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, const Each& each) {
   std::size_t tile = 0;  // of the lowest vertices, which come in order
   SpoolCursor<FaceVertices> faces(job, *mesh.faces);
   for (FaceVertices face{}; faces.next(face);) {
     while (face[0] >= tiling.first_vertex(tile + 1)) ++tile;
     const std::uint64_t end = tiling.first_vertex(tile + 1);
-    if (face[1] < end && face[2] < end) continue;
-    ++seam_faces_;
-    const std::size_t second = face[1] < end ? tile : tiling.tile_of(face[1]);
-    const std::size_t third = face[2] < end ? tile : tiling.tile_of(face[2]);
-    if (second != tile) list.add({static_cast<std::uint32_t>(second), face});
-    if (third != tile && third != second) list.add({static_cast<std::uint32_t>(third), face});
+    if (face[1] >= end || face[2] >= end) each(face);
   }
+}
+
+}  // namespace
+
+IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, std::uint64_t memory,
+                             std::uint64_t hub_faces)
+    : faces_(job, memory / 2), first_(2 * tiling.tiles() + 1, 0) {
+  if (tiling.tiles() == 1) {
+    faces_.finish();
+    return;
+  }
+  find_hubs(job, mesh, tiling, hub_faces);
+  const Reservation reserved = job.budget.reserve(memory / 2, "sorting");
+  SortedRuns<ListedFace> runs(job);
+  SortedList<ListedFace> list(job, memory / 2, runs);
+  for_each_seam_face(job, mesh, tiling, [&](const FaceVertices& face) {
+    const std::size_t at_home = home(face, tiling);
+    if (at_home != tiling.tile_of(face[0])) list.add({adopted_list(at_home), face});
+    std::array<std::size_t, 3> told{at_home, at_home, at_home};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_hub(face[i])) continue;
+      const std::size_t tile = tiling.tile_of(face[i]);
+      if (std::find(told.begin(), told.end(), tile) == told.end()) list.add({incoming_list(tile), face});
+      told[i] = tile;
+    }
+    seam_faces_ += told != std::array{at_home, at_home, at_home};
+  });
   list.sort();
-  MergedCursor<IncomingFace> merged = merge<IncomingFace>({&list}, runs);
+  MergedCursor<ListedFace> merged = merge<ListedFace>({&list}, runs);
   Appender<FaceVertices> append(job, faces_);
-  for (IncomingFace face{}; merged.next(face);) {
-    ++first_[face.tile + 1];
+  for (ListedFace face{}; merged.next(face);) {
+    ++first_[face.list + 1];
     append.add(face.vertices);
   }
   append.flush();
@@ -56,8 +82,49 @@ IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& 
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }
 
-std::vector<FaceVertices> IncomingFaces::faces(std::size_t tile) const {
-  return read_records<FaceVertices>(faces_, first_[tile], count(tile));
+// Counts by hashes first, as there may be more vertices than memory has room for: few are worth a count of
+// their own.
+void IncomingFaces::find_hubs(Job& job, const ClusteredMesh& mesh, const Tiling& tiling,
+                              std::uint64_t hub_faces) {
+  constexpr std::uint64_t least_counts = std::uint64_t{1} << 12;
+  const std::uint64_t counts = std::bit_ceil(std::max(least_counts, mesh.face_count / hub_faces));
+  const Reservation reserved = job.budget.reserve(counts * sizeof(std::uint32_t), "finding hubs");
+  std::vector<std::uint32_t> count(counts, 0);
+  const auto counted = [&](std::uint32_t v) -> std::uint32_t& { return count[mixed_hash(v) & (counts - 1)]; };
+  bool some = false;
+  for_each_seam_face(job, mesh, tiling, [&](const FaceVertices& face) {
+    for (const std::uint32_t v : face) some |= ++counted(v) > hub_faces;
+  });
+  if (!some) return;
+  std::map<std::uint32_t, std::uint64_t> faces;
+  for_each_seam_face(job, mesh, tiling, [&](const FaceVertices& face) {
+    for (const std::uint32_t v : face) {
+      if (counted(v) > hub_faces) ++faces[v];
+    }
+  });
+  for (const auto& [v, number] : faces) {
+    if (number > hub_faces) hubs_.push_back(v);
+  }
+}
+
+std::size_t IncomingFaces::home(const FaceVertices& face, const Tiling& tiling) const {
+  std::uint32_t lowest = UINT32_MAX;
+  for (const std::uint32_t v : face) {
+    if (!is_hub(v)) lowest = std::min(lowest, v);
+  }
+  return tiling.tile_of(lowest == UINT32_MAX ? face[0] : lowest);
+}
+
+std::vector<FaceVertices> IncomingFaces::read(std::size_t list) const {
+  return read_records<FaceVertices>(faces_, first_[list], first_[list + 1] - first_[list]);
+}
+
+std::vector<FaceVertices> IncomingFaces::adopted(std::size_t tile) const {
+  return read(adopted_list(tile));
+}
+
+std::vector<FaceVertices> IncomingFaces::incoming(std::size_t tile) const {
+  return read(incoming_list(tile));
 }
 
 std::uint64_t Tile::memory(std::uint64_t vertices, std::uint64_t faces, std::size_t state_size) {
@@ -65,17 +132,70 @@ std::uint64_t Tile::memory(std::uint64_t vertices, std::uint64_t faces, std::siz
          TileMesh::memory(vertices, faces);
 }
 
+namespace {
+
+// Gives the corners of faces their numbers in the tile, and locks those of faces that other tiles need.
+void lock_shared(Tile& tile, const IncomingFaces& incoming) {
+  const std::uint64_t end = tile.first_vertex + tile.own_vertices;
+  const auto own = [&](std::uint32_t v) { return v >= tile.first_vertex && v < end; };
+  std::fill(tile.locked.begin() + tile.own_vertices, tile.locked.end(), std::uint8_t{closed_vertex});
+  for (FaceVertices& face : tile.faces) {
+    std::array<bool, 3> hub{};
+    bool shared = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      hub[i] = incoming.is_hub(face[i]);
+      shared |= !hub[i] && !own(face[i]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t& v = face[i];
+      const auto other =
+          own(v) ? tile.others.end() : std::lower_bound(tile.others.begin(), tile.others.end(), v);
+      v = other == tile.others.end()
+              ? static_cast<VertexNumber>(v - tile.first_vertex)
+              : static_cast<VertexNumber>(tile.own_vertices + (other - tile.others.begin()));
+      if (hub[i]) {
+        tile.locked[v] = fixed_hub;
+      } else if (shared) {
+        tile.locked[v] = closed_vertex;
+      }
+    }
+  }
+  for (const std::uint32_t hub : incoming.hubs()) {
+    const auto other = std::lower_bound(tile.others.begin(), tile.others.end(), hub);
+    if (own(hub)) tile.hubs.push_back(static_cast<VertexNumber>(hub - tile.first_vertex));
+    if (other != tile.others.end() && *other == hub)
+      tile.hubs.push_back(static_cast<VertexNumber>(tile.own_vertices + (other - tile.others.begin())));
+  }
+  std::sort(tile.hubs.begin(), tile.hubs.end());
+  for (FaceNumber f = 0; f < tile.own_faces; ++f) {
+    const auto [a, b, c] = tile.faces[f];
+    tile.frozen += (tile.locked[a] == closed_vertex) | (tile.locked[b] == closed_vertex) |
+                   (tile.locked[c] == closed_vertex);
+  }
+}
+
+}  // namespace
+
 Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                std::size_t number, std::size_t state_size, std::size_t attributes) {
   Tile tile;
   tile.first_vertex = tiling.first_vertex(number);
   const std::uint64_t end = tiling.first_vertex(number + 1);
   tile.own_vertices = static_cast<VertexNumber>(end - tile.first_vertex);
-  tile.own_faces = static_cast<FaceNumber>(tiling.first_face(number + 1) - tiling.first_face(number));
+  const std::uint64_t first_face = tiling.first_face(number);
   tile.vertices =
       read_records<IndexedVertex>(whole.mesh.vertices->records(), tile.first_vertex, tile.own_vertices);
-  tile.faces = read_records<FaceVertices>(*whole.mesh.faces, tiling.first_face(number), tile.own_faces);
-  const std::vector<FaceVertices> more = incoming.faces(number);
+  tile.faces =
+      read_records<FaceVertices>(*whole.mesh.faces, first_face, tiling.first_face(number + 1) - first_face);
+  if (!incoming.hubs().empty()) {
+    std::erase_if(tile.faces, [&](const FaceVertices& face) {
+      return incoming.is_hub(face[0]) && incoming.home(face, tiling) != number;
+    });
+    const std::vector<FaceVertices> adopted = incoming.adopted(number);
+    tile.faces.insert(tile.faces.end(), adopted.begin(), adopted.end());
+  }
+  tile.own_faces = static_cast<FaceNumber>(tile.faces.size());
+  const std::vector<FaceVertices> more = incoming.incoming(number);
   tile.faces.insert(tile.faces.end(), more.begin(), more.end());
 
   const auto own = [&](std::uint32_t v) { return v >= tile.first_vertex && v < end; };
@@ -88,18 +208,13 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
   tile.others.erase(std::unique(tile.others.begin(), tile.others.end()), tile.others.end());
 
   const std::size_t vertices = tile.own_vertices + tile.others.size();
-  tile.locked.assign(vertices, 0);
-  std::fill(tile.locked.begin() + tile.own_vertices, tile.locked.end(), std::uint8_t{1});
-  for (FaceVertices& face : tile.faces) {
-    const bool seam = !(own(face[0]) && own(face[1]) && own(face[2]));
-    for (std::uint32_t& v : face) {
-      const auto other =
-          own(v) ? tile.others.end() : std::lower_bound(tile.others.begin(), tile.others.end(), v);
-      v = other == tile.others.end()
-              ? static_cast<VertexNumber>(v - tile.first_vertex)
-              : static_cast<VertexNumber>(tile.own_vertices + (other - tile.others.begin()));
-      if (seam) tile.locked[v] = 1;
+  tile.locked.assign(vertices, free_vertex);
+  if (tile.others.empty() && incoming.hubs().empty()) {
+    for (FaceVertices& face : tile.faces) {
+      for (std::uint32_t& v : face) v -= static_cast<std::uint32_t>(tile.first_vertex);
     }
+  } else {
+    lock_shared(tile, incoming);
   }
 
   tile.positions.reserve(vertices);

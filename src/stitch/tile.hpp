@@ -6,6 +6,7 @@
 #include "decimate/tile_mesh.hpp"
 #include "stitch/tiling.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,20 +19,44 @@ struct RefinedMesh {
   std::unique_ptr<Spool> state;  // Decimation::state_size() bytes a vertex; none where nothing was collapsed
 };
 
-// Faces that have a corner in a tile behind that of their lowest vertex, for each such tile.
+// Which faces a tile has beside those whose lowest vertex is its own.
+//
+// A face belongs to the tile of its lowest vertex, and comes to each other tile that has a corner of it. Not
+// so for a hub, a vertex with very many faces that have corners in several tiles: all of them would be
+// locked, and its tile would be as large as they are many. A hub stays as it is in every tile, no tile gets a
+// face because of it, and a face that has one belongs to the tile of its lowest corner that is none.
 class IncomingFaces {
  public:
-  IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, std::uint64_t memory);
+  // `hub_faces`: a vertex with more faces across tiles is a hub.
+  IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, std::uint64_t memory,
+                std::uint64_t hub_faces);
 
-  [[nodiscard]] std::uint64_t count(std::size_t tile) const { return first_[tile + 1] - first_[tile]; }
-  [[nodiscard]] std::vector<FaceVertices> faces(std::size_t tile) const;
+  // The tile's own, of hubs in other tiles.
+  [[nodiscard]] std::vector<FaceVertices> adopted(std::size_t tile) const;
+  // Those of other tiles.
+  [[nodiscard]] std::vector<FaceVertices> incoming(std::size_t tile) const;
+  [[nodiscard]] std::uint64_t count(std::size_t tile) const {
+    return first_[2 * tile + 2] - first_[2 * tile];
+  }
 
-  // Faces with corners in several tiles.
+  // Vertices that are hubs, in ascending order.
+  [[nodiscard]] const std::vector<std::uint32_t>& hubs() const { return hubs_; }
+  [[nodiscard]] bool is_hub(std::uint32_t vertex) const {
+    return !hubs_.empty() && std::binary_search(hubs_.begin(), hubs_.end(), vertex);
+  }
+  // The tile that the face belongs to.
+  [[nodiscard]] std::size_t home(const FaceVertices& face, const Tiling& tiling) const;
+
+  // Faces that several tiles need.
   [[nodiscard]] std::uint64_t seam_faces() const { return seam_faces_; }
 
  private:
+  void find_hubs(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, std::uint64_t hub_faces);
+  [[nodiscard]] std::vector<FaceVertices> read(std::size_t list) const;
+
   Spool faces_;
-  std::vector<std::uint64_t> first_;
+  std::vector<std::uint64_t> first_;  // of each tile the adopted ones, then the incoming
+  std::vector<std::uint32_t> hubs_;
   std::uint64_t seam_faces_ = 0;
 };
 
@@ -39,12 +64,14 @@ class IncomingFaces {
 struct Tile {
   std::uint64_t first_vertex = 0;  // number in the whole mesh of the tile's first
   VertexNumber own_vertices = 0;
-  FaceNumber own_faces = 0;             // those whose lowest vertex is the tile's own come first
+  FaceNumber own_faces = 0;             // those that belong to the tile come first
+  std::uint64_t frozen = 0;             // of them, that the tile's borders keep as they are
   std::vector<std::uint32_t> others;    // numbers in the whole mesh
   std::vector<IndexedVertex> vertices;  // the tile's own
   std::vector<Point> positions;
   std::vector<FaceVertices> faces;
-  std::vector<std::uint8_t> locked;  // corners of faces with corners in several tiles
+  std::vector<std::uint8_t> locked;  // corners of faces with corners in several tiles, and hubs
+  std::vector<VertexNumber> hubs;    // in ascending order
   std::vector<std::byte> state;      // of all vertices (zero for the others), or empty
   std::vector<double> attributes;    // of the tile's own vertices, so many each
 

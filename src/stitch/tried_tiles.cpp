@@ -9,6 +9,7 @@ namespace {
 
 struct Head {
   std::uint64_t edges, frozen;
+  double reached;
 };
 
 }  // namespace
@@ -29,6 +30,7 @@ bool TriedTiles::next(TriedTile& tile) {
   tile.edges.resize(head.edges);
   tile.prices.resize(head.edges);
   tile.frozen = head.frozen;
+  tile.reached = head.reached;
   if (head.edges == 0) return true;
   const std::byte* edges = record_.data() + sizeof head;
   std::memcpy(tile.edges.data(), edges, head.edges * sizeof(Collapse));
@@ -39,7 +41,7 @@ bool TriedTiles::next(TriedTile& tile) {
 
 void TriedTiles::append(const TriedTile& tile) {
   if (journal_ == nullptr) return;
-  const Head head{tile.edges.size(), tile.frozen};
+  const Head head{tile.edges.size(), tile.frozen, tile.reached};
   journal_->append({std::as_bytes(std::span(&head, 1)), std::as_bytes(std::span(tile.edges)),
                     std::as_bytes(std::span(tile.prices))});
 }

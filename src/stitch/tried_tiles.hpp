@@ -6,6 +6,7 @@
 #include "stitch/collapse_log.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct TriedTile {
   std::vector<Collapse> edges;
   std::vector<CollapseLog::Price> prices;  // one an edge
   std::uint64_t frozen = 0;                // faces that cannot change because of the borders between tiles
+  double reached = std::numeric_limits<double>::infinity();  // all that costs no more is in it
 
   void clear() { *this = {}; }
 };

@@ -50,7 +50,7 @@ TEST_CASE("edges have the same prices and places by every instruction set") {
       Point high{scale * random.real(-1, 1), scale * random.real(-1, 1), scale * random.real(-1, 1)};
       if (random.below(20) == 0) high = low;
       if (random.below(50) == 0) high[random.below(3)] = std::numeric_limits<double>::max();
-      set_high(*given, i, high, some_planes(random, scale));
+      set_high(*given, i, high, some_planes(random, scale), random.below(5) == 0);
     }
     const bool single = random.below(2) == 0;
     const EdgeBatch before = *given;
@@ -73,22 +73,28 @@ TEST_CASE("an edge goes to the lowest point of its planes, at the error there") 
     const Point high{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
     set_low(batch, low, some_planes(random, 1));
     const VertexPlanes high_planes = some_planes(random, 1);
-    set_high(batch, 0, high, high_planes);
+    set_high(batch, 0, high, high_planes, false);
     edge_kernel_baseline(batch, 1, false);
 
     const Quadric at_low = quadric_of(batch.low_planes);
     const Quadric at_high = quadric_of(high_planes);
     const double weight = at_low.weight() + at_high.weight();
-    const auto price = [&](const Point& at) {
-      return at_low.at(at - low) + at_high.at(at - high) + 1e-6 * weight * dot(high - low, high - low);
-    };
     const Point place = position_of(batch, 0);
+    if (batch.flat_low[0] + batch.flat_high[0] != 0) {
+      CHECK((place == low || place == high));
+      continue;
+    }
+    // A short edge goes first, but length never counts more than what is lost.
+    const auto price = [&](const Point& at) {
+      const double lost = at_low.at(at - low) + at_high.at(at - high);
+      return lost + std::min(lost, 1e-6 * weight * dot(high - low, high - low));
+    };
     CHECK(batch.price[0] == Approx(price(place)).margin(1e-14));
     if (weight == 0) continue;
     // No point around is lower by more than what the pull to the middle gives up.
     const Point middle = 0.5 * (low + high);
     const auto pulled = [&](const Point& at) {
-      return price(at) + 1e-4 * weight * dot(at - middle, at - middle);
+      return at_low.at(at - low) + at_high.at(at - high) + 1e-4 * weight * dot(at - middle, at - middle);
     };
     for (int i = 0; i < 20; ++i) {
       const Point beside = place + Point{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
@@ -101,9 +107,78 @@ TEST_CASE("single precision gives places that floats have") {
   Random random(33);
   EdgeBatch batch{};
   set_low(batch, {431000.1, 0, 0}, some_planes(random, 1));
-  set_high(batch, 0, {431000.3, 0.1, 0.7}, some_planes(random, 1));
+  set_high(batch, 0, {431000.3, 0.1, 0.7}, some_planes(random, 1), false);
   edge_kernel_baseline(batch, 1, true);
   for (const double x : position_of(batch, 0)) CHECK(static_cast<double>(static_cast<float>(x)) == x);
+}
+
+namespace {
+
+// Of a face with this normal.
+VertexPlanes plane(const Point& normal, double weight = 1) {
+  VertexPlanes planes;
+  add(planes, unit(normal), weight);
+  return planes;
+}
+
+EdgeBatch priced(const Point& low, const VertexPlanes& low_planes, const Point& high,
+                 const VertexPlanes& high_planes, bool single, bool stays = false) {
+  EdgeBatch batch{};
+  set_low(batch, low, low_planes);
+  set_high(batch, 0, high, high_planes, stays);
+  edge_kernel_baseline(batch, 1, single);
+  return batch;
+}
+
+}  // namespace
+
+TEST_CASE("a collapse without error takes that end of the edge, to the bit") {
+  // The lower end is on a straight crease, the other at a corner.
+  VertexPlanes crease = plane({0, 0, 1});
+  add(crease, plane({0, 1, 0}));
+  VertexPlanes corner = crease;
+  add(corner, plane({1, 0, 0}));
+  const Point low{0.1, 0.3, 0.7};
+  const Point high{0.2, 0.3, 0.7};
+  const EdgeBatch to_corner = priced(low, crease, high, corner, true);
+  CHECK(position_of(to_corner, 0) == high);
+  const EdgeBatch back = priced(high, corner, low, crease, true);
+  CHECK(position_of(back, 0) == high);
+}
+
+TEST_CASE("flat edges cost less than all that has a shape, whatever their size") {
+  for (const double size : {1e-12, 1.0, 1e12}) {
+    const EdgeBatch flat =
+        priced({0, 0, 0}, plane({0, 0, 1}, size * size), {size, 0, 0}, plane({0, 0, 1}, size * size), true);
+    const EdgeBatch shaped =
+        priced({0, 0, 0}, plane({0, 0, 1}, 1e-30), {1e-15, 0, 5e-16}, plane({0, 0.01, 1}, 1e-30), true);
+    CHECK(flat.price[0] > 0);
+    CHECK(flat.price[0] < shaped.price[0]);
+  }
+}
+
+TEST_CASE("of flat edges the shorter one goes first") {
+  const VertexPlanes flat = plane({0, 0, 1});
+  CHECK(priced({0, 0, 0}, flat, {1, 0, 0}, flat, true).price[0] <
+        priced({0, 0, 0}, flat, {2, 0, 0}, flat, true).price[0]);
+  CHECK(priced({0, 0, 0}, {}, {1, 0, 0}, {}, true).price[0] <
+        priced({0, 0, 0}, {}, {2, 0, 0}, {}, true).price[0]);
+}
+
+TEST_CASE("rounding of an axis far off does not make another axis flat") {
+  // A step of 1 in height, five million away: floats are off by a half there, but not in height.
+  const Point low{5e6, 5e6, 10};
+  const Point high{5e6 + 30, 5e6, 11};
+  const EdgeBatch batch = priced(low, plane({0, 0, 1}), high, plane({0, 0, 1}), true);
+  CHECK(batch.flat_low[0] + batch.flat_high[0] == 0);
+}
+
+TEST_CASE("an end that stays takes the collapse, at the error there") {
+  const Point low{0, 0, 0};
+  const Point high{1, 0, 0.5};
+  const EdgeBatch batch = priced(low, plane({0, 0, 1}), high, plane({0, 1, 0}), false, true);
+  CHECK(position_of(batch, 0) == high);
+  CHECK(batch.price[0] == Approx(0.25).epsilon(1e-4));
 }
 
 }  // namespace winnow

@@ -1,5 +1,6 @@
 // The faces around an edge, and what comes of them: the same bits from the kernels of every instruction set,
 // and what the formulas say.
+#include "base/rounding.hpp"
 #include "decimate/edge_star.hpp"
 #include "support/runnable.hpp"
 #include "support/surfaces.hpp"
@@ -60,7 +61,7 @@ TEST_CASE("kernels of all instruction sets agree about stars to the bit") {
     std::vector<StarBatch> results;
     for (const auto& [name, kernel] : kernels) {
       StarBatch& result = results.emplace_back(*batch);
-      kernel(result, count, 0.3);
+      kernel(result, count, {0.3, rounding_of_float});
     }
     for (const StarBatch& result : results) {
       for (std::size_t k = 0; k < 6; ++k) {
@@ -68,6 +69,7 @@ TEST_CASE("kernels of all instruction sets agree about stars to the bit") {
         REQUIRE(std::memcmp(result.change[k], results[0].change[k], count * sizeof(double)) == 0);
       }
       REQUIRE(std::memcmp(result.turned, results[0].turned, count * sizeof(double)) == 0);
+      REQUIRE(std::memcmp(result.opened, results[0].opened, count * sizeof(double)) == 0);
     }
   }
 }
@@ -84,7 +86,7 @@ TEST_CASE("a star has every face of both ends once, and says what comes of it") 
     const auto kept = static_cast<VertexNumber>(random.below(vertices));
     const auto removed = (kept + 1) % vertices;
     const Point to{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
-    EdgeStar star;
+    EdgeStar star(rounding_of_double);
     star.find(mesh, kept, removed);
     star.move(mesh, to, 0.5);
     std::vector<FaceNumber> expected, found;

@@ -2,6 +2,7 @@
 // about.
 #include "decimate/legality.hpp"
 
+#include "base/rounding.hpp"
 #include "support/refining.hpp"
 #include "support/tile_meshes.hpp"
 
@@ -29,7 +30,7 @@ TileMesh mesh_of(const std::vector<FaceVertices>& faces, std::vector<Point> posi
 }
 
 EdgeStar star_of(const TileMesh& mesh, VertexNumber kept, VertexNumber removed) {
-  EdgeStar star;
+  EdgeStar star(rounding_of_double);
   star.find(mesh, kept, removed);
   return star;
 }

@@ -111,7 +111,7 @@ void check_meetings(TileMesh& mesh, const NaiveMesh& naive) {
           if (met.count(w) != 0) common.insert(w);
         }
       }
-      EdgeStar star;
+      EdgeStar star(0);
       star.find(mesh, a, b);
       const TileMesh::Meeting found = mesh.meeting(star.of_kept(), b, star.of_removed());
       REQUIRE(found.faces == right.faces);

@@ -125,8 +125,8 @@ void add_simplify(CLI::App& app) {
   command
       ->add_option(
           "--error", arguments->error,
-          "As few faces as keep vertices so near to what they stand for: 0.5 (model units) or 0.1% of the "
-          "diagonal")
+          "Stop at this RMS distance: 0.5 (model units) or 0.1% (of the diagonal); boundaries stay within "
+          "1.5 times it")
       ->type_name("E")
       ->group(fineness);
 

@@ -11,27 +11,63 @@ namespace {
 // Pulls the lowest point towards the middle of the edge where the planes leave it free, as a part of their
 // weight: by measurement (bench/RESULTS.md).
 constexpr double pull = 1e-4;
-// Where planes cost nothing, as on flat parts, short edges go first; as in quadric_placement.hpp, which
-// defines functions.
+// Short edges go first where planes cost next to nothing: the square of the length counts, by this part of
+// the planes' weight. As in quadric_placement.hpp, which defines functions.
 constexpr double edge_length_share = 1e-6;
+// What is flat costs less than all that has a shape, at any scale: only its own order is left (2^-700).
+constexpr double flat_share = 0x1p-700;
+// Of the square of the length beside the planes' weight, for flat edges: orders those without a plane.
+constexpr double length_beside_weight = 0x1p-20;
+// How far planes may be off by the rounding of the positions that they were made from: so many times that of
+// a coordinate, since a plane is held by a triangle smaller than the edge is long.
+constexpr double rounding_of_floats = 8 * 0x1p-24;
+constexpr double rounding_of_doubles = 8 * 0x1p-53;
+// The square of what the arithmetic of planes cannot see, beside that of the edge's length.
+constexpr double rounding_of_planes = 0x1p-46;
+
+double larger_size(double a, double b) {
+  const double x = a < 0 ? -a : a;
+  const double y = b < 0 ? -b : b;
+  return x > y ? x : y;
+}
 
 // The lowest point of the planes of both ends, pulled to the middle of the edge: as lowest_point() of
-// base/quadric.hpp.
-void place(EdgeBatch& batch, std::size_t end) {
+// base/quadric.hpp. And whether nothing is lost at an end.
+void place(EdgeBatch& batch, std::size_t end, double rounding) {
   const double lx = batch.low[0], ly = batch.low[1], lz = batch.low[2];
   const VertexPlanes p = batch.low_planes;
   for (std::size_t i = 0; i < end; ++i) {
-    const double ex = batch.high[0][i] - lx, ey = batch.high[1][i] - ly, ez = batch.high[2][i] - lz;
+    const double hx = batch.high[0][i], hy = batch.high[1][i], hz = batch.high[2][i];
+    const double ex = hx - lx, ey = hy - ly, ez = hz - lz;
     const double qxx = batch.xx[i], qxy = batch.xy[i], qxz = batch.xz[i];
     const double qyy = batch.yy[i], qyz = batch.yz[i], qzz = batch.zz[i];
     const double xx = qxx + p.xx, xy = qxy + p.xy, xz = qxz + p.xz;
     const double yy = qyy + p.yy, yz = qyz + p.yz, zz = qzz + p.zz;
     const double weight = xx + yy + zz;
+    // The planes of each end go through it, so only those of the other lose anything there.
+    const double qx = qxx * ex + qxy * ey + qxz * ez;
+    const double qy = qxy * ex + qyy * ey + qyz * ez;
+    const double qz = qxz * ex + qyz * ey + qzz * ez;
+    const double sx = xx * ex + xy * ey + xz * ez;
+    const double sy = xy * ex + yy * ey + yz * ez;
+    const double sz = xz * ex + yz * ey + zz * ez;
+    const double at_low = ex * qx + ey * qy + ez * qz;
+    const double at_high = ex * (sx - qx) + ey * (sy - qy) + ez * (sz - qz);
+    const double ox = rounding * larger_size(lx, hx);
+    const double oy = rounding * larger_size(ly, hy);
+    const double oz = rounding * larger_size(lz, hz);
+    const double limit = ox * ox * xx + oy * oy * yy + oz * oz * zz +
+                         rounding_of_planes * weight * (ex * ex + ey * ey + ez * ez);
+    batch.at_low[i] = at_low;
+    batch.at_high[i] = at_high;
+    batch.flat_low[i] = at_low <= limit ? 1.0 : 0.0;
+    batch.flat_high[i] = at_high <= limit ? 1.0 : 0.0;
+
     const double mx = 0.5 * ex, my = 0.5 * ey, mz = 0.5 * ez;
     const double wxx = xx + pull * weight, wyy = yy + pull * weight, wzz = zz + pull * weight;
-    const double rx = (qxx * ex + qxy * ey + qxz * ez) - (xx * mx + xy * my + xz * mz);
-    const double ry = (qxy * ex + qyy * ey + qyz * ez) - (xy * mx + yy * my + yz * mz);
-    const double rz = (qxz * ex + qyz * ey + qzz * ez) - (xz * mx + yz * my + zz * mz);
+    const double rx = qx - 0.5 * sx;
+    const double ry = qy - 0.5 * sy;
+    const double rz = qz - 0.5 * sz;
     const double cx = wyy * wzz - yz * yz;
     const double cy = xz * yz - xy * wzz;
     const double cz = xy * yz - xz * wyy;
@@ -57,14 +93,29 @@ void round_to_floats(EdgeBatch& batch, std::size_t end) {
   }
 }
 
+// An end where nothing is lost takes the collapse, to the bit.
 void price(EdgeBatch& batch, std::size_t end) {
   const double lx = batch.low[0], ly = batch.low[1], lz = batch.low[2];
   const VertexPlanes p = batch.low_planes;
   for (std::size_t i = 0; i < end; ++i) {
-    const double ex = batch.high[0][i] - lx, ey = batch.high[1][i] - ly, ez = batch.high[2][i] - lz;
-    const double tx = batch.position[0][i] - lx;
-    const double ty = batch.position[1][i] - ly;
-    const double tz = batch.position[2][i] - lz;
+    const double hx = batch.high[0][i], hy = batch.high[1][i], hz = batch.high[2][i];
+    const double at_low = batch.at_low[i], at_high = batch.at_high[i];
+    const bool forced = batch.to_high[i] != 0;
+    const bool low_flat = (batch.flat_low[i] != 0) & !forced;
+    const bool high_flat = batch.flat_high[i] != 0;
+    const bool to_high = forced | (high_flat & (!low_flat | (at_high < at_low)));
+    const bool to_low = low_flat & !to_high;
+    const double x = to_high ? hx : to_low ? lx : batch.position[0][i];
+    const double y = to_high ? hy : to_low ? ly : batch.position[1][i];
+    const double z = to_high ? hz : to_low ? lz : batch.position[2][i];
+    batch.position[0][i] = x;
+    batch.position[1][i] = y;
+    batch.position[2][i] = z;
+    batch.flat_low[i] = low_flat ? 1.0 : 0.0;
+    const double ex = hx - lx, ey = hy - ly, ez = hz - lz;
+    const double tx = x - lx;
+    const double ty = y - ly;
+    const double tz = z - lz;
     const double ux = tx - ex, uy = ty - ey, uz = tz - ez;
     const double qxx = batch.xx[i], qxy = batch.xy[i], qxz = batch.xz[i];
     const double qyy = batch.yy[i], qyz = batch.yz[i], qzz = batch.zz[i];
@@ -76,7 +127,12 @@ void price(EdgeBatch& batch, std::size_t end) {
                               uz * (qxz * ux + qyz * uy + qzz * uz);
     const double error = low_error + high_error;
     const double weight = p.xx + p.yy + p.zz + (qxx + qyy + qzz);
-    batch.price[i] = (error > 0 ? error : 0) + edge_length_share * weight * (ex * ex + ey * ey + ez * ez);
+    const double square = ex * ex + ey * ey + ez * ez;
+    const double lost = error > 0 ? error : 0;
+    const double length = edge_length_share * weight * square;
+    const double shaped = lost + (length < lost ? length : lost);
+    const bool flat = low_flat | high_flat;
+    batch.price[i] = flat ? flat_share * (weight + length_beside_weight * square) * square : shaped;
   }
 }
 
@@ -84,7 +140,7 @@ void price(EdgeBatch& batch, std::size_t end) {
 
 void WINNOW_JOIN(edge_kernel_, WINNOW_KERNEL)(EdgeBatch& batch, std::size_t count, bool single) {
   const std::size_t end = (count + edge_kernel_lanes - 1) / edge_kernel_lanes * edge_kernel_lanes;
-  place(batch, end);
+  place(batch, end, single ? rounding_of_floats : rounding_of_doubles);
   if (single) round_to_floats(batch, end);
   price(batch, end);
 }

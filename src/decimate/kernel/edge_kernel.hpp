@@ -21,10 +21,13 @@ struct EdgeBatch {
 
   double high[3][capacity];
   double xx[capacity], xy[capacity], xz[capacity], yy[capacity], yz[capacity], zz[capacity];
+  double to_high[capacity];  // 1 where the edge may only be collapsed into its other end; else 0
 
   // Results.
   double price[capacity];
   double position[3][capacity];
+  double at_low[capacity], at_high[capacity];      // what is lost at the ends
+  double flat_low[capacity], flat_high[capacity];  // 1 where that is nothing but rounding
 };
 
 // Of the first `count` edges; results of those behind, up to the next multiple of `edge_kernel_lanes`, are

@@ -14,9 +14,13 @@ constexpr double thinnest = 1e-6;
 double larger(double a, double b) {
   return a > b ? a : b;
 }
+double size_of(double a) {
+  return a < 0 ? -a : a;
+}
 
-void turn(StarBatch& batch, std::size_t end, double least_cosine) {
+void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
   const double tx = batch.to[0], ty = batch.to[1], tz = batch.to[2];
+  const double least_cosine = rules.least_cosine, rounding = rules.rounding;
   for (std::size_t i = 0; i < end; ++i) {
     const double fx = batch.from[0][i], fy = batch.from[1][i], fz = batch.from[2][i];
     const double wx = batch.second[0][i], wy = batch.second[1][i], wz = batch.second[2][i];
@@ -32,21 +36,42 @@ void turn(StarBatch& batch, std::size_t end, double least_cosine) {
     const double old_square = mx * mx + my * my + mz * mz;
     const double new_square = nx * nx + ny * ny + nz * nz;
 
+    // thinner_than_rounding() of base/rounding.hpp.
+    const double sx = larger(size_of(wx), size_of(xx));
+    const double sy = larger(size_of(wy), size_of(xy));
+    const double sz = larger(size_of(wz), size_of(xz));
+    const double ox = rounding * larger(sx, size_of(fx));
+    const double oy = rounding * larger(sy, size_of(fy));
+    const double oz = rounding * larger(sz, size_of(fz));
+    const double abx = size_of(ax) + size_of(bx), aby = size_of(ay) + size_of(by),
+                 abz = size_of(az) + size_of(bz);
+    const bool thin_before = (size_of(mx) <= aby * oz + abz * oy) & (size_of(my) <= abz * ox + abx * oz) &
+                             (size_of(mz) <= abx * oy + aby * ox);
+    const double px = rounding * larger(sx, size_of(tx));
+    const double py = rounding * larger(sy, size_of(ty));
+    const double pz = rounding * larger(sz, size_of(tz));
+    const double uvx = size_of(ux) + size_of(vx), uvy = size_of(uy) + size_of(vy),
+                 uvz = size_of(uz) + size_of(vz);
+    const bool thin = (size_of(nx) <= uvy * pz + uvz * py) & (size_of(ny) <= uvz * px + uvx * pz) &
+                      (size_of(nz) <= uvx * py + uvy * px);
+
     const double ex = xx - wx, ey = xy - wy, ez = xz - wz;
     const double longest =
         larger(larger(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz), ex * ex + ey * ey + ez * ez);
     const double cosine = mx * nx + my * ny + mz * nz;
-    const bool line = !(new_square > thinnest * thinnest * longest * longest);
-    // What had no direction has none to turn from.
+    const bool line = thin | !(new_square > thinnest * thinnest * longest * longest);
     const bool far = !(cosine >= least_cosine * __builtin_sqrt(old_square * new_square));
     const bool stays = batch.stays[i] != 0;
-    const bool turned = (stays & (line | (far & (old_square != 0)))) != 0;
+    // What had no direction has none to turn from.
+    const bool turned = stays & !thin_before & (line | far);
+    const bool opened = stays & thin_before & !line;
     batch.turned[i] = turned ? 1.0 : 0.0;
+    batch.opened[i] = opened ? 1.0 : 0.0;
 
     const double old_inverse = 1 / (6 * __builtin_sqrt(old_square));
     const double new_inverse = 1 / (6 * __builtin_sqrt(new_square));
-    const double p = old_square > 0 ? old_inverse : 0.0;
-    const double q = (stays & (new_square > 0)) != 0 ? new_inverse : 0.0;
+    const double p = thin_before ? 0.0 : old_inverse;
+    const double q = stays & !thin ? new_inverse : 0.0;
     const double pxx = p * mx * mx, pxy = p * mx * my, pxz = p * mx * mz;
     const double pyy = p * my * my, pyz = p * my * mz, pzz = p * mz * mz;
     const double qxx = q * nx * nx, qxy = q * nx * ny, qxz = q * nx * nz;
@@ -68,8 +93,8 @@ void turn(StarBatch& batch, std::size_t end, double least_cosine) {
 
 }  // namespace
 
-void WINNOW_JOIN(star_kernel_, WINNOW_KERNEL)(StarBatch& batch, std::size_t count, double least_cosine) {
-  turn(batch, (count + star_kernel_lanes - 1) / star_kernel_lanes * star_kernel_lanes, least_cosine);
+void WINNOW_JOIN(star_kernel_, WINNOW_KERNEL)(StarBatch& batch, std::size_t count, const StarRules& rules) {
+  turn(batch, (count + star_kernel_lanes - 1) / star_kernel_lanes * star_kernel_lanes, rules);
 }
 
 }  // namespace winnow

@@ -17,18 +17,27 @@ struct StarBatch {
   double stays[capacity];                          // 1, or 0 for a face that goes
 
   // Results. Of the plane n, as long as 1, of each face that stays a third of its area * n n' (xx, xy, xz,
-  // yy, yz, zz; zeros where it has no area), and how much that is more than the same of the face as it was.
+  // yy, yz, zz; zeros where it is thinner than rounding), and how much that is more than the same of the face
+  // as it was.
   double planes[6][capacity], change[6][capacity];
   double turned[capacity];  // 1 where a face turns too far, or becomes a line; else 0
+  double opened[capacity];  // 1 where a face that was thinner than rounding no longer is; else 0
+};
+
+// `least_cosine`: of the angle that a face may turn by. `rounding`: of a coordinate beside its size, by the
+// rule of base/rounding.hpp.
+struct StarRules {
+  double least_cosine;
+  double rounding;
 };
 
 // Of the first `count` faces; results of those behind, up to the next multiple of `star_kernel_lanes`, are
-// without meaning. `least_cosine`: of the angle that a face may turn by.
-using StarKernel = void (*)(StarBatch& batch, std::size_t count, double least_cosine);
+// without meaning.
+using StarKernel = void (*)(StarBatch& batch, std::size_t count, const StarRules& rules);
 inline constexpr std::size_t star_kernel_lanes = 8;
 
-void star_kernel_baseline(StarBatch& batch, std::size_t count, double least_cosine);
-void star_kernel_avx2(StarBatch& batch, std::size_t count, double least_cosine);
-void star_kernel_avx512(StarBatch& batch, std::size_t count, double least_cosine);
+void star_kernel_baseline(StarBatch& batch, std::size_t count, const StarRules& rules);
+void star_kernel_avx2(StarBatch& batch, std::size_t count, const StarRules& rules);
+void star_kernel_avx512(StarBatch& batch, std::size_t count, const StarRules& rules);
 
 }  // namespace winnow

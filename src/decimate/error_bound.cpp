@@ -1,0 +1,121 @@
+#include "decimate/error_bound.hpp"
+
+#include "base/closest_point.hpp"
+#include "base/rounding.hpp"
+#include "decimate/quadric_placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace winnow {
+
+namespace {
+
+// How far a border may move, beside the error.
+constexpr double border_share = 1.5;
+
+double distance(const Point& p, std::span<const std::array<Point, 2>> segments) {
+  double square = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : segments) {
+    const Point off = closest_point(p, {a, b, b}) - p;
+    square = std::min(square, dot(off, off));
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+void ErrorBound::add_faces(const TileMesh& mesh, double rounding, std::vector<State>& states) {
+  for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
+    const Triangle triangle = mesh.triangle(f);
+    const Point doubled = doubled_area(triangle);
+    if (thinner_than_rounding(triangle, doubled, rounding)) continue;
+    const double size = length(doubled);
+    // The plane goes through each of its corners.
+    for (const VertexNumber v : mesh.face(f)) states[v].planes.add_plane((1 / size) * doubled, {}, size / 6);
+  }
+}
+
+void ErrorBound::add_borders(const TileMesh& mesh, std::vector<State>& states) {
+  for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
+    const FaceVertices& face = mesh.face(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexNumber a = face[i];
+      const VertexNumber b = face[(i + 1) % 3];
+      if (mesh.faces_at(a, b, 2) != 1) continue;
+      const Point edge = mesh.position(b) - mesh.position(a);
+      states[a].planes.add_line(edge, border_line_weight);
+      states[b].planes.add_line(edge, border_line_weight);
+    }
+  }
+}
+
+bool ErrorBound::allows(const Collapse& edge, const EdgeStar& star) {
+  planes_ = state_[edge.kept].planes.from(edge.position - mesh_.position(edge.kept));
+  planes_.add(state_[edge.removed].planes.from(edge.position - mesh_.position(edge.removed)));
+  planes_.c = std::max(0.0, planes_.c);
+  border_starts_.clear();
+  if (planes_.c > error_ * error_ * planes_.weight()) return false;
+  return !(at_border_[edge.kept] | at_border_[edge.removed]) || moves_border_little(edge, star);
+}
+
+// Compares the border's edges at the two ends with those at the one that is left. A piece whose border goes
+// altogether moves it by more than any bound.
+bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star) {
+  const auto [kept, removed, to] = edge;
+  const auto is_end = [&](VertexNumber v) { return v == kept || v == removed; };
+  before_.clear();
+  after_.clear();
+  double off = 0;
+  const auto leave = [&](VertexNumber a, VertexNumber b) {
+    const VertexNumber start = is_end(a) ? kept : a;
+    after_.push_back({is_end(a) ? to : mesh_.position(a), is_end(b) ? to : mesh_.position(b)});
+    border_starts_.push_back(start);
+  };
+  for (const StarFace& face : star.faces()) {
+    const FaceVertices& corner = mesh_.face(face.number);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexNumber a = corner[i];
+      const VertexNumber b = corner[(i + 1) % 3];
+      if (!is_end(a) && !is_end(b)) continue;
+      const bool open = at_border_[a] && at_border_[b] && mesh_.faces_at(a, b, 2) == 1;
+      if (open) {
+        before_.push_back({mesh_.position(a), mesh_.position(b)});
+        off = std::max(off, state_[a].border_off);
+      }
+      if (is_end(a) && is_end(b)) continue;
+      if (face.stays) {
+        if (open) leave(a, b);
+        continue;
+      }
+      // Of a face at the edge one of the other two sides becomes what is left of both.
+      const VertexNumber across = is_end(a) ? b : a;
+      const VertexNumber end = is_end(a) ? a : b;
+      if (end != removed) continue;
+      const unsigned others = mesh_.faces_at(kept, across, 3) + mesh_.faces_at(removed, across, 3) - 2;
+      if (others == 1) leave(a, b);
+    }
+  }
+  if (before_.empty()) return true;
+  if (after_.empty()) return false;
+  double moved = distance(to, before_);
+  for (const auto& [a, b] : before_) {
+    for (const Point& p : {a, b, 0.5 * (a + b)}) moved = std::max(moved, distance(p, after_));
+  }
+  border_off_ = off + moved;
+  return border_off_ <= border_share * error_;
+}
+
+void ErrorBound::collapsing(const Collapse& edge) {
+  state_[edge.kept].planes = planes_;
+  if (planes_.weight() > 0) largest_square_ = std::max(largest_square_, planes_.c / planes_.weight());
+  for (const VertexNumber v : border_starts_)
+    state_[v].border_off = std::max(state_[v].border_off, border_off_);
+}
+
+double ErrorBound::largest_error() const {
+  return std::sqrt(largest_square_);
+}
+
+}  // namespace winnow

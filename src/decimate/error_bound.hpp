@@ -1,0 +1,74 @@
+// What --error promises, watched while edges are collapsed: how far the surface may come from all that was
+// collapsed into it, and how far its border from the border that was.
+//
+// - The mean squared distance of a vertex from the planes of all faces that it stands for, weighted by their
+//   areas, is at most the square of the error (the quadrics of Garland and Heckbert 1997, never forgotten).
+// - The farthest point that a vertex remembers (farthest_points.hpp) is within one and a half times the
+// error.
+// - A border is within one and a half times the error of what it was, both ways: each edge of it has the sum
+//   of the distances by which the border around it has moved, which by the triangle inequality is no less.
+#pragma once
+
+#include "base/quadric.hpp"
+#include "decimate/edge_star.hpp"
+#include "decimate/tile_mesh.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace winnow {
+
+class ErrorBound {
+ public:
+  // What a vertex remembers between two rounds.
+  struct State {
+    Quadric planes;         // seen from it
+    Point farthest{};       // the point of FarthestPoints, seen from it
+    double border_off = 0;  // of the border's edges that begin there
+  };
+
+  // `states`: of each vertex. `at_border`: of each vertex whether it may be at one; kept up to date by the
+  // owner.
+  ErrorBound(TileMesh& mesh, double error, std::vector<State> states,
+             const std::vector<std::uint8_t>& at_border)
+      : mesh_(mesh), error_(error), state_(std::move(states)), at_border_(at_border) {}
+
+  static constexpr std::uint64_t memory(std::uint64_t vertices) { return vertices * sizeof(State); }
+
+  // Adds to `states` the planes of all faces, each with a third of its area.
+  static void add_faces(const TileMesh& mesh, double rounding, std::vector<State>& states);
+  // Adds the lines of all edges with one face.
+  static void add_borders(const TileMesh& mesh, std::vector<State>& states);
+
+  // Of the collapse of this edge, whose star this is.
+  [[nodiscard]] bool allows(const Collapse& edge, const EdgeStar& star);
+
+  // To be told of the collapse that allows() was asked about last: before it is done.
+  void collapsing(const Collapse& edge);
+
+  // How far the farthest point that a vertex remembers may be.
+  [[nodiscard]] double farthest() const { return farthest_share * error_; }
+  [[nodiscard]] const State& state(VertexNumber v) const { return state_[v]; }
+  // The root of the mean squared distance of a vertex from its planes, the largest there was.
+  [[nodiscard]] double largest_error() const;
+
+ private:
+  static constexpr double farthest_share = 1.5;
+  using Segment = std::array<Point, 2>;
+  [[nodiscard]] bool moves_border_little(const Collapse& edge, const EdgeStar& star);
+
+  TileMesh& mesh_;
+  double error_;
+  std::vector<State> state_;
+  const std::vector<std::uint8_t>& at_border_;
+  double largest_square_ = 0;
+  // Of the collapse that was asked about last.
+  Quadric planes_;
+  double border_off_ = 0;
+  std::vector<VertexNumber> border_starts_;  // of its edges afterwards
+  std::vector<Segment> before_, after_;
+};
+
+}  // namespace winnow
