@@ -32,6 +32,9 @@ struct FaceBatch {
   // The numbers of the corners' vertices, [corner][face], where the format has vertices; good for as long as
   // the batch is handed on.
   std::array<const std::uint32_t*, 3> index{};
+  // The low 32 bits of the faces' numbers, where the reader changed their order; else null, and
+  // they count from `first`. Valid as long as `index`.
+  const std::uint32_t* numbers = nullptr;
   // Of the attributes that the reader carries: [attribute][corner][face]. Empty where it carries none.
   std::vector<double> attributes;
 
@@ -41,6 +44,11 @@ struct FaceBatch {
       xyz[axis] = single ? double{single_position[corner][axis][face]} : position[corner][axis][face];
     }
     return xyz;
+  }
+
+  // The low 32 bits of a face's number over the whole input.
+  [[nodiscard]] std::uint32_t number(std::size_t face) const {
+    return numbers != nullptr ? numbers[face] : static_cast<std::uint32_t>(first + face);
   }
 
   [[nodiscard]] double attribute(std::size_t number, std::size_t corner, std::size_t face) const {

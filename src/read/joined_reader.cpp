@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -92,8 +93,14 @@ class JoinedReader final : public MeshReader {
   bool next_faces(RawBatch& batch) override { return seen(batch, reader_->next_faces(batch)); }
   void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override {
     std::vector<double> attributes(facts_.choice.carried.size() * block);
+    std::array<std::uint32_t, FaceBatch::capacity> numbers{};
     reader_->decode_faces(batch, slice, [&](const FaceBatch& /*slice*/) {
       slice.first += before_;
+      if (slice.numbers != nullptr) {
+        std::transform(slice.numbers, slice.numbers + slice.count, numbers.begin(),
+                       [&](std::uint32_t number) { return number + static_cast<std::uint32_t>(before_); });
+        slice.numbers = numbers.data();
+      }
       for (std::size_t i = 0; i < place_.size(); ++i) {
         const auto from = slice.attributes.begin() + static_cast<std::ptrdiff_t>(place_[i].number * block);
         const auto to = attributes.begin() + static_cast<std::ptrdiff_t>(i * block);

@@ -38,7 +38,8 @@ struct RawBatch {
   std::vector<double> corners;         // nine a face: already decoded, because finding the cuts took it
   std::vector<FaceStatus> status;      // of indices and corners
   std::uint64_t first = 0;
-  std::uint64_t count = 0;  // triangles, or positions
+  std::uint64_t count = 0;             // triangles, or positions
+  std::vector<std::uint32_t> numbers;  // of faces in another order than the file's: low 32 bits
   // Of indices, where CornerStreams brought them together: the vertices' records, and where those of each of
   // its parts begin.
   std::vector<std::byte> records;

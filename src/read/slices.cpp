@@ -65,6 +65,7 @@ void for_each_slice(const RawBatch& batch, FaceBatch& slice, const FaceSink& sin
   for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
     slice.count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
     slice.first = batch.first + from;
+    slice.numbers = batch.numbers.empty() ? nullptr : &batch.numbers[from];
     slice.all_good = true;
     for (std::size_t i = 0; i < slice.count; ++i) {
       slice.status[i] = batch.status[from + i];

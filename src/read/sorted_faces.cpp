@@ -16,9 +16,6 @@ namespace {
 // Files that are open at a time, of the thousand that a process usually may have.
 constexpr std::size_t most_parts = 512;
 
-using Face = std::array<std::uint32_t, 3>;
-static_assert(sizeof(Face) == KeptFaces::bytes_a_face);
-
 }  // namespace
 
 std::uint64_t SortedFaces::near(std::size_t record_bytes, std::uint64_t memory) {
@@ -44,9 +41,9 @@ std::optional<SortedFaces::Plan> SortedFaces::plan(std::uint64_t vertices, std::
   return plan;
 }
 
-std::size_t SortedFaces::part_of(const std::array<std::uint32_t, 3>& face) const {
-  const auto [low, high] = std::minmax({face[0], face[1], face[2]});
-  const std::size_t part = face[0] >> plan_.part_bits;
+std::size_t SortedFaces::part_of(const Face& face) const {
+  const auto [low, high] = std::minmax({face.corner[0], face.corner[1], face.corner[2]});
+  const std::size_t part = face.corner[0] >> plan_.part_bits;
   return high - low > plan_.near || part >= plan_.parts - 1 ? plan_.parts - 1 : part;
 }
 
@@ -68,7 +65,8 @@ void SortedFaces::build(const NextFaces& next, const std::function<void(RawBatch
         item.ends.assign(plan_.parts + 1, 0);
         item.given.clear();
         for (std::size_t i = 0; i < item.batch.count; ++i) {
-          item.given.push_back(KeptFaces::kept(item.batch, i));
+          const auto number = static_cast<std::uint32_t>(item.batch.first + i);
+          item.given.push_back({KeptFaces::kept(item.batch, i), number});
           ++item.ends[part_of(item.given.back()) + 1];
         }
         std::partial_sum(item.ends.begin(), item.ends.end(), item.ends.begin());
@@ -88,8 +86,12 @@ bool SortedFaces::next(std::size_t most, RawBatch& batch) {
   }
   if (part_ == files_.size()) return false;
   batch.count = std::min<std::uint64_t>(most, files_[part_]->size() / sizeof(Face) - place_);
-  batch.indices.resize(3 * batch.count);
-  files_[part_]->read(place_ * sizeof(Face), std::as_writable_bytes(std::span(batch.indices)));
+  read_.resize(batch.count);
+  files_[part_]->read(place_ * sizeof(Face), std::as_writable_bytes(std::span(read_)));
+  for (const Face& face : read_) {
+    batch.indices.insert(batch.indices.end(), face.corner.begin(), face.corner.end());
+    batch.numbers.push_back(face.number);
+  }
   place_ += batch.count;
   KeptFaces::restore_status(batch);
   return true;

@@ -36,19 +36,28 @@ class SortedFaces {
   // such of, on any thread.
   void build(const NextFaces& next, const std::function<void(RawBatch&)>& indices, std::uint64_t count);
 
+  static constexpr std::uint64_t bytes_a_face = 16;
+
   // Passes over them, by one thread.
   void begin() { part_ = place_ = 0; }
-  // The next, at most `most`, as indices, status and count; false at the end.
+  // The next, at most `most`, as indices, status, numbers and count; false at the end.
   bool next(std::size_t most, RawBatch& batch);
 
  private:
-  [[nodiscard]] std::size_t part_of(const std::array<std::uint32_t, 3>& face) const;
+  struct Face {
+    std::array<std::uint32_t, 3> corner;
+    std::uint32_t number;  // in the input, the low 32 bits
+  };
+  static_assert(sizeof(Face) == bytes_a_face);
+
+  [[nodiscard]] std::size_t part_of(const Face& face) const;
 
   Job& job_;
   Plan plan_;
   PartFiles files_;
   std::size_t part_ = 0;     // of the next face ...
   std::uint64_t place_ = 0;  // ... and its number there
+  std::vector<Face> read_;
 };
 
 }  // namespace winnow

@@ -1,5 +1,7 @@
 // Faces whose vertices are near each other though the next face is anywhere: where any order will do, they
 // come sorted by their vertices; each once, and the same.
+#include "read/sorted_faces.hpp"
+
 #include "read/kept_faces.hpp"
 #include "support/files.hpp"
 #include "support/ply_file.hpp"
@@ -55,7 +57,7 @@ std::vector<test::SeenFace> ordered(std::vector<test::SeenFace> faces) {
 void check(const std::string& file, const std::vector<test::SeenFace>& right,
            const ReaderMemory& memory = any_order) {
   const std::vector<test::SeenFace> wanted = ordered(right);
-  const std::uint64_t scratch = KeptFaces::bytes_a_face * right.size();
+  const std::uint64_t scratch = SortedFaces::bytes_a_face * right.size();
   const test::Directory directory;
   const std::string path = directory.file("mesh");
   test::write_file(path, file);
