@@ -55,7 +55,8 @@ struct ClusteredMesh {
   std::uint64_t face_count = 0;
   std::uint64_t cells = 0;
   std::uint64_t turned = 0;
-  std::uint64_t fused = 0;
+  std::uint64_t fused = 0;       // pairs of opposite faces that left one face
+  std::uint64_t flat_pairs = 0;  // those without area that left none; only where welded
 };
 
 struct ClusterSettings {

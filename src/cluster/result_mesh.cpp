@@ -6,7 +6,6 @@
 #include "base/per_slot.hpp"
 #include "base/text.hpp"
 #include "cluster/representative.hpp"
-#include "io/spool_records.hpp"
 
 #include <algorithm>
 #include <array>
@@ -207,22 +206,6 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
       });
   mesh.faces->finish();
   mesh.turned = turned;
-}
-
-void collect_numbered_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory,
-                            ClusteredMesh& mesh) {
-  mesh.faces = std::make_unique<Spool>(job, memory);
-  FaceFuser fuser(faces);
-  Appender<std::uint32_t> append(job, *mesh.faces);
-  for (FusedFaces chunk = fuser.chunk(); !chunk.faces.empty(); chunk = fuser.chunk()) {
-    for (const Triple& triple : chunk.faces) {
-      for (const CellKey number : triple.cell) append.add(static_cast<std::uint32_t>(number));
-    }
-    mesh.face_count += chunk.faces.size();
-    mesh.fused += chunk.fused;
-  }
-  append.flush();
-  mesh.faces->finish();
 }
 
 }  // namespace winnow

@@ -20,8 +20,4 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attri
 void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
                    ClusteredMesh& mesh);
 
-// The same for faces that have their vertices' numbers instead of cells; none is turned.
-void collect_numbered_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory,
-                            ClusteredMesh& mesh);
-
 }  // namespace winnow

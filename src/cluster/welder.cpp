@@ -4,10 +4,9 @@
 
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
+#include "base/rounding.hpp"
 #include "base/text.hpp"
-#include "cluster/face_list.hpp"
 #include "cluster/resolution.hpp"
-#include "cluster/result_mesh.hpp"
 #include "io/spool_records.hpp"
 #include "read/for_each_batch.hpp"
 
@@ -26,6 +25,51 @@ struct WeldedPoint {
   }
   static bool combine(WeldedPoint& into, const WeldedPoint& from) { return into.position == from.position; }
 };
+
+// All faces of three vertices, whose numbers ascend. For each sense, along that order (an even
+// permutation of it) and against it: how many faces have it, and the number of the first one in the
+// input (low 32 bits).
+struct WeldedFaces {
+  std::array<std::uint32_t, 3> vertex;
+  std::array<std::uint32_t, 2> count;  // at most 2^32 - 1
+  std::array<std::uint32_t, 2> first;
+
+  static bool before(const WeldedFaces& a, const WeldedFaces& b) {
+    if (a.vertex[0] != b.vertex[0]) return a.vertex[0] < b.vertex[0];
+    if (a.vertex[1] != b.vertex[1]) return a.vertex[1] < b.vertex[1];
+    return a.vertex[2] < b.vertex[2];
+  }
+  static bool combine(WeldedFaces& into, const WeldedFaces& from) {
+    for (std::size_t sense = 0; sense < 2; ++sense) {
+      const std::uint64_t sum = std::uint64_t{into.count[sense]} + from.count[sense];
+      into.count[sense] = static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, UINT32_MAX));
+      into.first[sense] = std::min(into.first[sense], from.first[sense]);
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool balanced() const { return count[0] == count[1]; }
+  [[nodiscard]] bool against() const { return balanced() ? first[1] < first[0] : count[0] < count[1]; }
+};
+
+WeldedFaces welded_face(const std::array<std::uint64_t, 3>& number, std::uint32_t face) {
+  WeldedFaces out{};
+  std::copy(number.begin(), number.end(), out.vertex.begin());
+  // Each exchange mirrors the face.
+  std::size_t sense = 0;
+  const auto order = [&](std::size_t low, std::size_t high) {
+    if (out.vertex[high] > out.vertex[low]) return;
+    std::swap(out.vertex[low], out.vertex[high]);
+    sense = 1 - sense;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  out.count[sense] = 1;
+  out.first.fill(UINT32_MAX);
+  out.first[sense] = face;
+  return out;
+}
 
 // Turns -0 into 0, which is the same place.
 Point plain(const Point& p) {
@@ -94,6 +138,32 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMem
   mesh.cells = mesh.vertices->size();
 }
 
+void collect_faces(Job& job, RecordCursor<WeldedFaces>& faces, double rounding, std::uint64_t memory,
+                   ClusteredMesh& mesh) {
+  mesh.faces = std::make_unique<Spool>(job, memory);
+  Appender<std::array<std::uint32_t, 3>> append(job, *mesh.faces);
+  VertexIndex::Reader vertices(*mesh.vertices);
+  const auto has_area = [&](const std::array<std::uint32_t, 3>& face) {
+    Triangle corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = vertices.at(face[i]).position;
+    return !thinner_than_rounding(corners, doubled_area(corners), rounding);
+  };
+  std::uint64_t seen = 0;
+  for (WeldedFaces face; faces.next(face);) {
+    if (++seen % chunk_records == 0) job.progress.check_cancelled();
+    if (face.balanced() && !has_area(face.vertex)) {
+      mesh.flat_pairs += face.count[0];
+      continue;
+    }
+    const auto [a, b, c] = face.vertex;
+    append.add(face.against() ? std::array{a, c, b} : face.vertex);
+    mesh.fused += std::min(face.count[0], face.count[1]);
+    ++mesh.face_count;
+  }
+  append.flush();
+  mesh.faces->finish();
+}
+
 std::unique_ptr<Spool> collect_attributes(Job& job, AttributeMeans& means,
                                           const CarriedAttributes& attributes, std::uint64_t memory,
                                           std::uint64_t vertices) {
@@ -115,8 +185,9 @@ std::unique_ptr<Spool> collect_attributes(Job& job, AttributeMeans& means,
 
 }  // namespace
 
-ClusteredMesh weld(Job& job, MeshReader& reader, const CarriedAttributes& attributes,
-                   const WeldMemory& memory, std::uint64_t available, ClusterCounts& counts) {
+ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, const WeldMemory& memory,
+                   std::uint64_t available, ClusterCounts& counts) {
+  const CarriedAttributes& attributes = settings.attributes;
   ClusteredMesh mesh;
   const Box box = measure_box_of_most(job, reader, reader.facts().vertices.value_or(available));
   if (box.empty) return mesh;
@@ -124,7 +195,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const CarriedAttributes& attrib
   weld_vertices(job, reader, grid, memory, mesh);
 
   job.progress.begin("join faces", reader.facts().faces.value_or(0), "faces");
-  Lists<CellFace> faces(job, memory.lists);
+  Lists<WeldedFaces> faces(job, memory.lists);
   std::unique_ptr<AttributeMeans> means;
   if (!attributes.empty())
     means = AttributeMeans::make(job, attributes, AttributeMeans::Keys::numbers, memory.attributes);
@@ -140,7 +211,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const CarriedAttributes& attrib
       job, reader,
       [&](const FaceBatch& batch) {
         Worker& worker = workers.local();
-        FaceList& list = faces.lists.local();
+        SortedList<WeldedFaces>& list = faces.lists.local();
         const GoodFaces good(batch);
         ClusterCounts here;
         here.faces = batch.count;
@@ -156,16 +227,17 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const CarriedAttributes& attrib
             if (number[i] == VertexIndex::Reader::absent)
               throw Error(ErrorKind::bad_input, "the input was changed while it was read");
           }
-          list.add(cell_face(number[0], number[1], number[2]));
-          if (means != nullptr) means->add(batch, face.number - batch.first, number);
+          const std::size_t place = face.number - batch.first;
+          list.add(welded_face(number, batch.number(place)));
+          if (means != nullptr) means->add(batch, place, number);
         }
       },
       stop)) {
     means->spill();
   }
   for (const Worker* worker : workers.all()) counts.add(worker->counts);
-  MergedCursor<CellFace> merged = faces.merged();
-  collect_numbered_faces(job, merged, memory.faces, mesh);
+  MergedCursor<WeldedFaces> merged = faces.merged();
+  collect_faces(job, merged, coordinate_rounding(settings.single), memory.faces, mesh);
   if (means != nullptr)
     mesh.attributes = collect_attributes(job, *means, attributes, memory.means, mesh.vertices->size());
   return mesh;

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace winnow {
@@ -49,6 +50,23 @@ std::uint64_t count_faces(Job& job, MeshReader& reader) {
                       },
                       {});
   return count;
+}
+
+// What welding made of pairs of opposite faces.
+void note_pairs(Job& job, const ClusteredMesh& mesh) {
+  if (mesh.fused == 0 && mesh.flat_pairs == 0) return;
+  const std::uint64_t pairs = mesh.fused + mesh.flat_pairs;
+  std::string line = grouped(pairs) + (pairs == 1 ? " face" : " faces");
+  line += " stood twice, once in each sense: ";
+  const char* kept = "one side of each was kept, that of the first";
+  if (mesh.flat_pairs == 0) {
+    line += kept;
+  } else if (mesh.fused == 0) {
+    line += "they have no area and were left out";
+  } else {
+    line += grouped(mesh.flat_pairs) + " without area were left out; of the others " + kept;
+  }
+  job.note(line);
 }
 
 }  // namespace
@@ -155,9 +173,11 @@ ClusteredMesh Clustering::welded() {
   }
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   ClusterCounts counts;
-  ClusteredMesh mesh = weld(job_, reader_, settings_.attributes, memory, available_, counts);
+  const WeldSettings settings{settings_.attributes, !settings_.double_positions};
+  ClusteredMesh mesh = weld(job_, reader_, settings, memory, available_, counts);
   take_counts(counts);
   reader_.rest();
+  note_pairs(job_, mesh);
   if (mesh.face_count == 0) refuse_empty();
   return mesh;
 }

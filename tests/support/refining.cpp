@@ -16,7 +16,8 @@ ClusteredMesh weld_source(Job& job, std::unique_ptr<ByteSource> source, ClusterC
   const std::unique_ptr<MeshReader> reader =
       open_reader(job, std::move(source), Format::automatic, Access::repeatedly, {part, 8192});
   return in_arena(job, [&] {
-    return weld(job, *reader, {}, {part, part, part, {}, 0}, reader->facts().faces.value_or(0), counts);
+    const WeldSettings settings{{}, !reader->facts().double_positions};
+    return weld(job, *reader, settings, {part, part, part, {}, 0}, reader->facts().faces.value_or(0), counts);
   });
 }
 
