@@ -7,6 +7,7 @@
 #include "base/rounding.hpp"
 #include "base/text.hpp"
 #include "cluster/resolution.hpp"
+#include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
 #include "read/for_each_batch.hpp"
 

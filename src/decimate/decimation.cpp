@@ -96,7 +96,7 @@ void lock_borders(TileMesh& mesh) {
 }
 
 // Before the first round the state is that of cells, if any: their quadrics.
-std::vector<ErrorBound::State> bound_states(const TileMesh& mesh, std::span<const std::byte> bytes,
+std::vector<ErrorBound::State> bound_states(TileMesh& mesh, std::span<const std::byte> bytes,
                                             const DecimationSettings& settings) {
   if (settings.borders_known) return states_of<ErrorBound::State>(mesh, bytes);
   const std::vector<Quadric> quadrics = states_of<Quadric>(mesh, bytes);

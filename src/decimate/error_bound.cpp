@@ -37,17 +37,11 @@ void ErrorBound::add_faces(const TileMesh& mesh, double rounding, std::vector<St
   }
 }
 
-void ErrorBound::add_borders(const TileMesh& mesh, std::vector<State>& states) {
-  for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
-    const FaceVertices& face = mesh.face(f);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const VertexNumber a = face[i];
-      const VertexNumber b = face[(i + 1) % 3];
-      if (mesh.faces_at(a, b, 2) != 1) continue;
-      const Point edge = mesh.position(b) - mesh.position(a);
-      states[a].planes.add_line(edge, border_line_weight);
-      states[b].planes.add_line(edge, border_line_weight);
-    }
+void ErrorBound::add_borders(TileMesh& mesh, std::vector<State>& states) {
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.all_edges_even(v)) continue;
+    for (const VertexNumber w : mesh.open_neighbours(v))
+      states[v].planes.add_line(mesh.position(w) - mesh.position(v), border_line_weight);
   }
 }
 

@@ -40,7 +40,7 @@ class ErrorBound {
   // Adds to `states` the planes of all faces, each with a third of its area.
   static void add_faces(const TileMesh& mesh, double rounding, std::vector<State>& states);
   // Adds the lines of all edges with one face.
-  static void add_borders(const TileMesh& mesh, std::vector<State>& states);
+  static void add_borders(TileMesh& mesh, std::vector<State>& states);
 
   // Of the collapse of this edge, whose star this is.
   [[nodiscard]] bool allows(const Collapse& edge, const EdgeStar& star);

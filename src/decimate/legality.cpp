@@ -4,9 +4,7 @@
 
 namespace winnow {
 
-// Whether the number of faces of some edge at `v` is one that is asked for.
-template <typename Asked>
-bool Legality::some_edge_has(VertexNumber v, const Asked& asked) {
+bool Legality::at_border(VertexNumber v) {
   met_.clear();
   mesh_.for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
     met_.insert(met_.end(), {w, x});
@@ -14,14 +12,10 @@ bool Legality::some_edge_has(VertexNumber v, const Asked& asked) {
   std::sort(met_.begin(), met_.end());
   for (auto first = met_.begin(); first != met_.end();) {
     const auto end = std::find_if(first, met_.end(), [first](VertexNumber w) { return w != *first; });
-    if (asked(end - first)) return true;
+    if (end - first != 2) return true;
     first = end;
   }
   return false;
-}
-
-bool Legality::at_border(VertexNumber v) {
-  return some_edge_has(v, [](std::ptrdiff_t faces) { return faces != 2; });
 }
 
 bool Legality::keeps_surface(const EdgeStar& star) {
@@ -31,9 +25,9 @@ bool Legality::keeps_surface(const EdgeStar& star) {
           : mesh_.meeting(star.of_kept(), star.removed(), star.of_removed());
   if (meeting.faces == 0 || meeting.common != meeting.faces || meeting.falls_together) return false;
   if (meeting.faces != 2 || mesh_.all_edges_even(star.removed())) return true;
-  const auto open = [](std::ptrdiff_t faces) { return faces == 1; };
   // A hub may be at a border: to know would take a walk.
-  return !some_edge_has(star.removed(), open) || (!hub && !some_edge_has(star.kept(), open));
+  return mesh_.open_neighbours(star.removed()).empty() ||
+         (!hub && mesh_.open_neighbours(star.kept()).empty());
 }
 
 bool Legality::keeps_faces(EdgeStar& star, const Collapse& edge) const {

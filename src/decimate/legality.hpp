@@ -29,9 +29,6 @@ class Legality {
 
  private:
   [[nodiscard]] bool opens_outwards(const EdgeStar& star, const Collapse& edge) const;
-  template <typename Asked>
-  bool some_edge_has(VertexNumber v, const Asked& asked);
-
   TileMesh& mesh_;
   double least_cosine_;
   std::vector<VertexNumber> met_;

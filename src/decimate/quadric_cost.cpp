@@ -21,7 +21,11 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single)
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
     const VertexPlanes planes = planes_of(f);
     for (const VertexNumber v : mesh.face(f)) add(planes_[v], planes);
-    add_borders(mesh.face(f), 1);
+  }
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
+    if (!at_border_[v]) continue;
+    for (const VertexNumber w : mesh.open_neighbours(v))
+      add_line(planes_[v], mesh.position(w) - mesh.position(v), border_line_weight);
   }
 }
 

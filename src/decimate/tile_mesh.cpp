@@ -49,6 +49,22 @@ std::uint32_t TileMesh::new_marks(std::uint32_t count) {
   return last_mark_ - count + 1;
 }
 
+std::span<const VertexNumber> TileMesh::open_neighbours(VertexNumber v) {
+  neighbours_.clear();
+  for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+    neighbours_.insert(neighbours_.end(), {w, x});
+  });
+  std::sort(neighbours_.begin(), neighbours_.end());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < neighbours_.size();) {
+    std::size_t end = i + 1;
+    while (end < neighbours_.size() && neighbours_[end] == neighbours_[i]) ++end;
+    if (end == i + 1) neighbours_[count++] = neighbours_[i];
+    i = end;
+  }
+  return {neighbours_.data(), count};
+}
+
 TileMesh::Meeting TileMesh::meeting(std::span<const StarFace> faces_a, VertexNumber b,
                                     std::span<const StarFace> faces_b) {
   const std::uint32_t of_a = new_marks(3);

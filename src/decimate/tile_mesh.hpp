@@ -129,6 +129,10 @@ class TileMesh {
     });
   }
 
+  // The vertices that share one face with `v`, and so an edge that is open; good until the next question
+  // about neighbours.
+  std::span<const VertexNumber> open_neighbours(VertexNumber v);
+
   // Marks vertices, each once: false where it is marked already. Good until the next question about
   // neighbours.
   void mark_anew() { marking_ = new_marks(1); }
