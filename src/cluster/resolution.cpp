@@ -166,8 +166,9 @@ Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions) {
     const auto cut = static_cast<std::ptrdiff_t>(along.size() / 200 + 1);
     const auto lower = along.begin() + cut, upper = along.end() - 1 - cut;
     std::nth_element(along.begin(), lower, along.end());
+    const double low = *lower;  // read before the next call moves it
     std::nth_element(lower, upper, along.end());
-    const double low = *lower, high = *upper;
+    const double high = *upper;
     most.low[axis] = std::max(most.low[axis], low - (high - low));
     most.high[axis] = std::min(most.high[axis], high + (high - low));
   }
