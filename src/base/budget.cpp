@@ -26,9 +26,18 @@ Reservation Budget::reserve(std::uint64_t bytes, const char* what) {
     throw Error(ErrorKind::resources, std::string(what) + " needs " + human_bytes(bytes) + " more memory; " +
                                           human_bytes(left()) + " of " + human_bytes(total_) +
                                           " are left; the smallest that works is --memory " +
-                                          size_option(used() + bytes + expected_));
+                                          size_option(enough_for(bytes)));
   }
   return reservation;
+}
+
+std::uint64_t Budget::enough_for(std::uint64_t bytes) const {
+  if (!held_) return used() + bytes + expected_;
+  std::uint64_t total = total_;
+  for (std::uint64_t needed = 0; (needed = bytes + held_(total)) > total;) {
+    total = (needed + mebibyte - 1) / mebibyte * mebibyte;
+  }
+  return total;
 }
 
 }  // namespace winnow

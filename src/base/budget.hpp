@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace winnow {
@@ -52,6 +53,9 @@ class Budget {
 
   // What the run will ask for besides, at the least: messages then name a budget that is really enough.
   void expect(std::uint64_t bytes) { expected_ = bytes; }
+  // held(total): what the run holds at the most, beside what it is going to ask for, under a budget
+  // of `total`. Parts of a run grow with its budget. Used in place of the above until it is empty.
+  void expect_held(std::function<std::uint64_t(std::uint64_t total)> held) { held_ = std::move(held); }
 
   [[nodiscard]] std::uint64_t total() const { return total_; }
   [[nodiscard]] std::uint64_t used() const { return used_.load(std::memory_order_relaxed); }
@@ -59,8 +63,13 @@ class Budget {
 
  private:
   friend class Reservation;
+
+  // The smallest budget, in whole mebibytes, that holds so much more.
+  [[nodiscard]] std::uint64_t enough_for(std::uint64_t bytes) const;
+
   std::uint64_t total_;
   std::uint64_t expected_ = 0;
+  std::function<std::uint64_t(std::uint64_t)> held_;
   std::atomic<std::uint64_t> used_{0};
 };
 

@@ -25,6 +25,7 @@ class Spool {
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[nodiscard]] bool in_memory() const { return file_ == nullptr; }
+  [[nodiscard]] std::uint64_t memory_limit() const { return pages_.limit(); }
 
   // All bytes; only where in_memory().
   [[nodiscard]] const std::byte* data() const { return pages_.data(); }

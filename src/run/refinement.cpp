@@ -5,10 +5,15 @@
 #include "base/text.hpp"
 #include "base/trigonometry.hpp"
 #include "run/simplify_options.hpp"
+#include "stitch/collapse_log.hpp"
 #include "stitch/refine.hpp"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace winnow {
 
@@ -24,6 +29,59 @@ const char* name_of(StoppedBy reason) {
   return reason == StoppedBy::topology ? "topology" : "count";
 }
 
+// What a run holds at the most beside the tile that it works on, under a budget of any size.
+class HeldBesideTile {
+ public:
+  HeldBesideTile(const Job& job, const RefinedMesh& whole, const RefineSettings& settings, PlanOf plan)
+      : plan_(std::move(plan)), total_(job.budget.total()), fixed_(job.budget.used()) {
+    const std::uint64_t vertices = whole.mesh.vertices->size();
+    const std::uint64_t faces = whole.mesh.face_count;
+    const std::array<const Spool*, 4> spools{&whole.mesh.vertices->records(), whole.mesh.faces.get(),
+                                             whole.mesh.attributes.get(), whole.state.get()};
+    for (const Spool* spool : spools) {
+      if (spool == nullptr) continue;
+      mesh_.push_back({spool->size(), spool->memory_limit() + mebibyte});  // limits are rounded down
+      if (spool->in_memory()) fixed_ -= spool->size();
+    }
+    if (std::max(vertices, faces) <= settings.tile_faces) return;
+    // A face comes to two other tiles at the most, and a collapse takes away one face at the least.
+    incoming_ = 2 * faces * sizeof(FaceVertices);
+    log_ = faces * CollapseLog::entry_size;
+    later_mesh_ = std::accumulate(mesh_.begin(), mesh_.end(), std::uint64_t{0},
+                                  [](std::uint64_t sum, const Part& part) { return sum + part.size; });
+    // A later round has its borders elsewhere: its largest tile may be larger by so much.
+    other_tile_ = tile_memory(settings, settings.tile_faces, settings.tile_faces);
+  }
+
+  std::uint64_t operator()(std::uint64_t total) const {
+    const std::uint64_t fixed = fixed_ + plan_(total).fixed - plan_(total_).fixed;
+    const double growth = static_cast<double>(total - fixed) / static_cast<double>(total_ - fixed_);
+    std::uint64_t mesh = 0;
+    for (const Part& part : mesh_) {
+      const auto limit = static_cast<std::uint64_t>(growth * static_cast<double>(part.limit));
+      if (part.size <= limit) mesh += std::min(limit, reserved_for(part.size));
+    }
+    const RefineMemory parts = refine_memory(total - fixed - mesh);
+    return fixed + std::max(mesh, std::min(parts.mesh, reserved_for(later_mesh_))) +
+           std::min(parts.lists / 2, reserved_for(incoming_)) + std::min(parts.logs, reserved_for(log_)) +
+           other_tile_;
+  }
+
+ private:
+  struct Part {
+    std::uint64_t size, limit;
+  };
+
+  // Spools grow by an eighth more than they are asked to.
+  static std::uint64_t reserved_for(std::uint64_t bytes) { return bytes + bytes / 8; }
+
+  PlanOf plan_;
+  std::uint64_t total_;
+  std::uint64_t fixed_;  // all but the mesh
+  std::vector<Part> mesh_;
+  std::uint64_t incoming_ = 0, log_ = 0, later_mesh_ = 0, other_tile_ = 0;  // of several tiles
+};
+
 }  // namespace
 
 RefineMemory refine_memory(std::uint64_t left) {
@@ -31,7 +89,7 @@ RefineMemory refine_memory(std::uint64_t left) {
 }
 
 ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
-                      CheckpointDirectory* checkpoint, SimplifyReport& report) {
+                      const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report) {
   RefineSettings settings;
   settings.faces = clustered.target;
   settings.attributes = clustered.attributes.size();
@@ -44,7 +102,9 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   RefinedMesh whole{std::move(clustered.mesh), nullptr};
   whole.state = std::move(whole.mesh.quadrics);
   RefineReport done;
+  job.budget.expect_held(HeldBesideTile(job, whole, settings, plan));
   ClusteredMesh out = refine(job, std::move(whole), settings, memory, done, checkpoint);
+  job.budget.expect_held({});
   if (out.face_count == 0)
     throw Error(ErrorKind::failed, "no face is left: faces without neighbours go first; choose more faces");
   report.refine.cost = cost_of(options);

@@ -10,6 +10,7 @@
 #include "stitch/refine.hpp"
 
 #include <cstdint>
+#include <functional>
 
 namespace winnow {
 
@@ -17,9 +18,13 @@ namespace winnow {
 // collapsed and for sorting.
 RefineMemory refine_memory(std::uint64_t left);
 
-// `doubles`: positions are going to be written as such. Fills report.refine, and what was resumed.
-// `checkpoint`: null where nothing is kept.
+// How the run would divide a budget of `total`.
+using PlanOf = std::function<MemoryPlan(std::uint64_t total)>;
+
+// `doubles`: positions are going to be written as such. `checkpoint`: null where nothing is kept.
+// Fills report.refine, and what was resumed. Throws Error(resources) where the budget has no room for
+// a tile; it names one that has.
 ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
-                      CheckpointDirectory* checkpoint, SimplifyReport& report);
+                      const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report);
 
 }  // namespace winnow

@@ -53,8 +53,11 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
   const AttributeWish wish = wish_for(options, encoder);
   AttributeChoice choice;
   if (input && !wish.none()) choice = input->outlook(options, wish).facts.choice;
-  const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), input ? input->memory() : job.budget.used(),
-                                             job.threads, needs_of(options, choice));
+  const auto plan_of = [taken = input ? input->memory() : job.budget.used(), threads = job.threads,
+                        needs = needs_of(options, choice)](std::uint64_t total) {
+    return MemoryPlan::divide(total, taken, threads, needs);
+  };
+  const MemoryPlan plan = plan_of(job.budget.total());
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   Clustered clustered;
@@ -80,7 +83,7 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
   if (cost_of(options) == Refine::none) {
     mesh = std::move(clustered.mesh);
   } else {
-    mesh = refined(job, std::move(clustered), options, doubles, checkpoint.directory(), report);
+    mesh = refined(job, std::move(clustered), options, doubles, plan_of, checkpoint.directory(), report);
     report.seconds.refine = watch.seconds() - report.seconds.read - report.seconds.cluster;
   }
 

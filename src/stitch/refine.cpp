@@ -243,7 +243,7 @@ class Refiner {
       largest = std::max(largest, tile_memory(settings_, vertices, faces));
     }
     const std::uint64_t at_once = std::clamp<std::uint64_t>(memory_.tiles / largest, 1, job_.threads);
-    const Reservation reserved = job_.budget.reserve(at_once * largest, "tiles");
+    const Reservation reserved = job_.budget.reserve(at_once * largest, "refining a tile");
     std::size_t next = first;
     pipeline<std::pair<std::size_t, Item>>(
         at_once,
@@ -367,19 +367,18 @@ class Refiner {
   std::mutex reporting_;
   double dearest_ = 0;  // collapse of the last round
   unsigned idle_ = 0;   // rounds that hardly helped
-
-  static std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices,
-                                   std::uint64_t faces) {
-    const std::size_t state_size = Decimation::state_size(settings.decimation);
-    const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
-    const std::size_t attributes = settings.attributes * sizeof(double);
-    const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size + attributes);
-    return Tile::memory(vertices, faces, state_size) + Decimation::memory(settings.decimation, vertices) +
-           CarriedValues::memory(vertices, settings.attributes) + std::max(log, rest);
-  }
 };
 
 }  // namespace
+
+std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices, std::uint64_t faces) {
+  const std::size_t state_size = Decimation::state_size(settings.decimation);
+  const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
+  const std::size_t attributes = settings.attributes * sizeof(double);
+  const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size + attributes);
+  return Tile::memory(vertices, faces, state_size) + Decimation::memory(settings.decimation, vertices) +
+         CarriedValues::memory(vertices, settings.attributes) + std::max(log, rest);
+}
 
 ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings, const RefineMemory& memory,
                      RefineReport& report, CheckpointDirectory* checkpoint) {

@@ -19,6 +19,9 @@ struct RefineSettings {
   std::size_t attributes = 0;        // that vertices carry
 };
 
+// What a tile of so many vertices and faces takes while it is worked on.
+std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices, std::uint64_t faces);
+
 struct RefineMemory {
   std::uint64_t tiles = 0;  // being worked on, all threads together
   std::uint64_t logs = 0;

@@ -93,6 +93,33 @@ TEST_CASE("a budget that is named counts what the run will ask for besides") {
   CHECK(budget.left() == std::uint64_t{3} << 20);  // expecting takes nothing
 }
 
+TEST_CASE("a budget that is named is enough although what the run holds grows with it") {
+  const auto named_by = [](const std::function<std::uint64_t(std::uint64_t)>& held) {
+    Budget budget(8 * mebibyte);
+    budget.expect_held(held);
+    const Reservation now = budget.try_reserve(held(budget.total()));
+    const Error error = test::error_of([&] { (void)budget.reserve(4 * mebibyte, "the thing"); });
+    const std::string message = error.what();
+    const std::size_t at = message.find("--memory ");
+    REQUIRE(at != std::string::npos);
+    const std::uint64_t named = std::stoull(message.substr(at + 9));
+    CHECK(held(named * mebibyte) + 4 * mebibyte <= named * mebibyte);
+    return named;
+  };
+  // A share of the budget, and what does not grow.
+  CHECK(named_by([](std::uint64_t total) { return total / 2 + 3 * mebibyte; }) == 14);
+  CHECK(named_by([](std::uint64_t total) { return total / 10 * 9; }) == 40);
+  // Something that is held in memory as soon as it fits, and much of which fits at once.
+  CHECK(named_by([](std::uint64_t total) { return total < 9 * mebibyte ? 5 * mebibyte : 8 * mebibyte; }) ==
+        12);
+  // Nothing of the kind any more.
+  Budget budget(8 * mebibyte);
+  budget.expect_held([](std::uint64_t) { return 100 * mebibyte; });
+  budget.expect_held({});
+  const Error error = test::error_of([&] { (void)budget.reserve(9 * mebibyte, "the thing"); });
+  CHECK(std::string(error.what()).find("--memory 9M") != std::string::npos);
+}
+
 TEST_CASE("threads together never hold more than the budget", "[threads]") {
   constexpr std::uint64_t total = 10000;
   Budget budget(total);

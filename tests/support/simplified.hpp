@@ -60,9 +60,8 @@ inline Simplified simplified_by_pipe(const Directory& directory, const std::stri
   return result;
 }
 
-// The smallest --memory that works for a command, by the message that a smaller one gets.
-inline std::string smallest_memory_of(const Words& command, const std::string& too_small = "1M") {
-  const Run run = run_winnow(command + Words{"-o", "never-written.ply", "--memory", too_small});
+// The --memory that the message of a run names which had too little.
+inline std::string named_memory(const Run& run) {
   const std::string before = "the smallest that works is --memory ";
   const std::size_t at = run.err.find(before);
   INFO(run.err);
@@ -70,6 +69,11 @@ inline std::string smallest_memory_of(const Words& command, const std::string& t
   REQUIRE(at != std::string::npos);
   const std::size_t begin = at + before.size();
   return run.err.substr(begin, run.err.find('M', begin) + 1 - begin);
+}
+
+// The smallest --memory that works for a command, by the message that a smaller one gets.
+inline std::string smallest_memory_of(const Words& command, const std::string& too_small = "1M") {
+  return named_memory(run_winnow(command + Words{"-o", "never-written.ply", "--memory", too_small}));
 }
 inline std::string smallest_memory(const std::string& input, const Words& options,
                                    const std::string& too_small = "1M") {
