@@ -236,7 +236,8 @@ class Refiner {
                      const Finish& finish) {
     std::uint64_t largest = 0;
     for (std::size_t t = 0; t < tiling.tiles(); ++t) {
-      const std::uint64_t faces = tiling.first_face(t + 1) - tiling.first_face(t) + incoming.count(t);
+      const std::uint64_t faces =
+          tiling.first_face(t + 1) - tiling.first_face(t) - incoming.away(t) + incoming.count(t);
       // An incoming face brings at most two vertices along, an own one too few to count.
       const std::uint64_t vertices =
           tiling.first_vertex(t + 1) - tiling.first_vertex(t) + 2 * incoming.count(t);

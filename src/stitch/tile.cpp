@@ -55,12 +55,16 @@ IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& 
     return;
   }
   find_hubs(job, mesh, tiling, hub_faces);
+  away_.assign(tiling.tiles(), 0);
   const Reservation reserved = job.budget.reserve(memory / 2, "sorting");
   SortedRuns<ListedFace> runs(job);
   SortedList<ListedFace> list(job, memory / 2, runs);
   for_each_seam_face(job, mesh, tiling, [&](const FaceVertices& face) {
     const std::size_t at_home = home(face, tiling);
-    if (at_home != tiling.tile_of(face[0])) list.add({adopted_list(at_home), face});
+    if (const std::size_t lowest = tiling.tile_of(face[0]); at_home != lowest) {
+      list.add({adopted_list(at_home), face});
+      ++away_[lowest];
+    }
     std::array<std::size_t, 3> told{at_home, at_home, at_home};
     for (std::size_t i = 0; i < 3; ++i) {
       if (is_hub(face[i])) continue;
@@ -185,12 +189,17 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
   const std::uint64_t first_face = tiling.first_face(number);
   tile.vertices =
       read_records<IndexedVertex>(whole.mesh.vertices->records(), tile.first_vertex, tile.own_vertices);
-  tile.faces =
-      read_records<FaceVertices>(*whole.mesh.faces, first_face, tiling.first_face(number + 1) - first_face);
-  if (!incoming.hubs().empty()) {
-    std::erase_if(tile.faces, [&](const FaceVertices& face) {
-      return incoming.is_hub(face[0]) && incoming.home(face, tiling) != number;
-    });
+  const std::uint64_t end_face = tiling.first_face(number + 1);
+  if (incoming.hubs().empty()) {
+    tile.faces = read_records<FaceVertices>(*whole.mesh.faces, first_face, end_face - first_face);
+  } else {
+    // A hub may have more faces than a tile has room for, most of them in other tiles.
+    for (std::uint64_t at = first_face; at < end_face; at += chunk_records) {
+      const std::uint64_t count = std::min<std::uint64_t>(chunk_records, end_face - at);
+      for (const FaceVertices& face : read_records<FaceVertices>(*whole.mesh.faces, at, count)) {
+        if (!incoming.is_hub(face[0]) || incoming.home(face, tiling) == number) tile.faces.push_back(face);
+      }
+    }
     const std::vector<FaceVertices> adopted = incoming.adopted(number);
     tile.faces.insert(tile.faces.end(), adopted.begin(), adopted.end());
   }

@@ -39,6 +39,9 @@ class IncomingFaces {
     return first_[2 * tile + 2] - first_[2 * tile];
   }
 
+  // How many of the faces whose lowest vertex is the tile's belong to other tiles.
+  [[nodiscard]] std::uint64_t away(std::size_t tile) const { return away_.empty() ? 0 : away_[tile]; }
+
   // Vertices that are hubs, in ascending order.
   [[nodiscard]] const std::vector<std::uint32_t>& hubs() const { return hubs_; }
   [[nodiscard]] bool is_hub(std::uint32_t vertex) const {
@@ -57,6 +60,7 @@ class IncomingFaces {
   Spool faces_;
   std::vector<std::uint64_t> first_;  // of each tile the adopted ones, then the incoming
   std::vector<std::uint32_t> hubs_;
+  std::vector<std::uint64_t> away_;
   std::uint64_t seam_faces_ = 0;
 };
 
