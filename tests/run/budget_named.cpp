@@ -53,4 +53,11 @@ TEST_CASE("a budget too small for very many faces on few vertices names one that
   CHECK(is_refused(shapes::crowd(1'000'000, 20'000), all_faces + Words{"--threads", "2"}, true));
 }
 
+TEST_CASE("a budget that is named is enough for all rounds", "[budget][shapes]") {
+  for (const Words& options : {Words{"--faces", "3000"}, Words{"--error", "0.001"}}) {
+    CHECK(is_refused(shapes::hub(300'000), options));
+    CHECK(is_refused(shapes::crowd(300'000, 20'000), options, true));
+  }
+}
+
 }  // namespace winnow::test
