@@ -13,8 +13,7 @@
 // - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price, asked for
 //   where place() gave one that is not legal;
 // - double closer_price(now, star, price): what place() found, looked at more closely, `price` or more, and
-//   infinity where it may not be; asked before every collapse, of one that is legal;
-// - void gave_up(v, offers), told when everything that `v` proposes was refused.
+//   infinity where it may not be; asked before every collapse, of one that is legal.
 #pragma once
 
 #include "decimate/edge_star.hpp"
@@ -184,9 +183,6 @@ class Collapser {
       if (!allowed(now)) {
         // It waits until a collapse beside it makes the vertex offer anew.
         offers_.go_on(v, cost_.best(v, candidate));
-        if constexpr (requires { cost_.gave_up(v, offers_); }) {
-          if (!offers_.of(v).exists()) cost_.gave_up(v, offers_);
-        }
         continue;
       }
       if constexpr (requires { cost_.closer_price(now, star_, candidate.price); }) {

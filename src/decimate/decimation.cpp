@@ -60,14 +60,7 @@ class RememberingDecimation final : public Decimation {
     Collapser<Cost> collapser(mesh_, cost_, settings_.least_cosine, coordinate_rounding(settings_.single));
     collapser.run(limits, done, turn);
   }
-  void repeat(const Collapse& edge) override {
-    if constexpr (requires { cost_.repeat(edge, star_); }) {
-      cost_.repeat(edge, star_);
-    } else {
-      cost_.collapsing({edge, 0});
-      mesh_.collapse(edge);
-    }
-  }
+  void repeat(const Collapse& edge) override { cost_.repeat(edge, star_); }
   void save(VertexNumber v, std::byte* into) const override {
     const typename Cost::State state = cost_.state(v);
     std::memcpy(into, &state, sizeof state);
@@ -116,11 +109,11 @@ bool bounds_error(const DecimationSettings& settings) {
 std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std::byte> state,
                                              const DecimationSettings& settings) {
   if (settings.keep_borders) lock_borders(mesh);
+  const double rounding = coordinate_rounding(settings.single);
   if (settings.cost == CollapseCost::volume)
-    return forgetful(mesh, settings, [](TileMesh& of) { return VolumeCost(of); });
+    return forgetful(mesh, settings, [rounding](TileMesh& of) { return VolumeCost(of, rounding); });
   if (settings.cost == CollapseCost::importance)
-    return std::make_unique<RememberingDecimation<ImportanceCost>>(mesh, settings,
-                                                                   states_of<double>(mesh, state));
+    return forgetful(mesh, settings, [rounding](TileMesh& of) { return ImportanceCost(of, rounding); });
   if (!bounds_error(settings)) {
     const bool single = settings.single;
     return forgetful(mesh, settings, [single](TileMesh& of) { return QuadricCost(of, single); });
@@ -134,20 +127,11 @@ std::size_t Decimation::first_state_size(const DecimationSettings& settings) {
 }
 
 std::size_t Decimation::state_size(const DecimationSettings& settings) {
-  switch (settings.cost) {
-    case CollapseCost::quadric:
-      return bounds_error(settings) ? sizeof(ErrorBound::State) : 0;
-    case CollapseCost::importance:
-      return sizeof(ImportanceCost::State);
-    case CollapseCost::volume:
-      break;
-  }
-  return 0;
+  return bounds_error(settings) ? sizeof(ErrorBound::State) : 0;
 }
 
 std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64_t vertices) {
   std::uint64_t forgetful = 0;
-  if (settings.cost == CollapseCost::volume) forgetful = VolumeCost::memory(vertices);
   if (settings.cost == CollapseCost::quadric) forgetful = QuadricCost::memory(vertices);
   return forgetful + vertices * state_size(settings) + Offers::memory(vertices);
 }

@@ -1,6 +1,7 @@
 #include "decimate/fan.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace winnow {
 
@@ -29,15 +30,12 @@ bool Fan::extend() {
 }
 
 bool Fan::find(const TileMesh& mesh, VertexNumber v) {
+  if (mesh.locked(v) || mesh.hub(v)) return false;
   rim_.clear();
   ring_.clear();
   closed_ = false;
-  mesh.for_each_face(v, [&](FaceNumber f) {
-    if (rim_.size() > most_faces_of_fan) return;
-    const FaceVertices& face = mesh.face(f);
-    rim_.emplace_back(face[0] == v ? face[1] : face[0], face[2] == v ? face[1] : face[2]);
-  });
-  if (rim_.empty() || rim_.size() > most_faces_of_fan) return false;
+  mesh.for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) { rim_.emplace_back(w, x); });
+  if (rim_.empty()) return false;
   ring_.push_back(rim_.front().first);
   if (!extend()) return false;
   if (!closed_) {
@@ -45,9 +43,62 @@ bool Fan::find(const TileMesh& mesh, VertexNumber v) {
     if (!extend()) return false;
   }
   if (!rim_.empty() || ring_.size() < (closed_ ? 3 : 2)) return false;
-  seen_.resize(ring_.size());
-  for (std::size_t i = 0; i < ring_.size(); ++i) seen_[i] = mesh.position(ring_[i]) - mesh.position(v);
+  look(mesh, v);
   return true;
+}
+
+void Fan::look(const TileMesh& mesh, VertexNumber v) {
+  const Point& from = mesh.position(v);
+  for (std::size_t axis = 0; axis < 3; ++axis) off_[axis] = std::abs(from[axis]);
+  seen_.clear();
+  for (const VertexNumber w : ring_) {
+    const Point& position = mesh.position(w);
+    for (std::size_t axis = 0; axis < 3; ++axis) off_[axis] = std::max(off_[axis], std::abs(position[axis]));
+    seen_.push_back(position - from);
+  }
+  // Of both ends.
+  off_ = 2 * rounding_ * off_;
+}
+
+FanShape shape_of(const FanView& fan) {
+  FanShape shape;
+  if (!fan.closed) shape.perimeter = length(fan.seen.back() - fan.seen.front());
+  Point sum{};
+  for (std::size_t i = 0; i < fan.faces(); ++i) {
+    const Point& next = fan.seen[fan.next(i)];
+    const Point doubled = cross(fan.seen[i], next);
+    sum = sum + 0.5 * doubled;
+    shape.area += length(doubled) / 2;
+    shape.perimeter += length(next - fan.seen[i]);
+  }
+  if (!(shape.area > 0)) return shape;
+  const Point mean = unit(sum);
+  // 1 - |sum| / area, as the mean of what each face loses: the difference cancels where little is lost.
+  double lost = 0;
+  for (std::size_t i = 0; i < fan.faces(); ++i) {
+    const Point doubled = cross(fan.seen[i], fan.seen[fan.next(i)]);
+    const Point apart = unit(doubled) - mean;
+    lost += length(doubled) / 2 * dot(apart, apart) / 2;
+  }
+  shape.spread = dot(mean, mean) > 0 ? std::min(1.0, lost / shape.area) : 1;
+  return shape;
+}
+
+double border_height(const FanView& fan) {
+  const Point& a = fan.seen.front();
+  const Point& b = fan.seen.back();
+  const Point along = b - a;
+  if (dot(a, along) >= 0) return length(a);
+  if (dot(b, along) <= 0) return length(b);
+  const Point doubled = cross(a, b);
+  bool straight = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t y = (axis + 1) % 3;
+    const std::size_t z = (axis + 2) % 3;
+    straight &= std::abs(doubled[axis]) <= fan.off[y] * (std::abs(a[z]) + std::abs(b[z])) +
+                                               fan.off[z] * (std::abs(a[y]) + std::abs(b[y]));
+  }
+  return straight ? 0 : length(doubled) / length(along);
 }
 
 }  // namespace winnow

@@ -1,8 +1,10 @@
-// The faces round a vertex in their order, where they are one fan.
+// The faces around a vertex in their order, where they are one fan, and what its removal into a neighbour
+// does to them.
 #pragma once
 
 #include "decimate/tile_mesh.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -10,38 +12,89 @@
 
 namespace winnow {
 
-// What the costs ask of a vertex takes the square of its faces, or more: vertices with more than these stay
-// until their neighbours have gone.
-inline constexpr std::size_t most_faces_of_fan = 64;
+// What a fan looks like from its vertex.
+struct FanView {
+  std::span<const Point> seen;  // the neighbours, in order, whichever way round
+  bool closed = true;           // else the fan begins and ends at a border
+  Point off{};                  // what rounding leaves unknown of each coordinate
+
+  // Face i lies between neighbours i and next(i).
+  [[nodiscard]] std::size_t faces() const { return closed ? seen.size() : seen.size() - 1; }
+  [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == seen.size() ? 0 : i + 1; }
+};
 
 class Fan {
  public:
-  // Whether the faces of `v` are one fan: a disk round it, or half of one at a border. Otherwise the mesh is
-  // no surface there, or the vertex has no faces or too many.
+  // `rounding`: of positions (base/rounding.hpp).
+  explicit Fan(double rounding) : rounding_(rounding) {}
+
+  // Whether `v` may be removed: its faces are a disk around it, or half of one at a border, and it is neither
+  // locked nor a hub.
   bool find(const TileMesh& mesh, VertexNumber v);
 
-  // Whether it goes all the way round. An open one begins and ends at a border.
-  [[nodiscard]] bool closed() const { return closed_; }
-  // In order, whichever way round.
   [[nodiscard]] std::span<const VertexNumber> neighbours() const { return ring_; }
-  // Their positions seen from the vertex.
-  [[nodiscard]] std::span<const Point> seen() const { return seen_; }
+  [[nodiscard]] FanView view() const { return {seen_, closed_, off_}; }
 
  private:
   bool extend();
+  void look(const TileMesh& mesh, VertexNumber v);
 
+  double rounding_;
   std::vector<VertexNumber> ring_;
   std::vector<Point> seen_;
   std::vector<std::pair<VertexNumber, VertexNumber>> rim_;  // the edges across from the vertex
+  Point off_{};
   bool closed_ = false;
 };
 
-// Face i of a fan of `neighbours`, of which a closed one has as many, is between neighbours i and i + 1.
-inline std::size_t faces_of_fan(std::size_t neighbours, bool closed) {
-  return closed ? neighbours : neighbours - 1;
+// A face that leaves its plane.
+struct TurnedFace {
+  Point before, after;  // its normals, as long as twice its areas
+  Point side;           // that stays
+  double swept = 0;     // six times the volume between the two, with a sign
+};
+
+// each(face) for those that turn when the vertex goes to a neighbour. A neighbour that lies in the plane of a
+// face, or next to it by no more than rounding, turns nothing.
+template <typename Each>
+void for_each_turned(const FanView& fan, std::size_t into, const Each& each) {
+  const Point& to = fan.seen[into];
+  const auto unknown = [&](const Point& area) {
+    return fan.off[0] * std::abs(area[0]) + fan.off[1] * std::abs(area[1]) + fan.off[2] * std::abs(area[2]);
+  };
+  for (std::size_t i = 0; i < fan.faces(); ++i) {
+    const std::size_t next = fan.next(i);
+    if (i == into || next == into) continue;
+    // The other faces of the tetrahedron that is swept.
+    const Point first = cross(fan.seen[i], to);
+    const Point second = cross(to, fan.seen[next]);
+    const Point before = cross(fan.seen[i], fan.seen[next]);
+    const double swept = dot(before, to);
+    if (std::abs(swept) <= unknown(before) + unknown(first) + unknown(second)) continue;
+    each(TurnedFace{before, before - first - second, fan.seen[next] - fan.seen[i], swept});
+  }
 }
-inline std::size_t next_in_fan(std::size_t i, std::size_t neighbours) {
-  return i + 1 == neighbours ? 0 : i + 1;
+
+// All faces of a fan.
+struct FanShape {
+  double area = 0;
+  double perimeter = 0;  // through the neighbours; of an open fan with the line between its ends
+  double spread = 0;     // how much of the area normals cancel out: 0 where all faces lie in one plane, 1 at most
+
+  // Of the mean angle between the faces and the plane that they are seen in best.
+  [[nodiscard]] double cosine() const { return 1 - spread; }
+  [[nodiscard]] double sine() const { return std::sqrt(spread * (2 - spread)); }
+};
+FanShape shape_of(const FanView& fan);
+
+// How far the vertex of an open fan is from the line between its two neighbours along the border, which ends
+// at these; 0 where that is no more than rounding.
+double border_height(const FanView& fan);
+
+// What is flat costs less than all that has a shape, at any scale: only its own order is left, short edges
+// first.
+inline double flat_price(const FanView& fan, std::size_t into) {
+  return 0x1p-700 * dot(fan.seen[into], fan.seen[into]);
 }
 
 }  // namespace winnow

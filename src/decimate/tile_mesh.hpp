@@ -74,6 +74,7 @@ class TileMesh {
 
   [[nodiscard]] const Point& position(VertexNumber v) const { return position_[v]; }
   [[nodiscard]] bool locked(VertexNumber v) const { return (flags_[v] & (closed_vertex | fixed_hub)) != 0; }
+  [[nodiscard]] bool closed(VertexNumber v) const { return (flags_[v] & closed_vertex) != 0; }
   void lock(VertexNumber v) { flags_[v] |= closed_vertex; }
   [[nodiscard]] bool has_faces(VertexNumber v) const { return first_[v] != no_number; }
   [[nodiscard]] std::uint32_t degree(VertexNumber v) const { return degree_[v]; }  // its faces

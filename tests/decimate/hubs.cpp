@@ -2,6 +2,8 @@
 #include "decimate/decimation.hpp"
 #include "decimate/tile_mesh.hpp"
 
+#include "support/tile_meshes.hpp"
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -60,9 +62,10 @@ Shape crowd(std::uint32_t n) {
   return shape;
 }
 
-double steps_a_face(const Shape& shape, std::uint64_t faces) {
+double steps_a_face(const Shape& shape, CollapseCost cost, std::uint64_t faces) {
   TileMesh mesh(shape.positions, shape.faces, std::vector<std::uint8_t>(shape.positions.size(), 0));
   DecimationSettings settings;
+  settings.cost = cost;
   settings.single = false;
   Decimation::make(mesh, {}, settings)->run({faces}, [](const DoneCollapse&) {});
   return static_cast<double>(mesh.steps()) / static_cast<double>(shape.faces.size());
@@ -71,12 +74,13 @@ double steps_a_face(const Shape& shape, std::uint64_t faces) {
 }  // namespace
 
 TEST_CASE("however many faces meet, what is walked grows with their number") {
+  const CollapseCost cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   const std::vector<std::pair<std::string, Shape (*)(std::uint32_t)>> shapes{
       {"fan", fan}, {"bipyramid", bipyramid}, {"book", book}, {"crowd", crowd}};
   for (const auto& [name, make] : shapes) {
-    CAPTURE(name);
-    const double small = steps_a_face(make(2000), 100);
-    const double large = steps_a_face(make(40'000), 100);
+    CAPTURE(name, cost);
+    const double small = steps_a_face(make(2000), cost, 100);
+    const double large = steps_a_face(make(40'000), cost, 100);
     // Twenty times as many: n log n allows for 1.4 times as much a face.
     CHECK(large < 2 * small + 50);
     CHECK(large < 400);
@@ -84,10 +88,13 @@ TEST_CASE("however many faces meet, what is walked grows with their number") {
 }
 
 TEST_CASE("a fan of any size becomes a fan of few faces, as round as they can be") {
+  const CollapseCost cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   for (const std::uint32_t n : {50, 500, 5000}) {
+    CAPTURE(cost, n);
     const Shape shape = fan(n);
     TileMesh mesh(shape.positions, shape.faces, std::vector<std::uint8_t>(shape.positions.size(), 0));
     DecimationSettings settings;
+    settings.cost = cost;
     settings.single = false;
     Decimation::make(mesh, {}, settings)->run({20}, [](const DoneCollapse&) {});
     CHECK(mesh.live_faces() == 20);
@@ -112,11 +119,15 @@ TEST_CASE("a hub stays where it is, and its neighbours can go into it") {
 }
 
 TEST_CASE("neighbours go into a hub that is fixed, though its faces elsewhere are not known") {
+  DecimationSettings settings;
+  settings.cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   const Shape shape = book(10);
   std::vector<std::uint8_t> locked(shape.positions.size(), free_vertex);
   locked[0] = locked[1] = fixed_hub;
   TileMesh mesh(shape.positions, shape.faces, locked);
-  Decimation::make(mesh, {}, {})->run({3}, [&](const DoneCollapse& done) { CHECK(done.edge.removed > 1); });
+  Decimation::make(mesh, {}, settings)->run({3}, [&](const DoneCollapse& done) {
+    CHECK(done.edge.removed > 1);
+  });
   CHECK(mesh.live_faces() == 3);
   CHECK(mesh.position(0) == Point{0, 0, -1});
 }

@@ -1,0 +1,59 @@
+// Vertices that are removed into a neighbour, which stays where it is: what the costs that do so have in
+// common.
+#pragma once
+
+#include "decimate/collapser.hpp"
+#include "decimate/fan.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace winnow {
+
+// Price(view)(i): what the removal of a fan's vertex into its neighbour i costs, by the fan alone; 0 where
+// nothing is lost.
+template <typename Price>
+class RemovalCost {
+ public:
+  // `rounding`: of positions (base/rounding.hpp).
+  RemovalCost(TileMesh& mesh, double rounding) : mesh_(mesh), fan_(rounding) {}
+
+  [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after) {
+    Candidate cheapest;
+    if (!fan_.find(mesh_, v)) return cheapest;
+    const FanView view = fan_.view();
+    const Price price(view);
+    // A vertex at a border goes along that.
+    const std::size_t step = view.closed ? 1 : view.seen.size() - 1;
+    for (std::size_t i = 0; i < view.seen.size(); i += step) {
+      const VertexNumber w = fan_.neighbours()[i];
+      if (mesh_.closed(w)) continue;
+      const double lost = price(i);
+      const Candidate candidate{lost > 0 ? lost : flat_price(view, i), w};
+      if (after.before(candidate) && candidate.before(cheapest)) cheapest = candidate;
+    }
+    return cheapest;
+  }
+
+  // No dearer than offered: whatever changes a fan makes its vertex offer anew.
+  [[nodiscard]] PricedCollapse place(VertexNumber v, VertexNumber partner) const {
+    return {{partner, v, mesh_.position(partner)}, 0};
+  }
+
+  void collapsing(const PricedCollapse& now) {
+    const auto ring = mesh_.neighbours(now.edge.removed);
+    ring_.assign(ring.begin(), ring.end());
+  }
+  void collapsed(const Collapse& /*edge*/, Offers& offers) {
+    for (const VertexNumber w : ring_) offers.set(w, best(w, Candidate::none_yet()));
+  }
+
+  [[nodiscard]] static double largest_error() { return 0; }  // not a distance
+
+ private:
+  TileMesh& mesh_;
+  Fan fan_;
+  std::vector<VertexNumber> ring_;
+};
+
+}  // namespace winnow
