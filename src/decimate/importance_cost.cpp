@@ -9,7 +9,7 @@ namespace winnow {
 namespace {
 
 // Of the square of a distance at a border: what the same distance costs on a surface, about.
-constexpr double border_weight = 2;
+constexpr double weight_of_border_square = 2;
 // Needles that are steeper than this are all alike.
 constexpr double least_cosine_of_slope = 0x1p-10;
 
@@ -43,7 +43,7 @@ ImportancePrice::ImportancePrice(const FanView& fan)
     : fan_(fan), importance_(visual_importance(shape_of(fan))) {
   if (fan.closed) return;
   const double height = border_height(fan);
-  border_ = border_weight * height * height;
+  border_ = weight_of_border_square * height * height;
 }
 
 double ImportancePrice::operator()(std::size_t into) const {

@@ -9,7 +9,7 @@ namespace {
 
 // Of the area that a border loses. With 1 borders shrink by more than surfaces do, with 100 they keep a tenth
 // of all faces (bench/RESULTS.md).
-constexpr double border_weight = 10;
+constexpr double weight_of_border_area = 10;
 // Needles that are sharper than this share of the half space are all alike.
 constexpr double sharpest = 0x1p-20;
 
@@ -32,7 +32,7 @@ VolumePrice::VolumePrice(const FanView& fan) : fan_(fan), share_(share_of_angle(
   // A triangle's mean distance from its side is a third of its height.
   const double height = border_height(fan);
   const double area = (length(fan.seen.front()) + length(fan.seen.back())) * height / 2;
-  border_ = border_weight * area * height / 3;
+  border_ = weight_of_border_area * area * height / 3;
 }
 
 double VolumePrice::operator()(std::size_t into) const {

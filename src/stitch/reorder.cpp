@@ -3,6 +3,7 @@
 #include "io/recent_blocks.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
+#include "stitch/ordered_face.hpp"
 
 #include <algorithm>
 #include <array>
@@ -38,13 +39,6 @@ struct Renumbered {
 
   static bool before(const Renumbered& a, const Renumbered& b) { return a.old_number < b.old_number; }
   static bool combine(Renumbered&, const Renumbered&) { return false; }
-};
-
-struct OrderedFace {
-  FaceVertices vertices;  // the lowest first
-
-  static bool before(const OrderedFace& a, const OrderedFace& b) { return a.vertices < b.vertices; }
-  static bool combine(OrderedFace&, const OrderedFace&) { return false; }
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
+#include "stitch/ordered_face.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,14 +26,6 @@ std::array<float, 3> normal_of(const TileMesh& mesh, VertexNumber v) {
   mesh.for_each_face(v, [&](FaceNumber f) { sum = sum + doubled_area(mesh.triangle(f)); });
   return normal_along(sum);
 }
-
-// The faces that a tile's vertices have in ascending order, or the faces at hubs of all tiles.
-struct OrderedFace {
-  FaceVertices vertices;  // the lowest first
-
-  static bool before(const OrderedFace& a, const OrderedFace& b) { return a.vertices < b.vertices; }
-  static bool combine(OrderedFace&, const OrderedFace&) { return false; }
-};
 
 }  // namespace
 
