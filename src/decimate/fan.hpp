@@ -79,7 +79,8 @@ void for_each_turned(const FanView& fan, std::size_t into, const Each& each) {
 struct FanShape {
   double area = 0;
   double perimeter = 0;  // through the neighbours; of an open fan with the line between its ends
-  double spread = 0;     // how much of the area normals cancel out: 0 where all faces lie in one plane, 1 at most
+  double spread =
+      0;  // how much of the area normals cancel out: 0 where all faces lie in one plane, 1 at most
 
   // Of the mean angle between the faces and the plane that they are seen in best.
   [[nodiscard]] double cosine() const { return 1 - spread; }

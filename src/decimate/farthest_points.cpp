@@ -33,7 +33,7 @@ FarthestPoints::FarthestPoints(const TileMesh& mesh, double rounding)
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) point_[v] = mesh.position(v);
 }
 
-double FarthestPoints::price(const Collapse& edge, const EdgeStar& star, double price) {
+double FarthestPoints::price(const Collapse& edge, const EdgeStar& star, double price, bool flat) {
   const Point& to = edge.position;
   // As soon as both are this near, no more needs to be known.
   const double near = std::max(std::sqrt(price / weight), rounding_square_ * dot(to, to));
@@ -51,13 +51,14 @@ double FarthestPoints::price(const Collapse& edge, const EdgeStar& star, double 
     }
     return square;
   };
-  const Point& of_kept = point_[edge.kept];
-  const Point& of_removed = point_[edge.removed];
+  const Point& of_kept = flat ? mesh_.position(edge.kept) : point_[edge.kept];
+  const Point& of_removed = flat ? mesh_.position(edge.removed) : point_[edge.removed];
   const double kept_square =
       mesh_.hub(edge.kept) ? 0 : square_left(of_kept, star.of_kept(), star.of_removed());
   const double removed_square = square_left(of_removed, star.of_removed(), star.of_kept());
   square_ = std::max(kept_square, removed_square);
-  next_ = mesh_.hub(edge.kept) || kept_square >= removed_square ? of_kept : of_removed;
+  const bool first = flat ? to == mesh_.position(edge.kept) : kept_square >= removed_square;
+  next_ = point_[mesh_.hub(edge.kept) || first ? edge.kept : edge.removed];
   return square_ <= near ? price : weight * square_ * square_;
 }
 

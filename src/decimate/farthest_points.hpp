@@ -25,8 +25,10 @@ class FarthestPoints {
 
   // What it costs that the points of both ends would be so far from the faces left around the collapsed edge:
   // a multiple of the fourth power of the larger distance; `price` where that is not above it.
-  // `star`: the edge's. A hub keeps its own point, which is not looked at.
-  double price(const Collapse& edge, const EdgeStar& star, double price);
+  // `star`: the edge's. A hub keeps its own point, which is not looked at. `flat`: the collapse goes to an
+  // end where nothing is lost. Then the ends themselves are looked at, since the points of flat parts may lie
+  // beside faces that others have taken over.
+  double price(const Collapse& edge, const EdgeStar& star, double price, bool flat);
 
   // The square of the larger distance of those that price() was asked about last; no more than rounding
   // where it was not measured.

@@ -95,9 +95,11 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
 }
 
 double QuadricCost::closer_price(const PricedCollapse& now, const EdgeStar& star, double price) {
-  if (!bound_) return farthest_.price(now.edge, star, price);
+  // As place() has found it.
+  const bool flat = batch_.flat_low[0] + batch_.flat_high[0] != 0;
+  if (!bound_) return farthest_.price(now.edge, star, price, flat);
   // Measured whole, so that a repeated collapse, whose price is not known, remembers the same.
-  const double closer = std::max(price, farthest_.price(now.edge, star, 0));
+  const double closer = std::max(price, farthest_.price(now.edge, star, 0, flat));
   const double far = bound_->farthest();
   const bool near = farthest_.square() <= far * far;
   return near && bound_->allows(now.edge, star) ? closer : std::numeric_limits<double>::infinity();
@@ -175,6 +177,8 @@ void QuadricCost::collapsed(const Collapse& edge, Offers& offers) {
 void QuadricCost::repeat(const Collapse& edge, EdgeStar& star) {
   star.find(mesh_, edge.kept, edge.removed);
   star.move(mesh_, edge.position, -1);
+  const bool hub = mesh_.hub(edge.kept);
+  (void)place(hub ? edge.removed : edge.kept, hub ? edge.kept : edge.removed);
   (void)closer_price({edge, 0}, star, 0);
   collapsing({edge, 0}, star);
   mesh_.collapse(edge);

@@ -21,8 +21,8 @@ double swept_volume(const FanView& fan, std::size_t into) {
   return sum;
 }
 
-// A circular cone of half the opening angle a takes 1 - cos a of the half space, and its faces slope by a right
-// angle less a.
+// A circular cone of half the opening angle a takes 1 - cos a of the half space, and its faces slope by a
+// right angle less a.
 double share_of_angle(const FanShape& shape) {
   return std::max(sharpest, 1 - shape.sine());
 }

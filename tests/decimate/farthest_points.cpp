@@ -56,7 +56,7 @@ TEST_CASE("a vertex that leaves no gap costs nothing more") {
   FarthestPoints points(mesh, rounding_of_double);
   EdgeStar star(rounding_of_double);
   star.find(mesh, 1, 0);
-  CHECK(points.price({1, 0, {1, 0, 0}}, star, 1e-9) == 1e-9);
+  CHECK(points.price({1, 0, {1, 0, 0}}, star, 1e-9, false) == 1e-9);
 }
 
 TEST_CASE("a needle worn down in steps costs as much as one cut off at once") {
@@ -74,7 +74,7 @@ TEST_CASE("a needle worn down in steps costs as much as one cut off at once") {
       const Collapse edge{0, v, {0, 0, z}};
       EdgeStar star(rounding_of_double);
       star.find(mesh, edge.kept, edge.removed);
-      highest = std::max(highest, points.price(edge, star, 0));
+      highest = std::max(highest, points.price(edge, star, 0, false));
       points.collapsing(edge);
       mesh.collapse(edge);
     }
@@ -108,9 +108,9 @@ TEST_CASE("the price is that of the farther of both points, and never below the 
     const double right = 5 * fourth(farthest);
     EdgeStar star(rounding_of_double);
     star.find(mesh, kept, removed);
-    CHECK(points.price(edge, star, 0) == Approx(right));
-    CHECK(points.price(edge, star, 2 * right + 1) == 2 * right + 1);
-    CHECK(points.price(edge, star, right / 2) == Approx(right));
+    CHECK(points.price(edge, star, 0, false) == Approx(right));
+    CHECK(points.price(edge, star, 2 * right + 1, false) == 2 * right + 1);
+    CHECK(points.price(edge, star, right / 2, false) == Approx(right));
   }
 }
 

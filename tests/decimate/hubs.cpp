@@ -1,7 +1,6 @@
 // Vertices and edges with very many faces: what is walked grows with the mesh, and not with its square.
 #include "decimate/decimation.hpp"
 #include "decimate/tile_mesh.hpp"
-
 #include "support/tile_meshes.hpp"
 
 #include <cmath>

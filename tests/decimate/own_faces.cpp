@@ -1,7 +1,6 @@
 // What a vertex offers depends on its own faces alone, so that tiles change nothing.
 #include "decimate/importance_cost.hpp"
 #include "decimate/volume_cost.hpp"
-
 #include "support/surfaces.hpp"
 #include "support/tile_meshes.hpp"
 

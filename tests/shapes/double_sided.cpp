@@ -54,12 +54,9 @@ TEST_CASE("of a sheet given in both senses one is left or both", "[shapes]") {
   Shape shape = shapes::hills(20);
   const std::size_t pairs = shape.faces.size();
   const Shape other = inside_out(shape);
-  // Not one after the other: the faces of each sense in turn.
-  for (std::size_t i = 0; i < pairs; ++i) {
-    const std::size_t at = 2 * i + (i % 3 == 0 ? 1 : 0);
-    shape.faces.insert(shape.faces.begin() + static_cast<std::ptrdiff_t>(std::min(at, shape.faces.size())),
-                       other.faces[i]);
-  }
+  // Each face is followed by its opposite.
+  for (std::size_t i = 0; i < pairs; ++i)
+    shape.faces.insert(shape.faces.begin() + static_cast<std::ptrdiff_t>(2 * i + 1), other.faces[i]);
   for_each_pose([&](const Pose& pose) {
     for (const std::uint64_t faces : {pairs, std::size_t{200}}) {
       const RefinedShape out = refine_shape(shape, pose, to_count(faces));

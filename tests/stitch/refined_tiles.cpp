@@ -49,7 +49,7 @@ TEST_CASE("tiles meet the count and leave a closed surface closed", "[long]") {
         CHECK(out.report.stopped_by == StoppedBy::count);
         // The fewer faces of a tile lie away from its borders, the more rounds it takes.
         CHECK(out.report.rounds >= 2);
-        CHECK(out.report.rounds <= (tile_faces == 500 ? 10 : 3));
+        CHECK(out.report.rounds <= (tile_faces == 500 ? 10 : 4));
         check_sound(out.mesh);
         check_closed(out.mesh);
       }
@@ -76,14 +76,16 @@ TEST_CASE("neither threads nor memory change what tiles become", "[same_bytes]")
   }
 }
 
-TEST_CASE("one tile takes one round, and several take a second for their borders") {
+TEST_CASE("one tile takes one round, and several take more for their borders") {
   const Refined one = refined(whale(), down_to(10'000, 1'000'000));
   CHECK(one.report.tiles == 1);
   CHECK(one.report.rounds == 1);
   CHECK(one.report.collapses == (100'000 - 10'000) / 2);
   const Refined several = refined(whale(), down_to(10'000, 10'000));
   CHECK(several.report.tiles >= 10);
-  CHECK(several.report.rounds == 2);
+  // A third where the second's own borders freeze much of what is wanted.
+  CHECK(several.report.rounds >= 2);
+  CHECK(several.report.rounds <= 3);
   CHECK(several.mesh.faces.size() == 10'000);
 }
 
