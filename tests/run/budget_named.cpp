@@ -30,22 +30,26 @@ const Words all_faces{"--faces", "10M"};
 
 }  // namespace
 
-TEST_CASE("the smallest budget of the plan is enough for surfaces and dust", "[budget]") {
+TEST_CASE("the smallest budget of the plan is enough for a surface", "[budget]") {
   for (const Words& options : {Words{"--faces", "50k"}, Words{"--error", "0.0001"}}) {
     for (const char* threads : {"1", "3"}) {
       CHECK_FALSE(is_refused(shapes::hills(300), options + Words{"--threads", threads}));
       CHECK_FALSE(is_refused(shapes::hills(300), options + Words{"--threads", threads}, true));
-      CHECK_FALSE(is_refused(shapes::soup(100'000, 0.01), options + Words{"--threads", threads}));
     }
   }
 }
 
-TEST_CASE("very many faces around one vertex need no larger budget", "[budget]") {
-  for (const char* threads : {"1", "4"})
-    CHECK_FALSE(is_refused(shapes::hub(300'000), all_faces + Words{"--threads", threads}));
+// Where the smallest budget is too small, is_refused() runs the command again with the one that is named, and
+// checks that it works.
+TEST_CASE("a budget that is named works for dust and for very many faces around a vertex", "[budget]") {
+  unsigned refused = 0;
+  for (const char* threads : {"1", "4"}) {
+    refused += is_refused(shapes::soup(100'000, 0.01), {"--faces", "50k", "--threads", threads});
+    refused += is_refused(shapes::hub(300'000), all_faces + Words{"--threads", threads});
+  }
+  CHECK(refused > 0);
 }
 
-// is_refused() runs a command again with the budget that is named, where one is.
 TEST_CASE("a budget too small for faces longer than tiles names one that works", "[budget]") {
   for (const Words& options : {Words{"--faces", "3000"}, Words{"--error", "0.001"}}) {
     CHECK(is_refused(shapes::soup(300'000, 1), options));
