@@ -57,7 +57,9 @@ bool ErrorBound::allows(const Collapse& edge, const EdgeStar& star) {
 // Compares the border's edges at the two ends with those at the one that is left. A piece whose border goes
 // altogether moves it by more than any bound.
 bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star) {
-  const auto [kept, removed, to] = edge;
+  const VertexNumber kept = edge.kept;
+  const VertexNumber removed = edge.removed;
+  const Point& to = edge.position;
   const auto is_end = [&](VertexNumber v) { return v == kept || v == removed; };
   before_.clear();
   after_.clear();

@@ -71,7 +71,7 @@ void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
     const double old_inverse = 1 / (6 * __builtin_sqrt(old_square));
     const double new_inverse = 1 / (6 * __builtin_sqrt(new_square));
     const double p = thin_before ? 0.0 : old_inverse;
-    const double q = stays & !thin ? new_inverse : 0.0;
+    const double q = (stays & !thin) != 0 ? new_inverse : 0.0;
     const double pxx = p * mx * mx, pxy = p * mx * my, pxz = p * mx * mz;
     const double pyy = p * my * my, pyz = p * my * mz, pzz = p * mz * mz;
     const double qxx = q * nx * nx, qxy = q * nx * ny, qxz = q * nx * nz;
