@@ -47,8 +47,8 @@ struct SimplifyOptions {
   // Default: quadric with faces, ratio and error, none with cell and grid (which allow nothing else).
   std::optional<Refine> refine;
   // Faces that clustering leaves for each that is wanted; > 1. Infinite: none are clustered, equal positions
-  // are welded and all faces refined; with an error no other number is allowed. Default: 6, and infinite where that would not spare three quarters of
-  // the faces, or where the input has no more than 2^20.
+  // are welded and all faces refined; with an error no other number is allowed. Default: 6, and infinite
+  // where that would not spare three quarters of the faces, or where the input has no more than 2^20.
   std::optional<double> detail;
   Borders borders = Borders::weigh;
   double max_normal_deviation = 45;  // by which one collapse may turn a face, in degrees; in (0, 90]
