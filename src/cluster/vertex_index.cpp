@@ -109,8 +109,4 @@ VertexIndex::Reader::Found VertexIndex::Reader::search(CellKey key) {
   return {number * block_vertices + static_cast<std::uint64_t>(found - vertices.begin()), *found};
 }
 
-IndexedVertex VertexIndex::Reader::at(std::uint64_t number) {
-  return block(number / block_vertices)[number % block_vertices];
-}
-
 }  // namespace winnow

@@ -8,7 +8,9 @@
 #include "io/spool.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <span>
 #include <vector>
@@ -53,7 +55,13 @@ class VertexIndex {
     // none.
     std::uint64_t find(CellKey key, const Point& position);
     static constexpr std::uint64_t absent = UINT64_MAX;
-    IndexedVertex at(std::uint64_t number);
+    IndexedVertex at(std::uint64_t number) { return blocks_.at<IndexedVertex>(number); }
+    Point position(std::uint64_t number) {
+      Point position;
+      const std::span<const std::byte> record = blocks_.record(number);
+      std::memcpy(&position, record.data() + offsetof(IndexedVertex, position), sizeof position);
+      return position;
+    }
     // The number of the first vertex whose key is not below `key`; size() where there is none.
     std::uint64_t lower_bound(CellKey key);
 

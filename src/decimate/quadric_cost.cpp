@@ -45,17 +45,28 @@ VertexPlanes QuadricCost::planes_of(FaceNumber f) const {
   return planes;
 }
 
-void QuadricCost::add_borders(const FaceVertices& face, double sign) {
-  if (at_border_[face[0]] + at_border_[face[1]] + at_border_[face[2]] < 2) return;
-  for (std::size_t i = 0; i < 3; ++i) add_border(face[i], face[(i + 1) % 3], sign);
-}
-
 // The line of an edge with one face. It needs no face to stand upright on, which may be none but a line.
 void QuadricCost::add_border(VertexNumber a, VertexNumber b, double sign) {
-  if (!at_border_[a] || !at_border_[b] || mesh_.faces_at(a, b, 2) != 1) return;
+  if (!at_border_[a] || !at_border_[b]) return;
   const Point edge = mesh_.position(b) - mesh_.position(a);
   add_line(planes_[a], edge, sign * border_line_weight);
   add_line(planes_[b], edge, sign * border_line_weight);
+}
+
+// The lines of edges that a collapse changes: all of them are at an end. Of a hub, only those at a face
+// that goes.
+void QuadricCost::take_borders(const Collapse& edge, const EdgeStar& star) {
+  for (const VertexNumber w : mesh_.open_neighbours(edge.removed)) add_border(edge.removed, w, -1);
+  if (!into_hub_) {
+    for (const VertexNumber w : mesh_.open_neighbours(edge.kept)) {
+      if (w != edge.removed) add_border(edge.kept, w, -1);
+    }
+    return;
+  }
+  for (const StarFace& face : star.of_kept()) {
+    const VertexNumber across = face.w == edge.removed ? face.x : face.w;
+    if (mesh_.faces_at(edge.kept, across, 2) == 1) add_border(edge.kept, across, -1);
+  }
 }
 
 PricedCollapse QuadricCost::place(VertexNumber low, VertexNumber high) {
@@ -125,10 +136,8 @@ void QuadricCost::collapsing(const PricedCollapse& now, const EdgeStar& star) {
   into_hub_ = mesh_.hub(kept);
   handed_over_.clear();
   const auto faces = star.faces();
-  unsigned border = at_border_[kept] | at_border_[removed];
-  for (const StarFace& face : faces) border |= static_cast<unsigned>(at_border_[face.w] | at_border_[face.x]);
-  near_border_ = border != 0;
-  for (std::size_t i = 0; i < faces.size() && near_border_; ++i) add_borders(mesh_.face(faces[i].number), -1);
+  at_border_now_ = (at_border_[kept] | at_border_[removed]) != 0;
+  if (at_border_now_) take_borders(now.edge, star);
   planes_of_kept_ = into_hub_ ? planes_[kept] : VertexPlanes{};
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const VertexPlanes change = star.change(i);
@@ -147,7 +156,9 @@ void QuadricCost::settle(const Collapse& edge, const Changed& changed) {
   planes_[kept] = planes_of_kept_;
   at_border_[kept] |= at_border_[edge.removed];
   if (!into_hub_) {
-    if (near_border_) mesh_.for_each_face(kept, [&](FaceNumber f) { add_borders(mesh_.face(f), 1); });
+    if (at_border_now_) {
+      for (const VertexNumber w : mesh_.open_neighbours(kept)) add_border(kept, w, 1);
+    }
     for (const VertexNumber w : mesh_.neighbours(kept)) changed(w);
     return;
   }
@@ -155,10 +166,9 @@ void QuadricCost::settle(const Collapse& edge, const Changed& changed) {
   mesh_.mark(kept);
   mesh_.mark(edge.removed);
   for (const auto& [number, w, x, stays] : handed_over_) {
-    if (near_border_ && stays) add_border(w, x, 1);
     for (const VertexNumber v : {w, x}) {
       if (!mesh_.mark(v)) continue;
-      if (near_border_) add_border(kept, v, 1);
+      if (at_border_now_ && mesh_.faces_at(kept, v, 2) == 1) add_border(kept, v, 1);
       changed(v);
     }
   }

@@ -49,8 +49,8 @@ class QuadricCost {
 
  private:
   [[nodiscard]] VertexPlanes planes_of(FaceNumber f) const;
-  void add_borders(const FaceVertices& face, double sign);
   void add_border(VertexNumber a, VertexNumber b, double sign);
+  void take_borders(const Collapse& edge, const EdgeStar& star);
   template <typename Changed>
   void settle(const Collapse& edge, const Changed& changed);
 
@@ -68,7 +68,7 @@ class QuadricCost {
   VertexPlanes planes_of_kept_;        // afterwards
   std::vector<StarFace> handed_over_;  // to a hub
   bool into_hub_ = false;
-  bool near_border_ = false;
+  bool at_border_now_ = false;
 };
 
 }  // namespace winnow

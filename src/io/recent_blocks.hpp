@@ -29,6 +29,7 @@ class RecentBlocks {
   // Both are valid until the next call. The last block may be shorter.
   [[nodiscard]] std::span<const std::byte> block(std::uint64_t number);
   [[nodiscard]] std::span<const std::byte> record(std::uint64_t number) {
+    if (spool_.in_memory()) return {spool_.data() + number * record_bytes_, record_bytes_};
     return block(number / block_records_).subspan(number % block_records_ * record_bytes_, record_bytes_);
   }
 

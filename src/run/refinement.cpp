@@ -62,7 +62,8 @@ class HeldBesideTile {
       if (part.size <= limit) mesh += std::min(limit, reserved_for(part.size));
     }
     const RefineMemory parts = refine_memory(total - fixed - mesh);
-    return fixed + std::max(mesh, std::min(parts.mesh, reserved_for(later_mesh_))) +
+    // The mesh stays, for unfolding; beside it there is one that goes into a round, and one that comes out.
+    return fixed + mesh + 2 * std::min(parts.mesh, reserved_for(later_mesh_)) +
            std::min(parts.lists / 2, reserved_for(incoming_)) + std::min(parts.logs, reserved_for(log_)) +
            other_tile_;
   }
@@ -85,7 +86,7 @@ class HeldBesideTile {
 }  // namespace
 
 RefineMemory refine_memory(std::uint64_t left) {
-  return {left / 2, left / 8, left / 4, left / 8};
+  return {left / 2, left / 8, left / 8, left / 8};
 }
 
 ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,

@@ -14,8 +14,8 @@
 
 namespace winnow {
 
-// In eighths of what clustering left: four for tiles, two for the mesh that comes out, one each for what was
-// collapsed and for sorting.
+// In eighths of what clustering left: four for tiles, one each for the mesh that goes into a round, for the
+// one that comes out, for what was collapsed, and for sorting.
 RefineMemory refine_memory(std::uint64_t left);
 
 // How the run would divide a budget of `total`.

@@ -105,7 +105,7 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered, SimplifyReport& re
   }
   RefinedMesh whole{std::move(clustered.mesh), nullptr};
   whole.state = std::move(whole.mesh.quadrics);
-  save_mesh(*directory_, whole, 0);
+  save_mesh(*directory_, whole, 0, false);
   clustered.mesh = std::move(whole.mesh);
   clustered.mesh.quadrics = std::move(whole.state);
   directory_->commit();

@@ -8,6 +8,7 @@
 #include "stitch/saved_mesh.hpp"
 #include "stitch/smaller_mesh.hpp"
 #include "stitch/tried_tiles.hpp"
+#include "stitch/unfolded_tile.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -41,6 +42,11 @@ constexpr std::uint64_t largest_tiles = 64;
 constexpr double first_headroom = 2;
 constexpr double more_headroom = 64;
 
+// Whoever asks for an error gets the surface on which it was watched.
+bool unfolds(const RefineSettings& settings) {
+  return !settings.decimation.error;
+}
+
 // Counts of one tile, told to all in steps: threads would get into each other's way at every collapse.
 class Steps {
  public:
@@ -62,13 +68,20 @@ class Refiner {
       : job_(job), settings_(settings), memory_(memory), report_(report), checkpoint_(checkpoint) {}
 
   ClusteredMesh run(RefinedMesh whole) {
-    if (restore()) return std::move(whole.mesh);
+    if (!restore()) whole = collapsed(std::move(whole));
+    return unfolded(std::move(whole));
+  }
+
+ private:
+  RefinedMesh collapsed(RefinedMesh whole) {
     for (++report_.rounds;; ++report_.rounds) {
       const std::uint64_t before = whole.mesh.face_count;
       const auto [tiling, incoming] = cut(whole.mesh);
       if (report_.rounds == 1) report_.tiles = tiling.tiles();
       job_.progress.begin("refine", faces_to_try(before, tiling), "faces");
-      whole = round(std::move(whole), tiling, incoming);
+      RefinedMesh smaller = round(whole, tiling, incoming);
+      if (report_.rounds == 1) keep_reference(whole.mesh);
+      whole = std::move(smaller);
       settings_.decimation.borders_known = true;
       if (whole.mesh.face_count <= settings_.faces) break;
       // One tile has no borders that kept anything. Of several, two rounds that hardly helped say that no
@@ -84,10 +97,41 @@ class Refiner {
       keep(whole, false);
     }
     keep(whole, true);
+    return whole;
+  }
+
+  // A checkpoint keeps it by itself.
+  void keep_reference(ClusteredMesh& mesh) {
+    if (checkpoint_ != nullptr || !unfolds(settings_)) return;
+    reference_.vertices = std::move(mesh.vertices);
+    reference_.faces = std::move(mesh.faces);
+    reference_.face_count = mesh.face_count;
+  }
+
+  // The mesh as it is written: no round goes on from it.
+  ClusteredMesh unfolded(RefinedMesh whole) {
+    if (!unfolds(settings_) || report_.collapses == 0 || whole.mesh.face_count == 0)
+      return std::move(whole.mesh);
+    job_.progress.begin("unfold", whole.mesh.face_count, "faces");
+    whole.state.reset();
+    if (checkpoint_ != nullptr) reference_ = load_reference(job_, *checkpoint_, memory_.mesh);
+    const ReferenceMesh reference(job_, reference_, memory_.lists / 4);
+    const std::uint64_t ratio = reference_.face_count / whole.mesh.face_count;
+    const auto [tiling, incoming] = cut(whole.mesh);
+    auto vertices = std::make_unique<VertexIndex>(job_, memory_.mesh);
+    for_each_tile<std::vector<IndexedVertex>>(
+        tiling, incoming, 0,
+        [&, &tiling = tiling, &incoming = incoming](std::size_t number, std::vector<IndexedVertex>& moved) {
+          Tile tile = load_tile(whole, tiling, incoming, number, 0, 0);
+          job_.progress.advance(tile.own_faces);
+          moved = unfolded_vertices(std::move(tile), reference, ratio, settings_.decimation.single);
+        },
+        [&](std::size_t, const std::vector<IndexedVertex>& moved) { vertices->append(moved); });
+    vertices->finish();
+    whole.mesh.vertices = std::move(vertices);
     return std::move(whole.mesh);
   }
 
- private:
   // Sets what the rounds that a checkpoint holds have left. True where there is nothing more to do.
   bool restore() {
     if (checkpoint_ == nullptr || !checkpoint_->manifest().has("refine.rounds")) return false;
@@ -106,7 +150,7 @@ class Refiner {
   void keep(const RefinedMesh& whole, bool done) {
     if (checkpoint_ == nullptr) return;
     job_.progress.begin("keep", 0, "bytes");
-    save_mesh(*checkpoint_, whole, report_.rounds);
+    save_mesh(*checkpoint_, whole, report_.rounds, unfolds(settings_));
     Manifest& manifest = checkpoint_->manifest();
     manifest.set("refine.rounds", report_.rounds);
     manifest.set("refine.tiles", report_.tiles);
@@ -151,7 +195,7 @@ class Refiner {
     }
   }
 
-  RefinedMesh round(RefinedMesh whole, const Tiling& tiling, const IncomingFaces& incoming) {
+  RefinedMesh round(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming) {
     if (whole.mesh.face_count <= settings_.faces) {
       // Nothing goes but vertices without a face; the others get their normals.
       return make_smaller(whole, tiling, incoming, [](std::size_t, Decimation&, CarriedValues&) {});
@@ -366,8 +410,9 @@ class Refiner {
   CheckpointDirectory* checkpoint_;
   std::function<void()> check_ = [this] { job_.progress.check_cancelled(); };
   std::mutex reporting_;
-  double dearest_ = 0;  // collapse of the last round
-  unsigned idle_ = 0;   // rounds that hardly helped
+  ClusteredMesh reference_;  // vertices and faces of the mesh that the first round began with
+  double dearest_ = 0;       // collapse of the last round
+  unsigned idle_ = 0;        // rounds that hardly helped
 };
 
 }  // namespace
@@ -377,8 +422,10 @@ std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices
   const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
   const std::size_t attributes = settings.attributes * sizeof(double);
   const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size + attributes);
-  return Tile::memory(vertices, faces, state_size) + Decimation::memory(settings.decimation, vertices) +
-         CarriedValues::memory(vertices, settings.attributes) + std::max(log, rest);
+  const std::uint64_t collapsing = Tile::memory(vertices, faces, state_size) +
+                                   Decimation::memory(settings.decimation, vertices) +
+                                   CarriedValues::memory(vertices, settings.attributes) + std::max(log, rest);
+  return unfolds(settings) ? std::max(collapsing, unfolded_tile_memory(vertices, faces)) : collapsing;
 }
 
 ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings, const RefineMemory& memory,

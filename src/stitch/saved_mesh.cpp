@@ -1,5 +1,7 @@
 #include "stitch/saved_mesh.hpp"
 
+#include "io/spool_records.hpp"
+
 #include <string>
 
 namespace winnow {
@@ -12,15 +14,23 @@ constexpr const char* faces_part = ".faces";
 constexpr const char* state_part = ".state";
 constexpr const char* attributes_part = ".attributes";
 
+std::string stage_after(std::uint64_t rounds) {
+  return "stage-" + std::to_string(rounds);
+}
+
 }  // namespace
 
-void save_mesh(CheckpointDirectory& checkpoint, const RefinedMesh& whole, std::uint64_t rounds) {
+void save_mesh(CheckpointDirectory& checkpoint, const RefinedMesh& whole, std::uint64_t rounds,
+               bool keep_first) {
   Manifest& manifest = checkpoint.manifest();
   if (manifest.has(stage_key)) {
-    for (const char* part : {vertices_part, faces_part, state_part, attributes_part})
-      checkpoint.forget(manifest.text(stage_key) + part);
+    const std::string before = manifest.text(stage_key);
+    for (const char* part : {state_part, attributes_part}) checkpoint.forget(before + part);
+    if (!keep_first || before != stage_after(0)) {
+      for (const char* part : {vertices_part, faces_part}) checkpoint.forget(before + part);
+    }
   }
-  const std::string stage = "stage-" + std::to_string(rounds);
+  const std::string stage = stage_after(rounds);
   checkpoint.save(stage + vertices_part, whole.mesh.vertices->records());
   checkpoint.save(stage + faces_part, *whole.mesh.faces);
   if (whole.state != nullptr) checkpoint.save(stage + state_part, *whole.state);
@@ -50,6 +60,15 @@ RefinedMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint
   whole.mesh.turned = manifest.number("mesh.turned");
   whole.mesh.fused = manifest.number("mesh.fused");
   return whole;
+}
+
+ClusteredMesh load_reference(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
+  const std::string stage = stage_after(0);
+  ClusteredMesh mesh;
+  mesh.vertices = std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
+  mesh.faces = std::make_unique<Spool>(checkpoint.load(stage + faces_part, memory / 2));
+  mesh.face_count = record_count<FaceVertices>(*mesh.faces);
+  return mesh;
 }
 
 }  // namespace winnow

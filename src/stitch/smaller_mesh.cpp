@@ -12,14 +12,14 @@
 
 namespace winnow {
 
-namespace {
-
 std::array<float, 3> normal_along(const Point& sum) {
   const double size = length(sum);
   if (!(size > 0)) return {};
   return {static_cast<float>(sum[0] / size), static_cast<float>(sum[1] / size),
           static_cast<float>(sum[2] / size)};
 }
+
+namespace {
 
 std::array<float, 3> normal_of(const TileMesh& mesh, VertexNumber v) {
   Point sum{};

@@ -5,6 +5,7 @@
 #include "io/recent_blocks.hpp"
 #include "stitch/tile.hpp"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -23,6 +24,9 @@ struct NamedVertex {
   std::uint32_t old_number;
   std::uint32_t place;  // among what is left of its tile
 };
+
+// A vertex's normal from the sum of its faces' normals; zeros if that is zero.
+std::array<float, 3> normal_along(const Point& sum);
 
 // What is left of one tile.
 struct TileRest {

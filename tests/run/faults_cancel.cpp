@@ -132,8 +132,10 @@ TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]")
   // Several tiles, so that there is a log to be cut, and a second round.
   const std::string ply = directory.file("scan.ply");
   generate("scan", 200'000, ply);
-  check_every_stage(directory, ply, refined(), {"measure", "weld", "join faces", "refine", "write"});
-  check_every_stage(directory, ply, refined_after_clustering(), {"sample", "cluster", "refine", "write"});
+  check_every_stage(directory, ply, refined(),
+                    {"measure", "weld", "join faces", "refine", "unfold", "write"});
+  check_every_stage(directory, ply, refined_after_clustering(),
+                    {"sample", "cluster", "refine", "unfold", "write"});
   check_every_stage(directory, ply, refined_to_error(), {"measure", "weld", "join faces", "refine", "write"});
 }
 
