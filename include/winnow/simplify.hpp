@@ -39,8 +39,8 @@ struct SimplifyOptions {
   std::optional<std::uint64_t> faces;  // so many faces; >= 4. Exact if refined, else about
   std::optional<double> ratio;         // the same as a part of the input's faces; in (0, 1]
   // As few faces as there can be with this error, in model units; > 0. It bounds the two-sided RMS distance.
-  // No point of a boundary is farther than 1.5 times the error from the other boundary, both ways (of inputs
-  // that are not clustered: see `detail`). Only with Refine::quadric.
+  // No point of a boundary is farther than 1.5 times the error from the other boundary, both ways. Only with
+  // Refine::quadric.
   std::optional<double> error;
   std::optional<double> relative_error;  // the same as a part of the diagonal of the input's box; in (0, 1)
 
@@ -135,6 +135,7 @@ struct SimplifyReport {
 
   double cell_size = 0;             // edge of a cell, in the units of the model; 0 where none was clustered
   std::uint64_t cells = 0;          // cells that any corner fell into
+  std::uint64_t split_cells = 0;    // cells that were split because clustering damaged the surface there
   std::uint64_t turned_faces = 0;   // output faces turned to agree with the surface's normals
   std::uint64_t fused_faces = 0;    // pairs of opposite faces that fell onto each other and became one
   std::uint64_t clamped_faces = 0;  // input faces so much larger than a cell that their weight was limited

@@ -86,6 +86,7 @@ class ClustererOf final : public Clusterer {
     input.inverse = settings_.grid.inverse;
     input.quadrics = std::is_same_v<Sum, QuadricCellSum>;
     kernel_(input, worker.corners);
+    if (settings_.split != nullptr) settings_.split->rename(worker.corners, faces.count);
     worker.counts.faces += faces.count;
 
     // First the faces are told apart without a branch, then each kind has a loop of its own.
@@ -128,6 +129,21 @@ class ClustererOf final : public Clusterer {
     }
     if (worker.corners.clamped) count_clamped(worker, faces);
     if (attributes_ != nullptr) attributes_->add(faces, worker.corners);
+  }
+
+  void add(const std::array<CellKey, 3>& cells) override {
+    Worker& worker = workers_.local();
+    for (const CellKey key : cells) {
+      Sum sum{};
+      sum.key = key;
+      sum.weight = 1 | CellSum::used_bit;
+      worker.pending.push_back(sum);
+    }
+    if (worker.pending.size() + 3 >= pending_entries) {
+      table_.add(worker.pending);
+      worker.pending.clear();
+    }
+    worker.faces.add(cell_face(cells[0], cells[1], cells[2]));
   }
 
   [[nodiscard]] bool wants_to_spill() const override {

@@ -5,15 +5,18 @@
 
 #include "base/attribute.hpp"
 #include "cluster/grid.hpp"
+#include "cluster/split_cells.hpp"
 #include "cluster/vertex_index.hpp"
 #include "io/job.hpp"
 #include "io/spool.hpp"
 #include "read/face_batch.hpp"
 #include "read/good_faces.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace winnow {
 
@@ -57,6 +60,10 @@ struct ClusteredMesh {
   std::uint64_t turned = 0;
   std::uint64_t fused = 0;       // pairs of opposite faces that left one face
   std::uint64_t flat_pairs = 0;  // those without area that left none; only where welded
+  // Only where clustered for refinement: of each vertex whether it has a face that several fell onto; and the
+  // keys of cells that no face of three cells touches, in ascending order.
+  std::vector<bool> met_twice{};
+  std::unique_ptr<Spool> vanished{};
 };
 
 struct ClusterSettings {
@@ -68,6 +75,7 @@ struct ClusterSettings {
   bool for_refinement = false;
   bool keep_quadrics = false;  // of the cells; with Placement::quadric
   CarriedAttributes attributes{};
+  const SplitCells* split = nullptr;  // cells are named by it; none where it is null
 };
 
 class Clusterer {
@@ -78,6 +86,8 @@ class Clusterer {
 
   // From any thread of the arena the job runs in.
   virtual void add(const FaceBatch& faces) = 0;
+  // A face that is known by its three cells alone. It gives them no position.
+  virtual void add(const std::array<CellKey, 3>& cells) = 0;
 
   // Between batches, when no add() is running.
   [[nodiscard]] virtual bool wants_to_spill() const = 0;

@@ -9,9 +9,13 @@
 
 namespace winnow {
 
-double Grid::cell_of(double coordinate, std::size_t axis) const {
+double Grid::rounded_place(double coordinate, std::size_t axis) const {
   constexpr double scale = 1 << fraction_bits;
-  return std::floor(std::nearbyint((coordinate - origin[axis]) * (inverse * scale)) / scale);
+  return std::nearbyint((coordinate - origin[axis]) * (inverse * scale)) / scale;
+}
+
+double Grid::cell_of(double coordinate, std::size_t axis) const {
+  return std::floor(rounded_place(coordinate, axis));
 }
 
 void refuse_cell(double cell, double side) {

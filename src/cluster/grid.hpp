@@ -22,6 +22,9 @@ struct Grid {
     return (coordinate - origin[axis]) * inverse;
   }
 
+  // Rounded to what the lattice tells apart.
+  [[nodiscard]] double rounded_place(double coordinate, std::size_t axis) const;
+
   // The whole part of the rounded place: what the corner kernel finds. Out of 0 to 2^21 - 1 for a coordinate
   // that is not on the lattice.
   [[nodiscard]] double cell_of(double coordinate, std::size_t axis) const;

@@ -34,18 +34,18 @@ std::array<double, 3> solve(double xx, double xy, double xz, double yy, double y
   return {x0, x1, x2};
 }
 
-// The number of type Real nearest to `coordinate` that is in the cell by Grid's own formula. There is one:
-// the coordinates of the cell's corners are of that type. A few steps reach it; far from the origin, where
-// the lattice is finer than a float, they are steps of the float.
+// The number of type Real nearest to `coordinate` that is in the part of its cell by Grid's own formula.
+// There is one: the coordinates of the corners in it are of that type. A few steps reach it; far from the
+// origin, where the lattice is finer than a float, they are steps of the float.
 template <typename Real>
-double round_into_cell(double coordinate, const Grid& grid, std::size_t axis, std::uint32_t cell) {
+double round_into_cell(double coordinate, const Grid& grid, std::size_t axis, const SplitCells::Part& part) {
   auto value = static_cast<Real>(coordinate);
   constexpr Real infinity = std::numeric_limits<Real>::infinity();
   for (int step = 0; step < 64; ++step) {
-    const double found = grid.cell_of(static_cast<double>(value), axis);
-    if (found < cell) {
+    const double found = grid.rounded_place(static_cast<double>(value), axis) - part.cell[axis];
+    if (found < part.low[axis]) {
       value = std::nextafter(value, infinity);
-    } else if (found > cell) {
+    } else if (found >= part.low[axis] + part.size) {
       value = std::nextafter(value, -infinity);
     } else {
       break;
@@ -55,6 +55,14 @@ double round_into_cell(double coordinate, const Grid& grid, std::size_t axis, st
 }
 
 }  // namespace
+
+WholeCell::WholeCell(CellKey key, const SplitCells* split) : key_(key) {
+  if (split != nullptr) {
+    part_ = split->part_of(key);
+  } else {
+    part_.cell = morton_cell(key);
+  }
+}
 
 void WholeCell::add(const CellSum& sum) {
   used_ |= (sum.weight & CellSum::used_bit) != 0;
@@ -98,7 +106,7 @@ std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean
     place[axis] = mean[axis] + step[axis];
     // Rounded sums of planes that hardly differ can leave nothing to solve.
     if (!std::isfinite(place[axis])) return mean;
-    place[axis] = std::clamp(place[axis], 0.0, 1.0);
+    place[axis] = std::clamp(place[axis], part_.low[axis], part_.low[axis] + part_.size);
   }
   return place;
 }
@@ -106,7 +114,6 @@ std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean
 Quadric WholeCell::quadric(const Grid& grid, const Point& position) const {
   const double scale = static_cast<double>(weight_) * normal_scale;
   const double area = static_cast<double>(weight_) / (1 << area_bits) * grid.cell * grid.cell;
-  const std::array<std::uint32_t, 3> cell = morton_cell(key_);
   std::array<double, 5> a{};
   for (std::size_t i = 0; i < 5; ++i) a[i] = area * (static_cast<double>(squares_[i]) / scale);
   Quadric sum;
@@ -118,7 +125,7 @@ Quadric WholeCell::quadric(const Grid& grid, const Point& position) const {
   sum.zz = std::max(0.0, area - sum.xx - sum.yy);
   Point middle{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    middle[axis] = grid.origin[axis] + (cell[axis] + 0.5) * grid.cell;
+    middle[axis] = grid.origin[axis] + (part_.cell[axis] + 0.5) * grid.cell;
     sum.b[axis] = area * grid.cell * (static_cast<double>(moment_[axis]) / scale);
   }
   sum.b = sum.b - sum.times(position - middle);
@@ -129,17 +136,17 @@ Quadric WholeCell::quadric(const Grid& grid, const Point& position) const {
 IndexedVertex WholeCell::vertex(const ClusterSettings& settings) const {
   IndexedVertex vertex;
   vertex.key = key_;
-  const std::array<std::uint32_t, 3> cell = morton_cell(key_);
   std::array<double, 3> place = mean_place();
   if (settings.placement == Placement::quadric) place = quadric_place(place);
   const double scale = static_cast<double>(weight_) * normal_scale;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // A little off the cell's upper wall: what rounds up to it belongs to the next cell.
-    place[axis] = std::min(place[axis], 1 - 2 / fraction_scale);
-    const double coordinate = settings.grid.origin[axis] + (cell[axis] + place[axis]) * settings.grid.cell;
+    // A little off the upper wall: what rounds up to it belongs to the next cell.
+    place[axis] = std::min(place[axis], part_.low[axis] + part_.size - 2 / fraction_scale);
+    const double coordinate =
+        settings.grid.origin[axis] + (part_.cell[axis] + place[axis]) * settings.grid.cell;
     vertex.position[axis] = settings.double_positions
-                                ? round_into_cell<double>(coordinate, settings.grid, axis, cell[axis])
-                                : round_into_cell<float>(coordinate, settings.grid, axis, cell[axis]);
+                                ? round_into_cell<double>(coordinate, settings.grid, axis, part_)
+                                : round_into_cell<float>(coordinate, settings.grid, axis, part_);
     vertex.normal[axis] = static_cast<float>(static_cast<double>(normal_[axis]) / scale);
   }
   return vertex;

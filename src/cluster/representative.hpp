@@ -5,16 +5,18 @@
 #include "base/wide.hpp"
 #include "cluster/cell_sum.hpp"
 #include "cluster/clusterer.hpp"
+#include "cluster/split_cells.hpp"
 #include "cluster/vertex_index.hpp"
 
 #include <array>
 
 namespace winnow {
 
-// The sums of one cell over all its entries.
+// The sums of one cell, or of one of those that it is split into, over all its entries.
 class WholeCell {
  public:
-  explicit WholeCell(CellKey key) : key_(key) {}
+  // `split`: what it is named by; null where no cell is split.
+  WholeCell(CellKey key, const SplitCells* split);
 
   void add(const CellSum& sum);  // of the same cell
   void add(const QuadricCellSum& sum);
@@ -35,6 +37,7 @@ class WholeCell {
   [[nodiscard]] std::array<double, 3> quadric_place(const std::array<double, 3>& mean) const;
 
   CellKey key_;
+  SplitCells::Part part_;  // of its cell
   bool used_ = false;
   Int128 weight_ = 0;
   std::array<Int128, 3> position_{}, normal_{};

@@ -6,6 +6,7 @@
 #include "base/per_slot.hpp"
 #include "base/text.hpp"
 #include "cluster/representative.hpp"
+#include "io/spool_records.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,6 +25,7 @@ constexpr double shortest_normal = 0.1;
 
 struct Triple {
   std::array<CellKey, 3> cell;  // in the order of the winding
+  bool several;                 // faces fell onto it
 };
 
 // One face for all that fell onto the same three cells: turned the way most of them were; as many on either
@@ -52,10 +54,11 @@ class FaceFuser {
         winding.against += next_.against;
       }
       out.fused += std::min(winding.along, winding.against);
+      const bool several = winding.along + winding.against > 1;
       if (winding.along >= winding.against) {
-        out.faces.push_back({cell});
+        out.faces.push_back({cell, several});
       } else {
-        out.faces.push_back({{cell[0], cell[2], cell[1]}});
+        out.faces.push_back({{cell[0], cell[2], cell[1]}, several});
       }
     }
     return out;
@@ -106,6 +109,7 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attri
   }
   mesh.vertices = std::make_unique<VertexIndex>(job, quadrics ? memory / 2 : memory);
   if (quadrics) mesh.quadrics = std::make_unique<Spool>(job, memory / 2);
+  if (settings.for_refinement) mesh.vanished = std::make_unique<Spool>(job, memory / 16);
   Sum next{};
   bool more = cells.next(next);
   struct Chunk {
@@ -113,24 +117,29 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attri
     std::vector<IndexedVertex> vertices;
     std::vector<Quadric> quadrics;
     std::vector<double> attributes;
+    std::vector<CellKey> vanished;
   };
   pipeline<Chunk>(
       2 * std::size_t{job.threads},
       [&](Chunk& chunk) {
         chunk.cells.clear();
         chunk.attributes.clear();
+        chunk.vanished.clear();
         while (more && chunk.cells.size() < chunk_cells) {
-          WholeCell cell(next.key);
+          WholeCell cell(next.key, settings.split);
           for (; more && next.key == cell.key(); more = cells.next(next)) cell.add(next);
           ++mesh.cells;
-          if (!cell.used()) continue;
+          if (!cell.used()) {
+            if (mesh.vanished != nullptr) chunk.vanished.push_back(cell.key());
+            continue;
+          }
           chunk.cells.push_back(cell);
           if (attributes == nullptr) continue;
           chunk.attributes.resize(chunk.attributes.size() + carried);
           attributes->find(cell.key(), std::span(chunk.attributes).last(carried));
         }
         job.progress.check_cancelled();
-        return more || !chunk.cells.empty();
+        return more || !chunk.cells.empty() || !chunk.vanished.empty();
       },
       [&](Chunk& chunk) {
         chunk.vertices.clear();
@@ -142,10 +151,12 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attri
       },
       [&](const Chunk& chunk) {
         mesh.vertices->append(chunk.vertices);
+        if (!chunk.vanished.empty()) append_records<CellKey>(*mesh.vanished, chunk.vanished);
         if (quadrics) mesh.quadrics->append(std::as_bytes(std::span(chunk.quadrics)));
         if (attributes != nullptr) mesh.attributes->append(std::as_bytes(std::span(chunk.attributes)));
       });
   mesh.vertices->finish();
+  if (mesh.vanished != nullptr) mesh.vanished->finish();
   if (quadrics) mesh.quadrics->finish();
   if (attributes != nullptr) mesh.attributes->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
@@ -163,13 +174,14 @@ template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum
 void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
                    ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
+  if (!turn) mesh.met_twice.assign(mesh.vertices->size(), false);
   FaceFuser fuser(faces);
   PerSlot<VertexIndex::Reader> readers(job.threads,
                                        [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
   std::atomic<std::uint64_t> turned{0};
   struct Chunk {
     std::vector<Triple> faces;
-    std::vector<std::uint32_t> numbers;
+    std::vector<std::uint32_t> numbers, met_twice;
   };
   pipeline<Chunk>(
       2 * std::size_t{job.threads},
@@ -183,6 +195,7 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
       [&](Chunk& chunk) {
         VertexIndex::Reader& reader = readers.local();
         chunk.numbers.clear();
+        chunk.met_twice.clear();
         std::uint64_t turned_here = 0;
         for (const Triple& triple : chunk.faces) {
           std::array<IndexedVertex, 3> corner;
@@ -197,12 +210,15 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
             ++turned_here;
           }
           chunk.numbers.insert(chunk.numbers.end(), number.begin(), number.end());
+          if (!turn && triple.several)
+            chunk.met_twice.insert(chunk.met_twice.end(), number.begin(), number.end());
         }
         turned += turned_here;
       },
       [&](const Chunk& chunk) {
         mesh.faces->append(std::as_bytes(std::span(chunk.numbers)));
         mesh.face_count += chunk.numbers.size() / 3;
+        for (const std::uint32_t v : chunk.met_twice) mesh.met_twice[v] = true;
       });
   mesh.faces->finish();
   mesh.turned = turned;

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "cluster/welder.hpp"
 #include "read/for_each_batch.hpp"
+#include "run/safe_clustering.hpp"
 #include "run/simplify_options.hpp"
 #include "run/write_mesh.hpp"
 
@@ -81,8 +82,10 @@ std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint
 Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::uint64_t target) {
   const double wanted = options.detail.value_or(usual_detail) * static_cast<double>(target);
   const auto all = static_cast<double>(available);
+  // A cell has one vertex, and boundaries are to keep all of theirs.
   const bool welded =
-      options.detail ? wanted >= all : available <= always_full || wanted > worth_clustering * all;
+      options.borders == Borders::keep ||
+      (options.detail ? wanted >= all : available <= always_full || wanted > worth_clustering * all);
   return {welded, welded ? available : static_cast<std::uint64_t>(wanted)};
 }
 
@@ -140,10 +143,15 @@ ClusteredMesh Clustering::to_error() {
   if (box.empty) refuse_empty();
   error_ = options_.error ? *options_.error : *options_.relative_error * box.diagonal();
   const double cell = cell_for_error * error_;
-  if (!options_.detail && available_ > always_full && cell >= Grid::edge_for(box, axis_cells / 2)) {
+  if (!options_.detail && options_.borders != Borders::keep && available_ > always_full &&
+      cell >= Grid::edge_for(box, axis_cells / 2)) {
     settings_.grid = Grid::over(box, cell);
     ClusteredMesh mesh = once();
-    if (mesh.face_count < available_ / 2) return mesh;
+    if (mesh.face_count < available_ / 2) {
+      std::optional<SafeMesh> safe = safely(box, std::move(mesh));
+      // Cells move boundaries by more than the error allows.
+      if (safe && !safe->open) return std::move(safe->mesh);
+    }
   }
   return welded();
 }
@@ -153,11 +161,25 @@ ClusteredMesh Clustering::to_detail() {
   if (detail.welded) return welded();
   const CellCounts cells = sample(detail.faces);
   const auto wanted = static_cast<double>(detail.faces);
-  if (cells.expected_faces(cells.cell_for(wanted)) >= fine_enough * wanted)
-    return to_count(cells, detail.faces, detail_tolerance);
+  if (cells.expected_faces(cells.cell_for(wanted)) >= fine_enough * wanted) {
+    std::optional<SafeMesh> safe = safely(cells.box(), to_count(cells, detail.faces, detail_tolerance));
+    return safe ? std::move(safe->mesh) : welded();
+  }
   job_.note("the finest cells in a box of " + shortest(cells.box().longest_side()) +
             " are too coarse for this count, so all faces were refined: some vertices may be far off");
   return welded();
+}
+
+std::optional<SafeMesh> Clustering::safely(const Box& box, ClusteredMesh coarse) {
+  std::optional<SafeMesh> safe =
+      without_damage(job_, reader_, settings_, plan_.cluster, box, available_, std::move(coarse));
+  if (safe) {
+    report_.split_cells = safe->split_cells;
+  } else {
+    job_.note("much of the surface is thinner than cells of " + shortest(settings_.grid.cell) +
+              " or full of holes, so all faces were refined");
+  }
+  return safe;
 }
 
 ClusteredMesh Clustering::welded() {
@@ -213,7 +235,8 @@ ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t targe
 }
 
 ClusteredMesh Clustering::once() {
-  const std::unique_ptr<Clusterer> clusterer = Clusterer::make(job_, settings_, plan_.cluster);
+  const ClusterMemory memory = settings_.for_refinement ? safe_memory(plan_.cluster) : plan_.cluster;
+  const std::unique_ptr<Clusterer> clusterer = Clusterer::make(job_, settings_, memory);
   reader_.begin_faces();
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   job_.progress.begin("cluster", reader_.facts().faces.value_or(0), "faces");

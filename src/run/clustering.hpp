@@ -8,6 +8,7 @@
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
 #include "run/plan.hpp"
+#include "run/safe_clustering.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -53,6 +54,7 @@ class Clustering {
   CellCounts sample(std::uint64_t target);
   ClusteredMesh to_count(const CellCounts& sample, std::uint64_t target, double tolerated);
   ClusteredMesh once();
+  std::optional<SafeMesh> safely(const Box& box, ClusteredMesh coarse);
   ClusteredMesh welded();
   void take_counts(const ClusterCounts& counts);
   [[noreturn]] void refuse_empty() const;

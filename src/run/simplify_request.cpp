@@ -134,6 +134,7 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.dropped", report.attributes.dropped);
   visit("report.ignored", report.attributes.ignored);
   visit("report.cell_size", report.cell_size);
+  visit("report.split_cells", report.split_cells);
   visit("report.cells", report.cells);
   visit("report.turned_faces", report.turned_faces);
   visit("report.fused_faces", report.fused_faces);

@@ -38,7 +38,7 @@ std::map<CellKey, WholeCell> wide_sums(const std::vector<Triangle>& faces, const
           one.moment[axis] = weight * sums->moment[corner][axis][i];
         }
         for (std::size_t k = 0; k < 5; ++k) one.squares[k] = weight * sums->squares[k][i];
-        cells.try_emplace(one.key, one.key).first->second.add(one);
+        cells.try_emplace(one.key, one.key, nullptr).first->second.add(one);
       }
     }
   }

@@ -135,7 +135,8 @@ TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]")
   check_every_stage(directory, ply, refined(),
                     {"measure", "weld", "join faces", "refine", "unfold", "write"});
   check_every_stage(directory, ply, refined_after_clustering(),
-                    {"sample", "cluster", "refine", "unfold", "write"});
+                    {"sample", "cluster", "look for damage", "read near damage", "split cells", "refine",
+                     "unfold", "write"});
   check_every_stage(directory, ply, refined_to_error(), {"measure", "weld", "join faces", "refine", "write"});
 }
 

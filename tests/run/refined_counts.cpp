@@ -128,10 +128,10 @@ TEST_CASE("clustering first changes nothing about the count") {
     options.detail = detail;
     const RefinedFile out = refine_file(directory, whale(), options);
     CAPTURE(detail);
-    CHECK(out.report.cell_size > 0);
-    CHECK(out.report.output.faces <= 3001);
-    // Clustering may leave an edge with four faces, which may go at once.
-    CHECK(out.report.output.faces >= 2998);
+    // Where cells are larger than the skull's walls are thick, all faces are refined, and a note says so.
+    CHECK((out.report.cell_size > 0) == out.report.notes.empty());
+    CHECK((out.report.cell_size > 0 || detail < 10));
+    CHECK(out.report.output.faces == 3000);
     CHECK(defects_of(out.mesh.faces).duplicates == 0);
   }
 }

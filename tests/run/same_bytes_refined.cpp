@@ -8,8 +8,8 @@ namespace {
 void check_same(const Simplified& a, const Simplified& b) {
   CHECK(a.hash == b.hash);
   // What a run counts is a result, too.
-  for (const char* count :
-       {"input", "output", "target", "refine", "cells", "fused_faces", "cell_size", "runs", "notes"}) {
+  for (const char* count : {"input", "output", "target", "refine", "cells", "split_cells", "fused_faces",
+                            "cell_size", "runs", "notes"}) {
     INFO(count);
     CHECK(a.report[count] == b.report[count]);
   }
@@ -38,6 +38,29 @@ TEST_CASE("the same refined bytes with any threads budget and way in", "[same_by
     check_same(one, simplified_by_pipe(directory, input, options + Words{"--threads", "2"}));
   }
   // Not each has to: how much fits depends on how the threads divide the work.
+  CHECK(spilled > 0);
+}
+
+TEST_CASE("the same refined bytes where cells are split", "[same_bytes]") {
+  const Directory directory;
+  std::uint64_t spilled = 0;
+  for (const char* what : {"scan", "terrain"}) {
+    for (const char* ending : {".ply", ".stl"}) {
+      const std::string input = directory.file(what + std::string(ending));
+      generate(what, 400'000, input);
+      const Words options{"--ratio", "2%", "--detail", "5"};
+      INFO(input);
+      const Simplified one = simplified(directory, input, options + Words{"--threads", "1"});
+      CHECK(one.report["split_cells"] > 10);
+      const std::string smallest = smallest_memory(input, options + Words{"--threads", "3"});
+      const Simplified small =
+          simplified(directory, input, options + Words{"--threads", "3", "--memory", smallest});
+      spilled += small.report["spilled_bytes"].get<std::uint64_t>();
+      check_same(one, small);
+      check_same(one, simplified_by_pipe(directory, input, options + Words{"--threads", "2"}));
+      ::unlink(input.c_str());
+    }
+  }
   CHECK(spilled > 0);
 }
 

@@ -70,6 +70,7 @@ Json json_of(const SimplifyReport& report) {
         {"ignored_values", report.attributes.ignored}}},
       {"cell_size", report.cell_size},
       {"cells", report.cells},
+      {"split_cells", report.split_cells},
       {"turned_faces", report.turned_faces},
       {"fused_faces", report.fused_faces},
       {"clamped_faces", report.clamped_faces},
@@ -124,8 +125,11 @@ void show(const SimplifyReport& report, std::ostream& out) {
   line("file", show_bytes(report.input.bytes) + " -> " + show_bytes(report.output.bytes));
   const bool refined = report.refine.cost != Refine::none;
   if (report.cell_size > 0) {
+    const std::string split =
+        report.split_cells == 0 ? ""
+                                : ", " + show_count(report.split_cells) + " cells split to keep the surface";
     line("cell", show_length(report.cell_size) +
-                     (refined ? "  (clustered first)"
+                     (refined ? "  (clustered first" + split + ")"
                               : "  (no vertex is farther than " + show_length(report.error_bound) +
                                     " from the surface)"));
   }

@@ -1,0 +1,143 @@
+#include "cluster/near_faces.hpp"
+
+#include "base/parallel.hpp"
+#include "base/per_slot.hpp"
+#include "cluster/kernel/position_kernel.hpp"
+#include "io/spool_records.hpp"
+#include "read/for_each_batch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::size_t corner_numbers = 9;
+constexpr std::size_t buffered_faces = 1024;
+constexpr unsigned recent_bits = 10;
+constexpr PackedCell no_cell = UINT64_MAX;
+
+}  // namespace
+
+struct NearFaces::Worker {
+  // Of each face its corners' coordinates, then what they carry, as in a FaceBatch.
+  std::vector<double> numbers;
+  // Cells beside, nearly each once.
+  std::vector<PackedCell> beside;
+  std::vector<PackedCell> recent = std::vector<PackedCell>(std::size_t{1} << recent_bits, no_cell);
+  alignas(64) FaceBatch::Positions<double> position{};
+  alignas(64) std::array<std::array<std::int64_t, FaceBatch::capacity>, 3> cell{};
+
+  void add_beside(PackedCell at) {
+    PackedCell& line = recent[quick_hash(at) >> (64 - recent_bits)];
+    if (std::exchange(line, at) != at) beside.push_back(at);
+  }
+};
+
+NearFaces::NearFaces(Job& job, std::size_t attributes, std::uint64_t memory)
+    : job_(job), attributes_(attributes), faces_(job, memory) {}
+
+void NearFaces::keep(Worker& worker) {
+  const std::scoped_lock lock(keeping_);
+  append_records<double>(faces_, worker.numbers);
+  count_ += worker.numbers.size() / numbers_a_face();
+  worker.numbers.clear();
+}
+
+void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid, const CellSet& split) {
+  const PositionKernel& kernel = best_position_kernel();
+  const double origin[3] = {grid.origin[0], grid.origin[1], grid.origin[2]};
+  for (std::size_t c = 0; c < 3; ++c) {
+    PositionInput input{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      input.axis[axis] = faces.position[c][axis].data();
+      if (!faces.single) continue;
+      std::copy_n(faces.single_position[c][axis].begin(), faces.count, worker.position[c][axis].begin());
+      input.axis[axis] = worker.position[c][axis].data();
+    }
+    input.count = faces.count;
+    kernel.cells(input, origin, grid.inverse, worker.cell[c].data());
+  }
+  for (std::size_t i = 0; i < faces.count; ++i) {
+    const std::array<std::int64_t, 3> cell{worker.cell[0][i], worker.cell[1][i], worker.cell[2][i]};
+    const bool near = split.has(static_cast<PackedCell>(cell[0])) ||
+                      (cell[1] != cell[0] && split.has(static_cast<PackedCell>(cell[1]))) ||
+                      (cell[2] != cell[0] && split.has(static_cast<PackedCell>(cell[2])));
+    if (!near || faces.status[i] != FaceStatus::good) continue;
+    if (cell[0] < 0 || cell[1] < 0 || cell[2] < 0) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::array<double, 3> corner = faces.corner(c, i);
+      worker.numbers.insert(worker.numbers.end(), corner.begin(), corner.end());
+      if (!split.has(static_cast<PackedCell>(cell[c]))) worker.add_beside(static_cast<PackedCell>(cell[c]));
+    }
+    for (std::size_t a = 0; a < attributes_; ++a) {
+      for (std::size_t c = 0; c < 3; ++c) worker.numbers.push_back(faces.attribute(a, c, i));
+    }
+  }
+  if (worker.numbers.size() >= buffered_faces * corner_numbers) keep(worker);
+}
+
+template <typename EachBatch>
+void NearFaces::choose_all(const EachBatch& each_batch, const Grid& grid, const CellSet& split,
+                           CellSet& beside) {
+  PerSlot<Worker> workers(job_.threads, [] { return std::make_unique<Worker>(); });
+  each_batch([&](const FaceBatch& faces) { choose(workers.local(), faces, grid, split); });
+  for (Worker* worker : workers.all()) {
+    keep(*worker);
+    for (const PackedCell cell : worker->beside) beside.set(cell);
+  }
+  faces_.finish();
+}
+
+void NearFaces::read(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside) {
+  reader.begin_faces();
+  choose_all([&](const FaceSink& sink) { for_each_face_batch(job_, reader, sink, {}); }, grid, split, beside);
+}
+
+void NearFaces::take(const NearFaces& others, const Grid& grid, const CellSet& split, CellSet& beside) {
+  choose_all([&](const FaceSink& sink) { others.for_each_batch(sink); }, grid, split, beside);
+}
+
+bool NearFaces::for_each_batch(const FaceSink& sink, const std::function<bool()>& stop) const {
+  const std::size_t numbers = numbers_a_face();
+  PerSlot<FaceBatch> batches(job_.threads, [] { return std::make_unique<FaceBatch>(); });
+  struct Chunk {
+    std::uint64_t first = 0, count = 0;
+  };
+  bool stopped = false;
+  pipeline<Chunk>(
+      2 * std::size_t{job_.threads},
+      [&](Chunk& chunk) {
+        job_.progress.check_cancelled();
+        stopped = stop && stop();
+        if (stopped) return false;
+        chunk = {next_, std::min<std::uint64_t>(buffered_faces, count_ - next_)};
+        next_ += chunk.count;
+        return chunk.count > 0;
+      },
+      [&](const Chunk& chunk) {
+        const std::vector<double> all =
+            read_records<double>(faces_, chunk.first * numbers, chunk.count * numbers);
+        FaceBatch& batch = batches.local();
+        batch.attributes.resize(3 * attributes_ * FaceBatch::capacity);
+        batch.status.fill(FaceStatus::good);
+        for (std::uint64_t at = 0; at < chunk.count; at += batch.count) {
+          batch.count = std::min<std::size_t>(FaceBatch::capacity, chunk.count - at);
+          for (std::size_t i = 0; i < batch.count; ++i) {
+            const double* face = all.data() + (at + i) * numbers;
+            for (std::size_t k = 0; k < corner_numbers; ++k) batch.position[k / 3][k % 3][i] = face[k];
+            for (std::size_t k = 0; k < 3 * attributes_; ++k)
+              batch.attributes[k * FaceBatch::capacity + i] = face[corner_numbers + k];
+          }
+          sink(batch);
+        }
+      });
+  if (!stopped) next_ = 0;
+  return stopped;
+}
+
+}  // namespace winnow

@@ -1,0 +1,30 @@
+// Clustering forgets which faces touch. Where that damaged the surface, cells are split until it no longer
+// does.
+#pragma once
+
+#include "cluster/clusterer.hpp"
+#include "io/job.hpp"
+#include "read/mesh_reader.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace winnow {
+
+struct SafeMesh {
+  ClusteredMesh mesh;
+  std::uint64_t split_cells = 0;
+  bool open = false;  // has boundaries
+};
+
+// How the budget is divided for it, of what clustering has.
+ClusterMemory safe_memory(ClusterMemory memory);
+
+// `coarse`: what clustering with `settings` left of the faces in `box`, so many in all. Nothing where so many
+// cells are damaged that all faces are to be refined instead, or where damage does not go although cells
+// cannot be split any more.
+std::optional<SafeMesh> without_damage(Job& job, MeshReader& reader, const ClusterSettings& settings,
+                                       const ClusterMemory& memory, const Box& box, std::uint64_t faces,
+                                       ClusteredMesh coarse);
+
+}  // namespace winnow
