@@ -48,9 +48,12 @@ void NearFaces::keep(Worker& worker) {
   worker.numbers.clear();
 }
 
-void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid, const CellSet& split) {
+void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid, const CellSet& split,
+                       BatchBoxes* boxes) {
   const PositionKernel& kernel = best_position_kernel();
   const double origin[3] = {grid.origin[0], grid.origin[1], grid.origin[2]};
+  Box box;
+  bool finite = true;
   for (std::size_t c = 0; c < 3; ++c) {
     PositionInput input{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -61,7 +64,13 @@ void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid,
     }
     input.count = faces.count;
     kernel.cells(input, origin, grid.inverse, worker.cell[c].data());
+    if (boxes == nullptr) continue;
+    double low[3];
+    double high[3];
+    finite = finite && kernel.box(input, low, high);
+    if (finite) box.add(Box{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}, false});
   }
+  if (boxes != nullptr) boxes->add(faces, finite ? box : Box{});
   for (std::size_t i = 0; i < faces.count; ++i) {
     const std::array<std::int64_t, 3> cell{worker.cell[0][i], worker.cell[1][i], worker.cell[2][i]};
     const bool near = split.has(static_cast<PackedCell>(cell[0])) ||
@@ -83,9 +92,9 @@ void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid,
 
 template <typename EachBatch>
 void NearFaces::choose_all(const EachBatch& each_batch, const Grid& grid, const CellSet& split,
-                           CellSet& beside) {
+                           CellSet& beside, BatchBoxes* boxes) {
   PerSlot<Worker> workers(job_.threads, [] { return std::make_unique<Worker>(); });
-  each_batch([&](const FaceBatch& faces) { choose(workers.local(), faces, grid, split); });
+  each_batch([&](const FaceBatch& faces) { choose(workers.local(), faces, grid, split, boxes); });
   for (Worker* worker : workers.all()) {
     keep(*worker);
     for (const PackedCell cell : worker->beside) beside.set(cell);
@@ -93,9 +102,19 @@ void NearFaces::choose_all(const EachBatch& each_batch, const Grid& grid, const 
   faces_.finish();
 }
 
-void NearFaces::read(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside) {
+void NearFaces::read(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside,
+                     BatchBoxes& boxes) {
   reader.begin_faces();
-  choose_all([&](const FaceSink& sink) { for_each_face_batch(job_, reader, sink, {}); }, grid, split, beside);
+  choose_all([&](const FaceSink& sink) { for_each_face_batch(job_, reader, sink, {}); }, grid, split, beside,
+             &boxes);
+}
+
+void NearFaces::read_near(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside,
+                          const BatchBoxes& boxes, const std::vector<Box>& places) {
+  reader.begin_faces();
+  const auto wanted = [&](const RawBatch& batch) { return boxes.may_meet(batch, places); };
+  choose_all([&](const FaceSink& sink) { for_each_face_batch(job_, reader, sink, {}, wanted); }, grid, split,
+             beside);
 }
 
 void NearFaces::take(const NearFaces& others, const Grid& grid, const CellSet& split, CellSet& beside) {

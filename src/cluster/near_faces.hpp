@@ -1,6 +1,7 @@
 // The faces near cells that are split, kept by their positions: they are clustered again and again.
 #pragma once
 
+#include "cluster/batch_boxes.hpp"
 #include "cluster/cell_set.hpp"
 #include "cluster/grid.hpp"
 #include "io/job.hpp"
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <vector>
 
 namespace winnow {
 
@@ -20,8 +22,11 @@ class NearFaces {
   NearFaces(Job& job, std::size_t attributes, std::uint64_t memory);
 
   // Keeps those of all faces that have a corner in a cell of `split`. The other cells of their corners are
-  // added to `beside`.
-  void read(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside);
+  // added to `beside`. The first pass over `reader` finds `boxes`; later ones, for few cells, look at the
+  // blocks near `places`, the boxes of these cells.
+  void read(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside, BatchBoxes& boxes);
+  void read_near(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside,
+                 const BatchBoxes& boxes, const std::vector<Box>& places);
   // The same of those that another has kept.
   void take(const NearFaces& others, const Grid& grid, const CellSet& split, CellSet& beside);
 
@@ -35,9 +40,11 @@ class NearFaces {
   struct Worker;
   [[nodiscard]] std::size_t numbers_a_face() const { return 9 + 3 * attributes_; }
   void keep(Worker& worker);
-  void choose(Worker& worker, const FaceBatch& faces, const Grid& grid, const CellSet& split);
+  void choose(Worker& worker, const FaceBatch& faces, const Grid& grid, const CellSet& split,
+              BatchBoxes* boxes);
   template <typename EachBatch>
-  void choose_all(const EachBatch& each_batch, const Grid& grid, const CellSet& split, CellSet& beside);
+  void choose_all(const EachBatch& each_batch, const Grid& grid, const CellSet& split, CellSet& beside,
+                  BatchBoxes* boxes = nullptr);
 
   Job& job_;
   std::size_t attributes_;

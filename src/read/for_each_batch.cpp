@@ -63,12 +63,16 @@ auto watch_the_file(const MeshReader& reader, Pass pass) {
 }  // namespace
 
 bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
-                         const std::function<bool()>& stop) {
+                         const std::function<bool()>& stop,
+                         const std::function<bool(const RawBatch&)>& wanted) {
   for (;;) {
     const bool more = watch_the_file(reader, [&] {
       return run_pass(
           job, [&](RawBatch& batch) { return reader.next_faces(batch); },
-          [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_faces(batch, slice, sink); }, stop);
+          [&](const RawBatch& batch, FaceBatch& slice) {
+            if (!wanted || wanted(batch)) reader.decode_faces(batch, slice, sink);
+          },
+          stop);
     });
     if (more || !reader.next_part()) return more;
   }

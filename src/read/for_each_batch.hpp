@@ -16,9 +16,11 @@ namespace winnow {
 // Both run inside the job's arena. `sink` is called from several threads at once; the order of calls is
 // open. `stop`, asked between batches, ends the pass early; it can be continued by calling again.
 
-// Returns false at the end of the input, true where `stop` ended the pass.
+// Returns false at the end of the input, true where `stop` ended the pass. `wanted`: whether faces of a batch
+// are needed at all; without, all are.
 bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
-                         const std::function<bool()>& stop);
+                         const std::function<bool()>& stop,
+                         const std::function<bool(const RawBatch&)>& wanted = {});
 
 void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink,
                              PassCorners corners = PassCorners::all);

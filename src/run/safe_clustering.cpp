@@ -1,5 +1,6 @@
 #include "run/safe_clustering.hpp"
 
+#include "cluster/batch_boxes.hpp"
 #include "cluster/cell_set.hpp"
 #include "cluster/joined_mesh.hpp"
 #include "cluster/near_faces.hpp"
@@ -26,6 +27,8 @@ constexpr std::uint64_t most_damaged = 4;
 constexpr std::uint64_t most_near = 3;
 // A cell that becomes damaged when others are split takes another look at all faces. So many looks.
 constexpr unsigned most_rounds = 8;
+// For so many cells a look leaves out what lies elsewhere.
+constexpr std::size_t few_places = 256;
 // Cells at a boundary draw it in by up to half of their size. They are split at least so deep, and until less
 // than one part in so many of the area can go.
 constexpr unsigned least_boundary_depth = 2;
@@ -64,7 +67,8 @@ class DamageSplitter {
         attributes_(settings.attributes.attributes.size()),
         names_(job, settings.grid, box),
         shift_(3 * names_.bits()),
-        whole_(std::move(coarse)) {
+        whole_(std::move(coarse)),
+        boxes_(job) {
     settings_.split = &names_;
   }
 
@@ -132,7 +136,7 @@ class DamageSplitter {
       if (first) {
         boundary_.clear();
         job_.progress.begin("read near damage", reader_.facts().faces.value_or(0), "faces");
-        level.near.read(reader_, settings_.grid, level.split, level.beside);
+        read_near(level, damaged);
         reader_.rest();
         if (level.near.size() > faces_ / most_near) return std::nullopt;
       } else {
@@ -158,6 +162,25 @@ class DamageSplitter {
     }
     shift_ = 0;
     return Names(damaged_beside.begin(), damaged_beside.end());
+  }
+
+  void read_near(Level& level, const Names& damaged) {
+    const bool again = std::exchange(was_read_, true);
+    if (!again || damaged.size() > few_places)
+      return level.near.read(reader_, settings_.grid, level.split, level.beside, boxes_);
+    std::vector<Box> places;
+    for (const CellKey name : damaged) {
+      // A cell more on each side makes up for all rounding.
+      const SplitCells::Part part = names_.part_of(name);
+      Box& box = places.emplace_back();
+      for (const double side : {-1.0, 2.0}) {
+        Point corner{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          corner[axis] = settings_.grid.origin[axis] + (part.cell[axis] + side) * settings_.grid.cell;
+        box.add(corner);
+      }
+    }
+    level.near.read_near(reader_, settings_.grid, level.split, level.beside, boxes_, places);
   }
 
   void split_boundaries() {
@@ -302,6 +325,8 @@ class DamageSplitter {
   unsigned shift_;  // of the keys of whole_, to names
   ClusteredMesh whole_;
   bool open_ = false;
+  BatchBoxes boxes_;
+  bool was_read_ = false;
   Names boundary_;  // cells at boundaries, until they are split
 };
 
