@@ -5,6 +5,7 @@
 #include "base/per_slot.hpp"
 #include "cluster/kernel/position_kernel.hpp"
 #include "read/for_each_batch.hpp"
+#include "read/good_faces.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -147,6 +148,24 @@ Box measure_box(Job& job, MeshReader& reader) {
   const PositionKernel& kernel = best_position_kernel();
   for_each_position_batch(job, reader,
                           [&](const PositionView& view) { add_to_box(kernel, view, boxes.local()); });
+  Box box;
+  for (const Box* part : boxes.all()) box.add(*part);
+  return box;
+}
+
+Box measure_box_of_faces(Job& job, MeshReader& reader) {
+  job.progress.begin("measure", reader.facts().faces.value_or(0), "faces");
+  PerSlot<Box> boxes(job.threads, [] { return std::make_unique<Box>(); });
+  reader.begin_faces();
+  for_each_face_batch(job, reader,
+                      [&](const FaceBatch& batch) {
+                        Box& box = boxes.local();
+                        const GoodFaces good(batch);
+                        for (const NumberedFace& face : good.faces()) {
+                          for (const Point& corner : face.corner) box.add(corner);
+                        }
+                      },
+                      {});
   Box box;
   for (const Box* part : boxes.all()) box.add(*part);
   return box;

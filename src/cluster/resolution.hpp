@@ -43,7 +43,10 @@ class CellCounts {
 // The box of all finite positions, in one pass.
 Box measure_box(Job& job, MeshReader& reader);
 
-// The same but for a few positions that lie very far off, as a vertex at 0, 0, 0 among georeferenced ones:
+// Of the corners of all good faces: vertices that no face uses do not count. In one pass over the faces.
+Box measure_box_of_faces(Job& job, MeshReader& reader);
+
+// The box of all positions but for a few that lie very far off, as a vertex at 0, 0, 0 among georeferenced ones:
 // then that of the others, and some room. A function of the positions and their order in the file.
 // `positions`: about how many there are, as above; 0: not known, then all count.
 Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions);
