@@ -243,7 +243,10 @@ void Clustering::take_counts(const ClusterCounts& counts) {
 void Clustering::refuse_empty() const {
   throw Error(ErrorKind::bad_input,
               "'" + reader_.name() + "' has no face that could be simplified" +
-                  (options_.crop ? " in the box of --crop; winnow info tells where the mesh is" : ""));
+                  (options_.crop ? " in the box of --crop; winnow info tells where the mesh is" : "") +
+                  (welds(options_) && report_.weld.vertices > 0
+                       ? "; --weld joined too many vertices, choose a smaller distance"
+                       : ""));
 }
 
 void Clustering::refuse_result(const ClusteredMesh& mesh) const {

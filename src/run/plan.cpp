@@ -54,7 +54,7 @@ std::uint64_t MemoryPlan::smallest_for(unsigned threads, const CellNeeds& needs)
                               AttributeMemory::smallest_table(parts, needs.attributes);
   const std::uint64_t faces = threads * ClusterMemory::smallest_faces_per_thread;
   // Runs of attributes are merged beside those of cells.
-  const std::uint64_t merge = SortedRuns<CellFace>::merge_memory() * (needs.attributes > 0 || needs.weld ? 2 : 1);
+  const std::uint64_t merge = SortedRuns<CellFace>::merge_memory() * (needs.attributes > 0 ? 2 : 1);
   // The smallest share decides.
   const std::uint64_t rest = std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)}) *
                              (needs.weld ? 4 : 3) / 3;
@@ -81,11 +81,11 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned
   std::uint64_t rest = total - taken - plan.fixed;
   if (needs.weld) {
     // What has moved is looked up for as long as faces are read. The rest of what welding takes is free
-    // before they are clustered.
+    // before they are clustered. Two lists are merged at a time; a quarter is left for that.
     plan.weld.moved = rest / 4;
     rest -= plan.weld.moved;
     plan.weld.sorting = rest / 4;
-    plan.weld.links = rest / 4;
+    plan.weld.links = rest / 8;
     plan.weld.positions = rest / 8;
   }
   plan.cluster.table = rest * 3 / 8;
