@@ -97,8 +97,7 @@ bool welds(const SimplifyOptions& options) {
 
 Access access_for(const SimplifyOptions& options) {
   if (welds(options)) return Access::repeatedly;
-  if (options.cell) return Access::once;
-  return options.grid ? Access::positions_first : Access::repeatedly;
+  return options.cell ? Access::once : Access::repeatedly;
 }
 
 CellNeeds needs_of(const SimplifyOptions& options, const AttributeChoice& choice) {
