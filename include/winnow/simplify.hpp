@@ -145,6 +145,11 @@ struct SimplifyReport {
     std::uint64_t ignored = 0;
   } attributes;
 
+  struct {
+    double input = 0;   // of all good faces
+    double output = 0;
+  } area;
+
   double cell_size = 0;             // edge of a cell, in the units of the model; 0 where none was clustered
   std::uint64_t cells = 0;          // cells that any corner fell into
   std::uint64_t turned_faces = 0;   // output faces turned to agree with the surface's normals

@@ -5,7 +5,6 @@
 #include "base/per_slot.hpp"
 #include "cluster/kernel/position_kernel.hpp"
 #include "read/for_each_batch.hpp"
-#include "read/good_faces.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -42,6 +41,33 @@ void add_to_box(const PositionKernel& kernel, const PositionView& view, Box& box
   }
   for (std::size_t i = 0; i < view.count; ++i) {
     if (finite(point_at(view, i))) box.add(point_at(view, i));
+  }
+}
+
+// The corners of faces that no status keeps out, if all three are finite.
+void add_to_box(const PositionKernel& kernel, const FaceBatch& faces, Box& box) {
+  std::array<std::array<double, FaceBatch::capacity>, 3> corner;
+  bool finite_all = faces.all_good;
+  Box all;
+  for (std::size_t c = 0; c < 3 && finite_all; ++c) {
+    PositionInput input{{}, faces.count};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      input.axis[axis] = faces.position[c][axis].data();
+      if (!faces.single) continue;
+      std::copy_n(faces.single_position[c][axis].begin(), faces.count, corner[axis].begin());
+      input.axis[axis] = corner[axis].data();
+    }
+    double low[3];
+    double high[3];
+    finite_all = kernel.box(input, low, high);
+    if (finite_all) all.add(Box{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}, false});
+  }
+  if (finite_all) return box.add(all);
+  for (std::size_t i = 0; i < faces.count; ++i) {
+    if (faces.status[i] != FaceStatus::good) continue;
+    const Triangle face{faces.corner(0, i), faces.corner(1, i), faces.corner(2, i)};
+    if (!finite(face[0]) || !finite(face[1]) || !finite(face[2])) continue;
+    for (const Point& p : face) box.add(p);
   }
 }
 
@@ -158,15 +184,9 @@ Box measure_box(Job& job, MeshReader& reader) {
 Box measure_box_of_faces(Job& job, MeshReader& reader) {
   job.progress.begin("measure", reader.facts().faces.value_or(0), "faces");
   PerSlot<Box> boxes(job.threads, [] { return std::make_unique<Box>(); });
+  const PositionKernel& kernel = best_position_kernel();
   reader.begin_faces();
-  for_each_face_batch(job, reader,
-                      [&](const FaceBatch& batch) {
-                        Box& box = boxes.local();
-                        const GoodFaces good(batch);
-                        for (const NumberedFace& face : good.faces()) {
-                          for (const Point& corner : face.corner) box.add(corner);
-                        }
-                      },
+  for_each_face_batch(job, reader, [&](const FaceBatch& batch) { add_to_box(kernel, batch, boxes.local()); },
                       {});
   Box box;
   for (const Box* part : boxes.all()) box.add(*part);

@@ -46,7 +46,8 @@ class CellCounts {
 // The box of all finite positions, in one pass.
 Box measure_box(Job& job, MeshReader& reader);
 
-// Of the corners of all good faces: vertices that no face uses do not count. In one pass over the faces.
+// Of the corners of all faces that have three finite ones, so of no vertex that no face uses. In one pass
+// over the faces.
 Box measure_box_of_faces(Job& job, MeshReader& reader);
 
 // The box of all positions, but where some lie so far off that it is more than four times as long as that

@@ -177,6 +177,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, c
       [&](const FaceBatch& batch) {
         Worker& worker = workers.local();
         SortedList<WeldedFaces>& list = faces.local();
+        if (settings.area != nullptr) settings.area->add(batch);
         const GoodFaces good(batch);
         ClusterCounts here;
         here.faces = batch.count;

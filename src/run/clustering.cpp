@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "cluster/area_sum.hpp"
 #include "cluster/welder.hpp"
 #include "read/for_each_batch.hpp"
 #include "run/simplify_options.hpp"
@@ -179,9 +180,11 @@ ClusteredMesh Clustering::welded() {
   }
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   ClusterCounts counts;
-  const WeldSettings settings{settings_.attributes, !settings_.double_positions};
+  AreaSum area(job_.threads, 0);
+  const WeldSettings settings{settings_.attributes, !settings_.double_positions, &area};
   ClusteredMesh mesh = weld(job_, reader_, settings, memory, available_, counts);
   take_counts(counts);
+  report_.area.input = area.value();
   reader_.rest();
   note_pairs(job_, mesh);
   if (mesh.face_count == 0) refuse_empty();
@@ -244,10 +247,15 @@ ClusteredMesh Clustering::once() {
   reader_.begin_faces();
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   job_.progress.begin("cluster", reader_.facts().faces.value_or(0), "faces");
-  const FaceSink sink = [&](const FaceBatch& faces) { clusterer->add(faces); };
+  AreaSum area(job_.threads, settings_.grid.cell * settings_.grid.cell);
+  const FaceSink sink = [&](const FaceBatch& faces) {
+    clusterer->add(faces);
+    area.add(faces);
+  };
   const auto stop = [&] { return clusterer->wants_to_spill(); };
   while (for_each_face_batch(job_, reader_, sink, stop)) clusterer->spill();
   take_counts(clusterer->counts());
+  report_.area.input = area.value();
   reader_.rest();
   ClusteredMesh mesh = clusterer->finish();
   return mesh;
@@ -277,6 +285,12 @@ void Clustering::refuse_empty() const {
 
 void Clustering::refuse_result(const ClusteredMesh& mesh) const {
   if (mesh.cells == 0) refuse_empty();
+  if (!options_.cell && !options_.grid) {
+    throw Error(ErrorKind::failed, "no face is left: all cells that were tried, down to " +
+                                       shortest(settings_.grid.cell) +
+                                       ", are too coarse; leave --refine none out, or use --crop if some "
+                                       "vertices are far off");
+  }
   throw Error(ErrorKind::failed, "no face is left: the whole model falls into " + grouped(mesh.cells) +
                                      " cells of " + shortest(settings_.grid.cell) + "; choose smaller cells" +
                                      (options_.cell ? "" : ", or --crop if some vertices are far off"));

@@ -138,6 +138,8 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.carried", report.attributes.carried);
   visit("report.dropped", report.attributes.dropped);
   visit("report.ignored", report.attributes.ignored);
+  visit("report.input_area", report.area.input);
+  visit("report.output_area", report.area.output);
   visit("report.cell_size", report.cell_size);
   visit("report.cells", report.cells);
   visit("report.turned_faces", report.turned_faces);
