@@ -73,6 +73,13 @@ struct SimplifyOptions {
   // `ratio` is of the faces that are left. Default: all faces.
   std::optional<std::array<std::array<double, 3>, 2>> crop;
 
+  // Vertices nearer to each other than this are one, and so are chains of them: in model units; > 0.
+  // The first in the order of a space-filling curve keeps its place. It acts on all inputs together,
+  // before anything else but `crop`, and reads the faces once more, so a pipe is copied to scratch.
+  // Faces that lose a corner are left out and counted. Default: only equal positions are one.
+  std::optional<double> weld;
+  std::optional<double> relative_weld;  // the same as a part of the diagonal of the input's box; in (0, 1)
+
   Format from = Format::automatic;
   Format to = Format::automatic;
   Encoding encoding;  // how the output is written
@@ -114,6 +121,11 @@ struct SimplifyReport {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
     std::string name;                                  // as it was given
   } output;
+  struct {
+    double distance = 0;          // of SimplifyOptions::weld, in model units; 0 without
+    std::uint64_t vertices = 0;   // positions that became one with another
+    std::uint64_t faces = 0;      // faces that lost a corner thereby; left out
+  } weld;
 
   std::optional<std::uint64_t> target_faces;  // with faces and ratio
   struct {
@@ -132,6 +144,11 @@ struct SimplifyReport {
     // Numbers that are not finite, or FLT_MAX or DBL_MAX in size: the means leave them out.
     std::uint64_t ignored = 0;
   } attributes;
+
+  struct {
+    double input = 0;   // of all good faces
+    double output = 0;
+  } area;
 
   double cell_size = 0;             // edge of a cell, in the units of the model; 0 where none was clustered
   std::uint64_t cells = 0;          // cells that any corner fell into

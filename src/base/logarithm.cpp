@@ -22,4 +22,12 @@ double natural_logarithm(double value) {
   return 2 * t * sum + exponent * 0.6931471805599453;
 }
 
+// By squaring a short series.
+double exponential(double value) {
+  const double x = value / 1024;
+  double power = 1 + x * (1 + x / 2 * (1 + x / 3 * (1 + x / 4 * (1 + x / 5))));
+  for (int i = 0; i < 10; ++i) power *= power;
+  return power;
+}
+
 }  // namespace winnow

@@ -20,6 +20,8 @@ constexpr double faces_a_cell = 2;
 // Of fewer points nothing is said to lie far off; of more, what lies so many times what most of them take.
 constexpr std::size_t few_points = 100;
 constexpr double far_off = 64;
+// Far enough to ask whether faces use what lies there.
+constexpr double far_for_faces = 4;
 constexpr double largest_edge = 1.001;  // of the box's longest side: all in one cell
 
 Point point_at(const PositionView& view, std::size_t i) {
@@ -39,6 +41,33 @@ void add_to_box(const PositionKernel& kernel, const PositionView& view, Box& box
   }
   for (std::size_t i = 0; i < view.count; ++i) {
     if (finite(point_at(view, i))) box.add(point_at(view, i));
+  }
+}
+
+// The corners of faces that no status keeps out, if all three are finite.
+void add_to_box(const PositionKernel& kernel, const FaceBatch& faces, Box& box) {
+  std::array<std::array<double, FaceBatch::capacity>, 3> corner;
+  bool finite_all = faces.all_good;
+  Box all;
+  for (std::size_t c = 0; c < 3 && finite_all; ++c) {
+    PositionInput input{{}, faces.count};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      input.axis[axis] = faces.position[c][axis].data();
+      if (!faces.single) continue;
+      std::copy_n(faces.single_position[c][axis].begin(), faces.count, corner[axis].begin());
+      input.axis[axis] = corner[axis].data();
+    }
+    double low[3];
+    double high[3];
+    finite_all = kernel.box(input, low, high);
+    if (finite_all) all.add(Box{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}, false});
+  }
+  if (finite_all) return box.add(all);
+  for (std::size_t i = 0; i < faces.count; ++i) {
+    if (faces.status[i] != FaceStatus::good) continue;
+    const Triangle face{faces.corner(0, i), faces.corner(1, i), faces.corner(2, i)};
+    if (!finite(face[0]) || !finite(face[1]) || !finite(face[2])) continue;
+    for (const Point& p : face) box.add(p);
   }
 }
 
@@ -152,12 +181,22 @@ Box measure_box(Job& job, MeshReader& reader) {
   return box;
 }
 
-Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions) {
-  if (positions == 0) return measure_box(job, reader);
-  job.progress.begin("measure", positions, "positions");
-  const PickedPoints picked = pick_points(job, reader, positions);
-  if (picked.points.size() < few_points) return picked.box;
-  // All but a few on either side, and as much again around them.
+Box measure_box_of_faces(Job& job, MeshReader& reader) {
+  job.progress.begin("measure", reader.facts().faces.value_or(0), "faces");
+  PerSlot<Box> boxes(job.threads, [] { return std::make_unique<Box>(); });
+  const PositionKernel& kernel = best_position_kernel();
+  reader.begin_faces();
+  for_each_face_batch(job, reader, [&](const FaceBatch& batch) { add_to_box(kernel, batch, boxes.local()); },
+                      {});
+  Box box;
+  for (const Box* part : boxes.all()) box.add(*part);
+  return box;
+}
+
+namespace {
+
+// All but a few on either side, and as much again around them.
+Box box_of_most(const PickedPoints& picked) {
   Box most = picked.box;
   std::vector<double> along;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -172,8 +211,44 @@ Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions) {
     most.low[axis] = std::max(most.low[axis], low - (high - low));
     most.high[axis] = std::min(most.high[axis], high + (high - low));
   }
+  return most;
+}
+
+bool reaches_beyond(const Box& box, const Box& most, double factor) {
   const double side = most.longest_side();
-  return side > 0 && side * far_off < picked.box.longest_side() ? most : picked.box;
+  return side > 0 && side * factor < box.longest_side();
+}
+
+// Of all positions, or of those that faces use where some lie far off; then the picked ones outside
+// are dropped.
+void take_surface(Job& job, MeshReader& reader, PickedPoints& picked) {
+  if (!reader.facts().vertices) return;  // then all belong to faces
+  const bool few = picked.points.size() < few_points;
+  if (!few && !reaches_beyond(picked.box, box_of_most(picked), far_for_faces)) return;
+  picked.box = measure_box_of_faces(job, reader);
+  const Box& box = picked.box;
+  std::erase_if(picked.points, [&](const Point& p) {
+    return box.empty || p[0] < box.low[0] || p[1] < box.low[1] || p[2] < box.low[2] || p[0] > box.high[0] ||
+           p[1] > box.high[1] || p[2] > box.high[2];
+  });
+}
+
+}  // namespace
+
+Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions) {
+  if (positions == 0) return measure_box(job, reader);
+  job.progress.begin("measure", positions, "positions");
+  const PickedPoints picked = pick_points(job, reader, positions);
+  if (picked.points.size() < few_points) return picked.box;
+  const Box most = box_of_most(picked);
+  return reaches_beyond(picked.box, most, far_off) ? most : picked.box;
+}
+
+Box measure_surface(Job& job, MeshReader& reader, std::uint64_t positions) {
+  job.progress.begin("measure", positions, "positions");
+  PickedPoints picked = pick_points(job, reader, positions);
+  take_surface(job, reader, picked);
+  return picked.box;
 }
 
 std::uint64_t CellCounts::memory(unsigned threads) {
@@ -182,7 +257,8 @@ std::uint64_t CellCounts::memory(unsigned threads) {
 
 CellCounts::CellCounts(Job& job, MeshReader& reader, std::uint64_t positions, std::uint64_t wanted_faces) {
   job.progress.begin("sample", positions, "positions");
-  const PickedPoints picked = pick_points(job, reader, positions);
+  PickedPoints picked = pick_points(job, reader, positions);
+  take_surface(job, reader, picked);
   box_ = picked.box;
   if (box_.empty || !(box_.longest_side() > 0)) return;
   const double cells = std::max(1.0, static_cast<double>(wanted_faces) / faces_a_cell);
@@ -239,15 +315,15 @@ double CellCounts::expected_faces(double cell) const {
   const double run = edge_[piece + 1] - edge_[piece];
   const double slope = run > 0 ? (occupied_[piece + 1] - occupied_[piece]) / run : -2;
   const double logarithm = occupied_[piece] + slope * (at - edge_[piece]);
-  // e^x by squaring a short series: only operations that round the same everywhere.
-  const double x = logarithm / 1024;
-  double power = 1 + x * (1 + x / 2 * (1 + x / 3 * (1 + x / 4 * (1 + x / 5))));
-  for (int i = 0; i < 10; ++i) power *= power;
-  return faces_a_cell * power;
+  return faces_a_cell * exponential(logarithm);
+}
+
+double CellCounts::smallest_cell() const {
+  return box_.longest_side() / (axis_cells / 2);
 }
 
 double CellCounts::cell_for(double faces) const {
-  double low = box_.longest_side() / (axis_cells / 2);
+  double low = smallest_cell();
   double high = box_.longest_side() * largest_edge;
   if (!(high > low)) return high > 0 ? high : 1;  // a single point
   while (high > low * (1 + 1e-9)) {

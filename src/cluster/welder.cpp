@@ -2,12 +2,12 @@
 
 #include <winnow/error.hpp>
 
-#include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "base/rounding.hpp"
 #include "base/text.hpp"
 #include "cluster/resolution.hpp"
-#include "io/sorted_list.hpp"
+#include "cluster/weld_lattice.hpp"
+#include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
 #include "read/for_each_batch.hpp"
 
@@ -72,50 +72,14 @@ WeldedFaces welded_face(const std::array<std::uint64_t, 3>& number, std::uint32_
   return out;
 }
 
-// Turns -0 into 0, which is the same place.
-Point plain(const Point& p) {
-  return {p[0] + 0.0, p[1] + 0.0, p[2] + 0.0};
-}
-
-CellKey key_of(const Grid& grid, const Point& p) {
-  const auto cell = [&](std::size_t axis) {
-    return static_cast<std::uint32_t>(std::clamp<double>(grid.cell_of(p[axis], axis), 0, axis_cells - 1));
-  };
-  return morton_key(cell(0), cell(1), cell(2));
-}
-
-// Fine enough that few positions share a key, and coarse enough that the lattice has room for a shifted copy.
-Grid lattice_over(const Box& box) {
-  const double side = box.longest_side();
-  return Grid::over(box, side > 0 ? Grid::edge_for(box, axis_cells / 2) : 1);
-}
-
-template <typename Record>
-struct Lists {
-  Lists(Job& job, std::uint64_t memory)
-      : reserved(job.budget.reserve(memory, "sorting")), runs(job), lists(job.threads, [this, &job, memory] {
-          return std::make_unique<SortedList<Record>>(job, memory / job.threads, runs);
-        }) {}
-
-  MergedCursor<Record> merged() {
-    const std::vector<SortedList<Record>*> all = lists.all();
-    parallel_for(all.size(), [&all](std::size_t i) { all[i]->sort(); });
-    return merge(all, runs);
-  }
-
-  Reservation reserved;
-  SortedRuns<Record> runs;
-  PerSlot<SortedList<Record>> lists;
-};
-
 void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMemory& memory,
                    ClusteredMesh& mesh) {
   job.progress.begin("weld", reader.facts().vertices.value_or(0), "positions");
-  Lists<WeldedPoint> points(job, memory.lists);
+  ThreadedRecords<WeldedPoint> points(job, memory.lists);
   for_each_position_batch(job, reader, [&](const PositionView& view) {
-    SortedList<WeldedPoint>& list = points.lists.local();
+    SortedList<WeldedPoint>& list = points.local();
     for (std::size_t i = 0; i < view.count; ++i) {
-      const Point p = plain({view.axis[0][i], view.axis[1][i], view.axis[2][i]});
+      const Point p = without_minus_zero({view.axis[0][i], view.axis[1][i], view.axis[2][i]});
       if (finite(p)) list.add({key_of(grid, p), p});
     }
   });
@@ -196,7 +160,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, c
   weld_vertices(job, reader, grid, memory, mesh);
 
   job.progress.begin("join faces", reader.facts().faces.value_or(0), "faces");
-  Lists<WeldedFaces> faces(job, memory.lists);
+  ThreadedRecords<WeldedFaces> faces(job, memory.lists);
   std::unique_ptr<AttributeMeans> means;
   if (!attributes.empty())
     means = AttributeMeans::make(job, attributes, AttributeMeans::Keys::numbers, memory.attributes);
@@ -212,7 +176,8 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, c
       job, reader,
       [&](const FaceBatch& batch) {
         Worker& worker = workers.local();
-        SortedList<WeldedFaces>& list = faces.lists.local();
+        SortedList<WeldedFaces>& list = faces.local();
+        if (settings.area != nullptr) settings.area->add(batch);
         const GoodFaces good(batch);
         ClusterCounts here;
         here.faces = batch.count;
@@ -223,7 +188,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, c
         for (const NumberedFace& face : good.faces()) {
           std::array<std::uint64_t, 3> number{};
           for (std::size_t i = 0; i < 3; ++i) {
-            const Point p = plain(face.corner[i]);
+            const Point p = without_minus_zero(face.corner[i]);
             number[i] = worker.vertices.find(key_of(grid, p), p);
             if (number[i] == VertexIndex::Reader::absent)
               throw Error(ErrorKind::bad_input, "the input was changed while it was read");

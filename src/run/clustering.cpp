@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "cluster/area_sum.hpp"
 #include "cluster/welder.hpp"
 #include "read/for_each_batch.hpp"
 #include "run/safe_clustering.hpp"
@@ -24,7 +25,8 @@ namespace {
 // is refined afterwards may miss by more.
 constexpr double tolerance = 0.10;
 constexpr double detail_tolerance = 0.4;
-constexpr std::uint64_t most_runs = 3;
+constexpr std::uint64_t most_runs_refined = 3;
+constexpr std::uint64_t most_runs = 8;
 
 // Faces that clustering leaves for each that is wanted, if the caller does not say (bench/RESULTS.md).
 constexpr double usual_detail = 6;
@@ -116,7 +118,9 @@ Clustered Clustering::run() {
 ClusteredMesh Clustering::as_asked() {
   if (options_.cell || options_.grid) {
     settings_.grid = options_.cell ? grid_of_cell() : grid_of_box();
-    return once();
+    ClusteredMesh mesh = once();
+    if (mesh.face_count == 0) refuse_result(mesh);
+    return mesh;
   }
   available_ = count_faces(job_, reader_);
   if (available_ == 0) refuse_empty();
@@ -133,13 +137,15 @@ Grid Clustering::grid_of_cell() {
 }
 
 Grid Clustering::grid_of_box() {
-  const Box box = measure_box(job_, reader_);
+  const Box box = measure_box_of_faces(job_, reader_);
   if (box.empty) refuse_empty();
   return Grid::over(box, Grid::edge_for(box, *options_.grid));
 }
 
 ClusteredMesh Clustering::to_error() {
-  const Box box = measure_box(job_, reader_);
+  const Box box = options_.relative_error
+                      ? measure_box_of_faces(job_, reader_)
+                      : measure_surface(job_, reader_, reader_.facts().vertices.value_or(available_));
   if (box.empty) refuse_empty();
   error_ = options_.error ? *options_.error : *options_.relative_error * box.diagonal();
   const double cell = cell_for_error * error_;
@@ -195,9 +201,11 @@ ClusteredMesh Clustering::welded() {
   }
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   ClusterCounts counts;
-  const WeldSettings settings{settings_.attributes, !settings_.double_positions};
+  AreaSum area(job_.threads, 0);
+  const WeldSettings settings{settings_.attributes, !settings_.double_positions, &area};
   ClusteredMesh mesh = weld(job_, reader_, settings, memory, available_, counts);
   take_counts(counts);
+  report_.area.input = area.value();
   reader_.rest();
   note_pairs(job_, mesh);
   if (mesh.face_count == 0) refuse_empty();
@@ -210,27 +218,48 @@ CellCounts Clustering::sample(std::uint64_t target) {
   return sample;
 }
 
+// Cells that were tried and how many faces they gave. On most surfaces the sample is right the first time. On
+// others the count is searched for between the nearest cells on either side, as if it were a power of the
+// cell.
 ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t target, double tolerated) {
-  // What the sample foretells is corrected by what came of it.
-  double wanted = static_cast<double>(target);
+  const auto wanted = static_cast<double>(target);
+  // What is refined afterwards may miss, so the old price of a few runs is the limit there.
+  const std::uint64_t runs = settings_.for_refinement ? most_runs_refined : most_runs;
+  CellSearch search(sample, wanted);
   for (report_.runs = 1;; ++report_.runs) {
-    const double cell = sample.cell_for(wanted);
-    settings_.grid = Grid::over(sample.box(), cell);
+    settings_.grid = Grid::over(sample.box(), search.next());
     ClusteredMesh mesh = once();
-    const double miss = static_cast<double>(mesh.face_count) / static_cast<double>(target);
-    if (std::abs(miss - 1) <= tolerated || report_.runs == most_runs || mesh.face_count == 0) {
-      if (mesh.face_count != 0 && miss < 1 - tolerated && target >= available_) {
-        job_.note("the input has no more detail than these " + grouped(mesh.face_count) +
-                  " faces at its own resolution");
-      }
-      return mesh;
+    search.add(settings_.grid.cell, mesh.face_count);
+    const double miss = static_cast<double>(mesh.face_count) / wanted;
+    if (std::abs(miss - 1) <= tolerated) return mesh;
+    const bool last = report_.runs == runs || search.exhausted();
+    if (!last) {
+      job_.note("the sample misled: " + grouped(mesh.face_count) + " faces instead of " + grouped(target) +
+                "; the faces were clustered again");
+      continue;
     }
-    const double better = sample.expected_faces(cell) / miss;
-    const double next = sample.cell_for(better);
-    if (std::abs(next / cell - 1) < 1e-3) return mesh;  // as fine as the input is
-    job_.note("the sample misled: " + grouped(mesh.face_count) + " faces instead of " + grouped(target) +
-              "; the faces were clustered again");
-    wanted = better;
+    if (search.best() != settings_.grid.cell) {
+      ++report_.runs;
+      settings_.grid = Grid::over(sample.box(), search.best());
+      mesh = once();
+    }
+    if (mesh.face_count == 0 && !settings_.for_refinement) refuse_result(mesh);
+    note_missed_count(search, mesh.face_count, target);
+    return mesh;
+  }
+}
+
+void Clustering::note_missed_count(const CellSearch& search, std::uint64_t faces, std::uint64_t target) {
+  const std::string line = grouped(faces) + " faces instead of " + grouped(target) + ": ";
+  if (faces < target && target >= available_) {
+    job_.note("the input has no more detail than these " + grouped(faces) + " faces at its own resolution");
+  } else if (faces < target && search.finest()) {
+    job_.note(line + "finer cells do not exist in a box of " + shortest(search.box().longest_side()) +
+              "; some vertices may be far off, see --crop");
+  } else if (settings_.for_refinement) {
+    job_.note(line + "the count changes too fast with the size of cells");
+  } else {
+    job_.note(line + "no size of cells that was tried comes nearer; --faces without --refine none is exact");
   }
 }
 
@@ -240,13 +269,17 @@ ClusteredMesh Clustering::once() {
   reader_.begin_faces();
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   job_.progress.begin("cluster", reader_.facts().faces.value_or(0), "faces");
-  const FaceSink sink = [&](const FaceBatch& faces) { clusterer->add(faces); };
+  AreaSum area(job_.threads, settings_.grid.cell * settings_.grid.cell);
+  const FaceSink sink = [&](const FaceBatch& faces) {
+    clusterer->add(faces);
+    area.add(faces);
+  };
   const auto stop = [&] { return clusterer->wants_to_spill(); };
   while (for_each_face_batch(job_, reader_, sink, stop)) clusterer->spill();
   take_counts(clusterer->counts());
+  report_.area.input = area.value();
   reader_.rest();
   ClusteredMesh mesh = clusterer->finish();
-  if (mesh.face_count == 0) refuse_result(mesh);
   return mesh;
 }
 
@@ -266,11 +299,20 @@ void Clustering::take_counts(const ClusterCounts& counts) {
 void Clustering::refuse_empty() const {
   throw Error(ErrorKind::bad_input,
               "'" + reader_.name() + "' has no face that could be simplified" +
-                  (options_.crop ? " in the box of --crop; winnow info tells where the mesh is" : ""));
+                  (options_.crop ? " in the box of --crop; winnow info tells where the mesh is" : "") +
+                  (welds(options_) && report_.weld.vertices > 0
+                       ? "; --weld joined too many vertices, choose a smaller distance"
+                       : ""));
 }
 
 void Clustering::refuse_result(const ClusteredMesh& mesh) const {
   if (mesh.cells == 0) refuse_empty();
+  if (!options_.cell && !options_.grid) {
+    throw Error(ErrorKind::failed, "no face is left: all cells that were tried, down to " +
+                                       shortest(settings_.grid.cell) +
+                                       ", are too coarse; leave --refine none out, or use --crop if some "
+                                       "vertices are far off");
+  }
   throw Error(ErrorKind::failed, "no face is left: the whole model falls into " + grouped(mesh.cells) +
                                      " cells of " + shortest(settings_.grid.cell) + "; choose smaller cells" +
                                      (options_.cell ? "" : ", or --crop if some vertices are far off"));

@@ -3,6 +3,7 @@
 
 #include <winnow/simplify.hpp>
 
+#include "cluster/cell_search.hpp"
 #include "cluster/clusterer.hpp"
 #include "cluster/resolution.hpp"
 #include "io/job.hpp"
@@ -53,6 +54,7 @@ class Clustering {
   ClusteredMesh to_detail();
   CellCounts sample(std::uint64_t target);
   ClusteredMesh to_count(const CellCounts& sample, std::uint64_t target, double tolerated);
+  void note_missed_count(const CellSearch& search, std::uint64_t faces, std::uint64_t target);
   ClusteredMesh once();
   std::optional<SafeMesh> safely(const Box& box, ClusteredMesh coarse);
   ClusteredMesh welded();

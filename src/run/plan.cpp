@@ -34,7 +34,8 @@ std::size_t table_parts(unsigned threads) {
 }
 
 std::uint64_t per_thread(const CellNeeds& needs) {
-  return ClusterMemory::per_thread(needs.quadrics) + AttributeMemory::per_thread(needs.attributes);
+  return ClusterMemory::per_thread(needs.quadrics) + AttributeMemory::per_thread(needs.attributes) +
+         (needs.weld ? NearWeldMemory::per_thread() : 0);
 }
 
 std::uint64_t cell_size(const CellNeeds& needs) {
@@ -55,7 +56,8 @@ std::uint64_t MemoryPlan::smallest_for(unsigned threads, const CellNeeds& needs)
   // Runs of attributes are merged beside those of cells.
   const std::uint64_t merge = SortedRuns<CellFace>::merge_memory() * (needs.attributes > 0 ? 2 : 1);
   // The smallest share decides.
-  const std::uint64_t rest = std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)});
+  const std::uint64_t rest = std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)}) *
+                             (needs.weld ? 4 : 3) / 3;
   const std::uint64_t fixed = threads * per_thread(needs) + blocks_in_flight(threads, small_batch);
   return (fixed + rest + mebibyte - 1) / mebibyte * mebibyte;
 }
@@ -76,7 +78,16 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned
   plan.reader.batch_faces = large ? large_batch : small_batch;
   plan.fixed = threads * per_thread(needs) + blocks_in_flight(threads, plan.reader.batch_faces);
   // The rest in eighths: three for cells, two for faces, two for vertices of the input, one for merging.
-  const std::uint64_t rest = total - taken - plan.fixed;
+  std::uint64_t rest = total - taken - plan.fixed;
+  if (needs.weld) {
+    // What has moved is looked up for as long as faces are read. The rest of what welding takes is free
+    // before they are clustered. Two lists are merged at a time; a quarter is left for that.
+    plan.weld.moved = rest / 4;
+    rest -= plan.weld.moved;
+    plan.weld.sorting = rest / 4;
+    plan.weld.links = rest / 8;
+    plan.weld.positions = rest / 8;
+  }
   plan.cluster.table = rest * 3 / 8;
   if (needs.attributes > 0) {
     // As many cells in either table.
@@ -99,6 +110,7 @@ std::vector<SimplifyPlan::Part> MemoryPlan::parts() const {
                                         {"vertices of the input, then of the result", reader.vertices},
                                         {"cells", cluster.table},
                                         {"faces between cells", cluster.faces}};
+  if (weld.moved > 0) parts.push_back({"vertices that --weld moved", weld.moved});
   if (cluster.attributes > 0) parts.push_back({"attributes of cells", cluster.attributes});
   return parts;
 }
@@ -109,7 +121,8 @@ std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs) {
   // grows by less than a hundredth. Then three vertices and three numbers a face.
   const std::uint64_t runs = 2 * (3 * cell + sizeof(CellFace));
   const std::uint64_t vertex = vertex_size(needs);
-  return faces * (runs + runs / 100 + 1 + 3 * vertex + 3 * sizeof(std::uint32_t)) + mebibyte;
+  const std::uint64_t weld = needs.weld ? near_weld_scratch(faces) : 0;
+  return weld + weld / 100 + faces * (runs + runs / 100 + 1 + 3 * vertex + 3 * sizeof(std::uint32_t)) + mebibyte;
 }
 
 std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, const CellNeeds& needs) {

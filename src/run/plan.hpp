@@ -4,6 +4,7 @@
 #include <winnow/simplify.hpp>
 
 #include "cluster/clusterer.hpp"
+#include "cluster/near_welder.hpp"
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
 #include "stitch/refine.hpp"
@@ -18,11 +19,13 @@ namespace winnow {
 struct CellNeeds {
   bool quadrics = false;
   std::size_t attributes = 0;
+  bool weld = false;  // vertices near each other become one
 };
 
 struct MemoryPlan {
   ReaderMemory reader;
   ClusterMemory cluster;
+  NearWeldMemory weld;
   std::uint64_t fixed = 0;     // per-thread tables and blocks in flight
   std::uint64_t smallest = 0;  // the least total that works
 

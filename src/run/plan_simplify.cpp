@@ -29,10 +29,15 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
     passes.emplace_back("find the largest numbers that the vertices carry");
   const std::string positions =
       outlook.taken_in || outlook.facts.vertices ? "vertices" : "corners of all faces";
+  if (welds(options)) {
+    if (options.relative_weld) passes.emplace_back("measure the box of the faces");
+    passes.push_back("measure where most of the " + positions + " are");
+    passes.emplace_back("gather the vertices of the faces, and join those near each other");
+  }
   if (options.grid) passes.push_back("measure the box of the " + positions);
   if (options.error || options.relative_error) passes.push_back("measure the box of the " + positions);
   if (options.faces || options.ratio) {
-    if (!outlook.facts.faces && !outlook.taken_in && options.ratio) passes.emplace_back("count the faces");
+    if ((welds(options) || (!outlook.facts.faces && !outlook.taken_in && options.ratio))) passes.emplace_back("count the faces");
     passes.push_back("find the box and a rough cell size from the " + positions);
     passes.push_back("sample the " + positions + " for the cell size");
   }

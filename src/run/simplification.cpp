@@ -23,7 +23,7 @@ namespace winnow {
 
 namespace {
 
-constexpr std::size_t soup_batch_faces = 4096;  // encoded at once
+constexpr std::size_t faces_at_once = 4096;  // encoded at once
 
 SimplifyOptions checked(SimplifyOptions options) {
   check(options);
@@ -91,7 +91,7 @@ struct Simplification::State {
     constexpr std::size_t numbers = 3 * sizeof(std::uint32_t);
     std::vector<std::byte> records;
     while (!corners.empty()) {
-      const std::size_t count = std::min(corners.size() / 3, soup_batch_faces);
+      const std::size_t count = std::min(corners.size() / 3, faces_at_once);
       records.assign(count * (1 + numbers), std::byte{3});
       for (std::size_t i = 0; i < count; ++i)
         std::memcpy(records.data() + i * (1 + numbers) + 1, corners.data() + 3 * i, numbers);
@@ -102,9 +102,9 @@ struct Simplification::State {
 
   void add_triangles(std::span<const double> coordinates) {
     const std::size_t count = coordinates.size() / 9;
-    std::vector<std::uint32_t> own(3 * soup_batch_faces);
-    for (std::size_t done = 0; done < count; done += soup_batch_faces) {
-      const std::size_t part = std::min(count - done, soup_batch_faces);
+    std::vector<std::uint32_t> own(3 * faces_at_once);
+    for (std::size_t done = 0; done < count; done += faces_at_once) {
+      const std::size_t part = std::min(count - done, faces_at_once);
       std::iota(own.begin(), own.end(), static_cast<std::uint32_t>(vertex_count));
       add_vertices(coordinates.subspan(9 * done, 9 * part));
       add_faces(std::span(own).first(3 * part));
@@ -117,7 +117,7 @@ struct Simplification::State {
     constexpr std::size_t normal = 12;
     std::vector<std::byte> records;
     for (; !coordinates.empty();) {
-      const std::size_t count = std::min(coordinates.size() / 9, soup_batch_faces);
+      const std::size_t count = std::min(coordinates.size() / 9, faces_at_once);
       records.assign(count * record, std::byte{0});
       for (std::size_t i = 0; i < count; ++i)
         std::memcpy(records.data() + i * record + normal, coordinates.data() + 9 * i, 9 * sizeof(float));

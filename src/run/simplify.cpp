@@ -3,6 +3,8 @@
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
+#include "cluster/near_welder.hpp"
+#include "cluster/resolution.hpp"
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
 #include "run/attributes.hpp"
@@ -27,17 +29,38 @@ namespace winnow {
 
 namespace {
 
+// Joins the vertices that are near each other.
+std::unique_ptr<NearWeldedReader> join_near(Job& job, std::unique_ptr<MeshReader> reader,
+                                            const SimplifyOptions& options, const NearWeldMemory& memory,
+                                            SimplifyReport& report) {
+  report.weld.distance =
+      options.weld ? *options.weld : *options.relative_weld * measure_box_of_faces(job, *reader).diagonal();
+  std::unique_ptr<NearWeldedReader> welded = weld_near(job, std::move(reader), report.weld.distance, memory);
+  report.weld.vertices = welded->merged();
+  return welded;
+}
+
 // What is left to be read, or to be taken from a checkpoint.
 Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const AttributeWish& wish,
                   const MemoryPlan& plan, const Stopwatch& watch, SimplifyReport& report) {
   ReaderMemory reading = plan.reader;
   // The first bad face is to be named.
   reading.any_order = !options.strict;
-  const std::unique_ptr<MeshReader> reader = input.reader(options, wish, reading);
+  std::unique_ptr<MeshReader> reader = input.reader(options, wish, reading);
   CarriedAttributes attributes = take_attributes(job, *reader, report);
+  const NearWeldedReader* welded = nullptr;
+  if (welds(options)) {
+    std::unique_ptr<NearWeldedReader> near = join_near(job, std::move(reader), options, plan.weld, report);
+    welded = near.get();
+    reader = std::move(near);
+  }
   Clustering clustering(job, *reader, options, std::move(attributes), plan, report);
   const double opened = watch.seconds();
   Clustered clustered = clustering.run();
+  if (welded != nullptr) {
+    report.weld.faces = welded->collapsed();
+    report.input.cropped_faces -= welded->collapsed();
+  }
   report.seconds.read += opened;
   report.seconds.cluster = watch.seconds() - report.seconds.read;
   return clustered;

@@ -41,6 +41,14 @@ void check(const SimplifyOptions& options) {
     throw Error(ErrorKind::usage, "--error takes a part of the diagonal above 0 and below 100%, not " +
                                       shortest(100 * *options.relative_error) + "%");
   }
+  if (options.weld && !(*options.weld > 0 && std::isfinite(*options.weld)))
+    throw Error(ErrorKind::usage, "--weld takes a length above 0, not " + shortest(*options.weld));
+  if (options.relative_weld && !(*options.relative_weld > 0 && *options.relative_weld < 1)) {
+    throw Error(ErrorKind::usage, "--weld takes a part of the diagonal above 0 and below 100%, not " +
+                                      shortest(100 * *options.relative_weld) + "%");
+  }
+  if (options.weld && options.relative_weld)
+    throw Error(ErrorKind::usage, "--weld takes a length or a part of the diagonal, not both");
   if (options.crop) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto [low, high] = std::pair((*options.crop)[0][axis], (*options.crop)[1][axis]);
@@ -83,13 +91,17 @@ void check(const SimplifyOptions& options) {
   }
 }
 
+bool welds(const SimplifyOptions& options) {
+  return options.weld || options.relative_weld;
+}
+
 Access access_for(const SimplifyOptions& options) {
-  if (options.cell) return Access::once;
-  return options.grid ? Access::positions_first : Access::repeatedly;
+  if (welds(options)) return Access::repeatedly;
+  return options.cell ? Access::once : Access::repeatedly;
 }
 
 CellNeeds needs_of(const SimplifyOptions& options, const AttributeChoice& choice) {
-  return {options.placement == Placement::quadric, choice.carried.size()};
+  return {options.placement == Placement::quadric, choice.carried.size(), welds(options)};
 }
 
 }  // namespace winnow

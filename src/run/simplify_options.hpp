@@ -12,6 +12,8 @@ namespace winnow {
 void check(const SimplifyOptions& options);
 
 Refine cost_of(const SimplifyOptions& options);
+// Vertices that are near each other, not only equal ones.
+bool welds(const SimplifyOptions& options);
 Access access_for(const SimplifyOptions& options);
 CellNeeds needs_of(const SimplifyOptions& options, const AttributeChoice& choice = {});
 

@@ -87,7 +87,7 @@ class Get {
 // Every option: one that is missing here would be forgotten by resume().
 template <typename Visit, typename Options>
 void visit_options(Visit&& visit, Options& options) {
-  static_assert(sizeof(SimplifyOptions) == 264, "an option has come or gone: name it below");
+  static_assert(sizeof(SimplifyOptions) == 296, "an option has come or gone: name it below");
   visit("option.cell", options.cell);
   visit("option.grid", options.grid);
   visit("option.faces", options.faces);
@@ -103,6 +103,8 @@ void visit_options(Visit&& visit, Options& options) {
   visit("option.attributes", options.attributes);
   visit("option.strict", options.strict);
   visit("option.crop", options.crop);
+  visit("option.weld", options.weld);
+  visit("option.relative_weld", options.relative_weld);
   visit("option.from", options.from);
   visit("option.to", options.to);
   visit("option.ascii", options.encoding.ascii);
@@ -124,6 +126,9 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.output_vertices", report.output.vertices);
   visit("report.output_bytes", report.output.bytes);
   visit("report.output_name", report.output.name);
+  visit("report.weld_distance", report.weld.distance);
+  visit("report.weld_vertices", report.weld.vertices);
+  visit("report.weld_faces", report.weld.faces);
   visit("report.target_faces", report.target_faces);
   visit("report.cost", report.refine.cost);
   visit("report.tiles", report.refine.tiles);
@@ -133,6 +138,8 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.carried", report.attributes.carried);
   visit("report.dropped", report.attributes.dropped);
   visit("report.ignored", report.attributes.ignored);
+  visit("report.input_area", report.area.input);
+  visit("report.output_area", report.area.output);
   visit("report.cell_size", report.cell_size);
   visit("report.split_cells", report.split_cells);
   visit("report.cells", report.cells);

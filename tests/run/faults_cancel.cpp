@@ -14,11 +14,11 @@ namespace {
 using Stages = std::set<std::string>;
 
 void check_every_stage(const Directory& directory, const std::string& input, const SimplifyOptions& options,
-                       const Stages& expected) {
+                       const Stages& expected, std::uint64_t mebibytes = 40) {
   const std::string output = directory.file("out.ply");
   Context context;
   context.threads = 2;
-  context.memory = std::uint64_t{40} << 20;
+  context.memory = mebibytes << 20;
   context.scratch = directory.path();
   context.map_input = true;
   Stages stages;
@@ -70,6 +70,12 @@ SimplifyOptions with_ratio() {
 SimplifyOptions refined() {
   SimplifyOptions options;
   options.faces = 20'000;
+  return options;
+}
+
+SimplifyOptions refined_after_welding() {
+  SimplifyOptions options = refined();
+  options.relative_weld = 0.0005;
   return options;
 }
 
@@ -137,6 +143,10 @@ TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]")
   check_every_stage(directory, ply, refined_after_clustering(),
                     {"sample", "cluster", "look for damage", "read near damage", "split cells", "refine",
                      "unfold", "write"});
+  check_every_stage(directory, ply, refined_after_welding(),
+                    {"measure", "gather vertices", "find neighbours", "join vertices", "count faces", "weld",
+                     "join faces", "refine", "unfold", "write"},
+                    60);
   check_every_stage(directory, ply, refined_to_error(), {"measure", "weld", "join faces", "refine", "write"});
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 struct SimplifyArguments {
   std::vector<std::string> inputs;
-  std::string output, crop;
+  std::string output, crop, weld;
   std::string cell, grid, faces, ratio, error;
   std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
   std::string attributes = "auto";
@@ -54,6 +54,11 @@ SimplifyOptions options_of(const SimplifyArguments& arguments) {
     options.max_normal_deviation = parse_number("--max-normal-deviation", arguments.max_normal_deviation,
                                                 "an angle like 60, in degrees");
   options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
+  if (arguments.weld.ends_with('%')) {
+    options.relative_weld = parse_ratio("--weld", arguments.weld);
+  } else if (!arguments.weld.empty()) {
+    options.weld = parse_length("--weld", arguments.weld);
+  }
   if (!arguments.crop.empty()) options.crop = parse_box("--crop", arguments.crop);
   options.normals = arguments.normals;
   if (arguments.attributes == "none") {
@@ -182,6 +187,12 @@ void add_simplify(CLI::App& app) {
                    "Only faces that lie wholly in this box, in model units: xmin,ymin,zmin,xmax,ymax,zmax")
       ->type_name("BOX")
       ->group(result);
+  command
+      ->add_option("--weld", arguments->weld,
+                   "Join vertices nearer than this, and chains of them: 0.01 (model units) or 0.001% (of "
+                   "the diagonal)")
+      ->type_name("DISTANCE")
+      ->group(result);
   add_from(*command, arguments->from)->group(result);
   arguments->written.add_to(*command, result);
   const std::string killed = "Long runs";
@@ -205,6 +216,7 @@ void add_simplify(CLI::App& app) {
       "  winnow simplify scan.ply -o small.ply --error 0.1%\n"
       "  winnow simplify scan.ply -o small.ply --faces 1M --detail full\n"
       "  winnow simplify scan.stl -o small.ply --faces 1M --refine none\n"
+      "  winnow simplify soup.stl -o small.ply --faces 50k --weld 0.01\n"
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept    # if killed: winnow resume "
       "kept\n"
       "  winnow simplify part-*.ply -o all.ply --faces 5M --crop 0,0,-10,500,500,90\n"

@@ -57,6 +57,10 @@ Json json_of(const SimplifyReport& report) {
         {"cropped_faces", report.input.cropped_faces},
         {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
       {"output", json_of_output(report.output)},
+      {"weld",
+       {{"distance", report.weld.distance},
+        {"vertices", report.weld.vertices},
+        {"collapsed_faces", report.weld.faces}}},
       {"target", {{"faces", report.target_faces ? Json(*report.target_faces) : Json(nullptr)}}},
       {"refine",
        {{"cost", name_of(report.refine.cost)},
@@ -123,6 +127,11 @@ void show(const SimplifyReport& report, std::ostream& out) {
   if (report.input.vertices > 0) vertices = show_count(report.input.vertices) + " -> " + vertices;
   line("vertices", vertices);
   line("file", show_bytes(report.input.bytes) + " -> " + show_bytes(report.output.bytes));
+  if (report.weld.distance > 0) {
+    line("welded", show_count(report.weld.vertices) + " vertices nearer than " +
+                       show_length(report.weld.distance) + " to another; " +
+                       show_count(report.weld.faces) + " faces collapsed");
+  }
   const bool refined = report.refine.cost != Refine::none;
   if (report.cell_size > 0) {
     const std::string split =

@@ -1,0 +1,31 @@
+// The area of all good faces that pass by, whatever their order.
+#pragma once
+
+#include "base/exact_sum.hpp"
+#include "base/per_slot.hpp"
+#include "read/face_batch.hpp"
+
+#include <cstdint>
+
+namespace winnow {
+
+class AreaSum {
+ public:
+  // Each face's area is rounded to a 2^-20th of `unit`, which costs next to nothing to add up. Faces larger
+  // than 2^24 units, or all where `unit` is 0, are added up exactly.
+  AreaSum(unsigned threads, double unit);
+
+  void add(const FaceBatch& faces);  // from any thread of the job's arena
+  [[nodiscard]] double value() const;
+
+ private:
+  struct Part {
+    std::int64_t units = 0;  // 2^-20ths; at most 2^44 a face, moved to `large` in time
+    ExactSum large;
+  };
+
+  double scale_;  // 2^20 / unit
+  PerSlot<Part> parts_;
+};
+
+}  // namespace winnow
