@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "cluster/area_sum.hpp"
 #include "cluster/welder.hpp"
+#include "measure/result_surface.hpp"
 #include "read/for_each_batch.hpp"
 #include "run/simplify_options.hpp"
 #include "run/write_mesh.hpp"
@@ -71,6 +72,12 @@ void note_pairs(Job& job, const ClusteredMesh& mesh) {
   job.note(line);
 }
 
+constexpr const char* detail_full = "--detail full";
+
+std::string few_faces() {
+  return "the input has no more than " + grouped(always_full) + " faces";
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint64_t available) {
@@ -83,9 +90,20 @@ std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint
 Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::uint64_t target) {
   const double wanted = options.detail.value_or(usual_detail) * static_cast<double>(target);
   const auto all = static_cast<double>(available);
-  const bool welded =
-      options.detail ? wanted >= all : available <= always_full || wanted > worth_clustering * all;
-  return {welded, welded ? available : static_cast<std::uint64_t>(wanted)};
+  const auto clustered = static_cast<std::uint64_t>(wanted);
+  if (options.detail && wanted >= all)
+    return {true, available, std::isinf(*options.detail) ? detail_full : "--detail asks for all faces"};
+  if (options.detail) return {false, clustered, "--detail asks for it"};
+  if (available <= always_full) return {true, available, few_faces()};
+  if (wanted > worth_clustering * all)
+    return {true, available, "it would not spare three quarters of the faces"};
+  return {false, clustered, "it spares three quarters of the faces or more"};
+}
+
+Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available) {
+  if (options.detail) return {true, available, detail_full};
+  if (available <= always_full) return {true, available, few_faces()};
+  return {false, available, ""};
 }
 
 Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options,
@@ -113,6 +131,7 @@ Clustered Clustering::run() {
 }
 
 ClusteredMesh Clustering::as_asked() {
+  if (cost_of(options_) == Refine::none) report_.clustered = {true, clustering_alone};
   if (options_.cell || options_.grid) {
     settings_.grid = options_.cell ? grid_of_cell() : grid_of_box();
     ClusteredMesh mesh = once();
@@ -146,28 +165,33 @@ ClusteredMesh Clustering::to_error() {
   if (box.empty) refuse_empty();
   error_ = options_.error ? *options_.error : *options_.relative_error * box.diagonal();
   const double cell = cell_for_error * error_;
-  if (!options_.detail && available_ > always_full && cell >= Grid::edge_for(box, axis_cells / 2)) {
+  const Detail detail = detail_for_error(options_, available_);
+  if (detail.welded) return welded(detail.reason);
+  if (cell >= Grid::edge_for(box, axis_cells / 2)) {
+    report_.clustered = {true, "cells of 1.5 times the error leave less than half of the faces"};
     settings_.grid = Grid::over(box, cell);
     ClusteredMesh mesh = once();
     if (mesh.face_count == 0) refuse_result(mesh);
     if (mesh.face_count < available_ / 2) return mesh;
   }
-  return welded();
+  return welded("cells of 1.5 times the error would leave half of the faces or more");
 }
 
 ClusteredMesh Clustering::to_detail() {
   const Detail detail = detail_for(options_, available_, target_);
-  if (detail.welded) return welded();
+  if (detail.welded) return welded(detail.reason);
+  report_.clustered = {true, detail.reason};
   const CellCounts cells = sample(detail.faces);
   const auto wanted = static_cast<double>(detail.faces);
   if (cells.expected_faces(cells.cell_for(wanted)) >= fine_enough * wanted)
     return to_count(cells, detail.faces, detail_tolerance);
   job_.note("the finest cells in a box of " + shortest(cells.box().longest_side()) +
             " are too coarse for this count, so all faces were refined: some vertices may be far off");
-  return welded();
+  return welded("the finest cells are too coarse");
 }
 
-ClusteredMesh Clustering::welded() {
+ClusteredMesh Clustering::welded(const std::string& reason) {
+  report_.clustered = {false, reason};
   settings_.grid = {};
   WeldMemory memory{plan_.cluster.table,
                     plan_.cluster.vertices,
@@ -188,6 +212,8 @@ ClusteredMesh Clustering::welded() {
   reader_.rest();
   note_pairs(job_, mesh);
   if (mesh.face_count == 0) refuse_empty();
+  if (mesh.face_count <= always_full)
+    report_.topology.input = measure_result(job_, mesh, plan_.cluster.table).edges;
   return mesh;
 }
 

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace winnow {
@@ -33,8 +34,12 @@ std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint
 struct Detail {
   bool welded = false;
   std::uint64_t faces = 0;
+  std::string reason{};
 };
 Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::uint64_t target);
+// The same where an error is asked for; nothing in `reason` where it only shows later.
+Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available);
+inline constexpr const char* clustering_alone = "clustering alone was asked for";
 
 // Fills what the report says of input and cells.
 class Clustering {
@@ -55,7 +60,7 @@ class Clustering {
   ClusteredMesh to_count(const CellCounts& sample, std::uint64_t target, double tolerated);
   void note_missed_count(const CellSearch& search, std::uint64_t faces, std::uint64_t target);
   ClusteredMesh once();
-  ClusteredMesh welded();
+  ClusteredMesh welded(const std::string& reason);  // why nothing is clustered
   void take_counts(const ClusterCounts& counts);
   [[noreturn]] void refuse_empty() const;
   [[noreturn]] void refuse_result(const ClusteredMesh& mesh) const;
