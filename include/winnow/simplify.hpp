@@ -122,9 +122,9 @@ struct SimplifyReport {
     std::string name;                                  // as it was given
   } output;
   struct {
-    double distance = 0;          // of SimplifyOptions::weld, in model units; 0 without
-    std::uint64_t vertices = 0;   // positions that became one with another
-    std::uint64_t faces = 0;      // faces that lost a corner thereby; left out
+    double distance = 0;         // of SimplifyOptions::weld, in model units; 0 without
+    std::uint64_t vertices = 0;  // positions that became one with another
+    std::uint64_t faces = 0;     // faces that lost a corner thereby; left out
   } weld;
 
   std::optional<std::uint64_t> target_faces;  // with faces and ratio
@@ -145,8 +145,26 @@ struct SimplifyReport {
     std::uint64_t ignored = 0;
   } attributes;
 
+  struct Topology {
+    struct Edges {
+      std::uint64_t total = 0;
+      std::uint64_t boundary = 0;      // with one face
+      std::uint64_t non_manifold = 0;  // with more than two
+    };
+    // Once equal positions are one; only where nothing is clustered, of at most 2^20 faces.
+    std::optional<Edges> input;
+    Edges output;
+    bool closed = false;  // the output: every side of a face meets one of the opposite direction
+  } topology;
+
+  // Whether clustering came first, or alone, and the reason: "--detail full", "few faces", ...
   struct {
-    double input = 0;   // of all good faces
+    bool first = false;
+    std::string reason;
+  } clustered;
+
+  struct {
+    double input = 0;  // of all good faces
     double output = 0;
   } area;
 
@@ -180,9 +198,11 @@ struct SimplifyPlan {
     std::string name;
     std::uint64_t bytes = 0;
   };
-  std::vector<Part> memory;            // how the budget is divided
-  std::uint64_t smallest_memory = 0;   // the smallest budget that works for this input
-  std::vector<std::string> passes;     // what is read, in order
+  std::vector<Part> memory;           // how the budget is divided
+  std::uint64_t smallest_memory = 0;  // the smallest budget that works for this input
+  std::vector<std::string> passes;    // what is read, in order
+  std::optional<bool> clustered;      // first, or alone; nothing where that shows later
+  std::string clustered_reason;
   std::optional<std::uint64_t> faces;  // what the header promises, where it does
   std::optional<std::uint64_t> vertices;
   std::optional<std::uint64_t> scratch_worst;  // no input of this size needs more scratch, in bytes

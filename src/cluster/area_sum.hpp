@@ -11,8 +11,8 @@ namespace winnow {
 
 class AreaSum {
  public:
-  // Each face's area is rounded to a 2^-20th of `unit`, which costs next to nothing to add up. Faces larger
-  // than 2^24 units, or all where `unit` is 0, are added up exactly.
+  // Each face's area is rounded to a 2^-40th of `unit`, which costs next to nothing to add up.
+  // Faces larger than 2^8 units, or all where `unit` is 0, are added up exactly.
   AreaSum(unsigned threads, double unit);
 
   void add(const FaceBatch& faces);  // from any thread of the job's arena
@@ -20,11 +20,11 @@ class AreaSum {
 
  private:
   struct Part {
-    std::int64_t units = 0;  // 2^-20ths; at most 2^44 a face, moved to `large` in time
+    std::int64_t units = 0;  // 2^-40ths; at most 2^48 a face, moved to `large` in time
     ExactSum large;
   };
 
-  double scale_;  // 2^20 / unit
+  double scale_;  // 2^40 / unit
   PerSlot<Part> parts_;
 };
 

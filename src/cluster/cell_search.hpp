@@ -8,8 +8,8 @@
 
 namespace winnow {
 
-// Starts with what the sample expects, corrected by what came of it. Once a cell gave too many faces and
-// another too few, it looks between the nearest two of them.
+// Starts with what the sample expects, corrected by what came of it. Once a cell gave too many
+// faces and another too few, it looks between the nearest two of them.
 class CellSearch {
  public:
   CellSearch(const CellCounts& sample, double wanted_faces);

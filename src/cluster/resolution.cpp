@@ -222,7 +222,6 @@ bool reaches_beyond(const Box& box, const Box& most, double factor) {
 // Of all positions, or of those that faces use where some lie far off; then the picked ones outside
 // are dropped.
 void take_surface(Job& job, MeshReader& reader, PickedPoints& picked) {
-  if (!reader.facts().vertices) return;  // then all belong to faces
   const bool few = picked.points.size() < few_points;
   if (!few && !reaches_beyond(picked.box, box_of_most(picked), far_for_faces)) return;
   picked.box = measure_box_of_faces(job, reader);

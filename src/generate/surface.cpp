@@ -9,7 +9,7 @@ namespace winnow {
 namespace {
 
 constexpr std::uint64_t fewest_faces = 8;                     // the octahedron
-constexpr std::uint64_t most_faces = std::uint64_t{1} << 48;  // 14 PB of STL; rows stay countable in 32 bits
+constexpr std::uint64_t most_generated = std::uint64_t{1} << 48;  // 14 PB of STL; rows stay countable in 32 bits
 
 }  // namespace
 
@@ -26,9 +26,9 @@ MeshFace GeneratedSurface::face(std::uint64_t id) const {
 }
 
 std::unique_ptr<GeneratedSurface> make_surface(const GenerateOptions& options) {
-  if (options.faces < fewest_faces || options.faces > most_faces) {
+  if (options.faces < fewest_faces || options.faces > most_generated) {
     throw Error(ErrorKind::usage, "cannot generate " + grouped(options.faces) + " faces; ask for " +
-                                      grouped(fewest_faces) + " to " + grouped(most_faces));
+                                      grouped(fewest_faces) + " to " + grouped(most_generated));
   }
   switch (options.surface) {
     case Surface::scan:

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "cluster/area_sum.hpp"
 #include "cluster/welder.hpp"
+#include "measure/result_surface.hpp"
 #include "read/for_each_batch.hpp"
 #include "run/safe_clustering.hpp"
 #include "run/simplify_options.hpp"
@@ -37,6 +38,8 @@ constexpr std::uint64_t always_full = std::uint64_t{1} << 20;
 constexpr double worth_clustering = 0.25;
 // Where the finest cells leave less than this part of the faces that are wanted, clustering is no help.
 constexpr double fine_enough = 0.5;
+constexpr const char* keeps_boundaries = "boundaries are to keep all of their vertices";
+constexpr const char* much_damage = "it would damage much of the surface";
 // An edge of a cell, beside the error that refinement may make.
 constexpr double cell_for_error = 1.5;
 
@@ -72,6 +75,12 @@ void note_pairs(Job& job, const ClusteredMesh& mesh) {
   job.note(line);
 }
 
+constexpr const char* detail_full = "--detail full";
+
+std::string few_faces() {
+  return "the input has no more than " + grouped(always_full) + " faces";
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint64_t available) {
@@ -84,11 +93,22 @@ std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint
 Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::uint64_t target) {
   const double wanted = options.detail.value_or(usual_detail) * static_cast<double>(target);
   const auto all = static_cast<double>(available);
-  // A cell has one vertex, and boundaries are to keep all of theirs.
-  const bool welded =
-      options.borders == Borders::keep ||
-      (options.detail ? wanted >= all : available <= always_full || wanted > worth_clustering * all);
-  return {welded, welded ? available : static_cast<std::uint64_t>(wanted)};
+  const auto clustered = static_cast<std::uint64_t>(wanted);
+  if (options.borders == Borders::keep) return {true, available, keeps_boundaries};
+  if (options.detail && wanted >= all)
+    return {true, available, std::isinf(*options.detail) ? detail_full : "--detail asks for all faces"};
+  if (options.detail) return {false, clustered, "--detail asks for it"};
+  if (available <= always_full) return {true, available, few_faces()};
+  if (wanted > worth_clustering * all)
+    return {true, available, "it would not spare three quarters of the faces"};
+  return {false, clustered, "it spares three quarters of the faces or more"};
+}
+
+Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available) {
+  if (options.detail) return {true, available, detail_full};
+  if (options.borders == Borders::keep) return {true, available, keeps_boundaries};
+  if (available <= always_full) return {true, available, few_faces()};
+  return {false, available, ""};
 }
 
 Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options,
@@ -116,6 +136,7 @@ Clustered Clustering::run() {
 }
 
 ClusteredMesh Clustering::as_asked() {
+  if (cost_of(options_) == Refine::none) report_.clustered = {true, clustering_alone};
   if (options_.cell || options_.grid) {
     settings_.grid = options_.cell ? grid_of_cell() : grid_of_box();
     ClusteredMesh mesh = once();
@@ -149,31 +170,35 @@ ClusteredMesh Clustering::to_error() {
   if (box.empty) refuse_empty();
   error_ = options_.error ? *options_.error : *options_.relative_error * box.diagonal();
   const double cell = cell_for_error * error_;
-  if (!options_.detail && options_.borders != Borders::keep && available_ > always_full &&
-      cell >= Grid::edge_for(box, axis_cells / 2)) {
+  const Detail detail = detail_for_error(options_, available_);
+  if (detail.welded) return welded(detail.reason);
+  if (cell >= Grid::edge_for(box, axis_cells / 2)) {
+    report_.clustered = {true, "cells of 1.5 times the error leave less than half of the faces"};
     settings_.grid = Grid::over(box, cell);
     ClusteredMesh mesh = once();
     if (mesh.face_count < available_ / 2) {
       std::optional<SafeMesh> safe = safely(box, std::move(mesh));
       // Cells move boundaries by more than the error allows.
       if (safe && !safe->open) return std::move(safe->mesh);
+      return welded(safe ? "it would move boundaries by more than the error" : much_damage);
     }
   }
-  return welded();
+  return welded("cells of 1.5 times the error would leave half of the faces or more");
 }
 
 ClusteredMesh Clustering::to_detail() {
   const Detail detail = detail_for(options_, available_, target_);
-  if (detail.welded) return welded();
+  if (detail.welded) return welded(detail.reason);
+  report_.clustered = {true, detail.reason};
   const CellCounts cells = sample(detail.faces);
   const auto wanted = static_cast<double>(detail.faces);
   if (cells.expected_faces(cells.cell_for(wanted)) >= fine_enough * wanted) {
     std::optional<SafeMesh> safe = safely(cells.box(), to_count(cells, detail.faces, detail_tolerance));
-    return safe ? std::move(safe->mesh) : welded();
+    return safe ? std::move(safe->mesh) : welded(much_damage);
   }
   job_.note("the finest cells in a box of " + shortest(cells.box().longest_side()) +
             " are too coarse for this count, so all faces were refined: some vertices may be far off");
-  return welded();
+  return welded("the finest cells are too coarse");
 }
 
 std::optional<SafeMesh> Clustering::safely(const Box& box, ClusteredMesh coarse) {
@@ -188,7 +213,8 @@ std::optional<SafeMesh> Clustering::safely(const Box& box, ClusteredMesh coarse)
   return safe;
 }
 
-ClusteredMesh Clustering::welded() {
+ClusteredMesh Clustering::welded(const std::string& reason) {
+  report_.clustered = {false, reason};
   settings_.grid = {};
   WeldMemory memory{plan_.cluster.table,
                     plan_.cluster.vertices,
@@ -209,6 +235,8 @@ ClusteredMesh Clustering::welded() {
   reader_.rest();
   note_pairs(job_, mesh);
   if (mesh.face_count == 0) refuse_empty();
+  if (mesh.face_count <= always_full)
+    report_.topology.input = measure_result(job_, mesh, plan_.cluster.table).edges;
   return mesh;
 }
 

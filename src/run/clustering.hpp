@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace winnow {
@@ -34,8 +35,12 @@ std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint
 struct Detail {
   bool welded = false;
   std::uint64_t faces = 0;
+  std::string reason{};
 };
 Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::uint64_t target);
+// The same where an error is asked for; nothing in `reason` where it only shows later.
+Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available);
+inline constexpr const char* clustering_alone = "clustering alone was asked for";
 
 // Fills what the report says of input and cells.
 class Clustering {
@@ -57,7 +62,7 @@ class Clustering {
   void note_missed_count(const CellSearch& search, std::uint64_t faces, std::uint64_t target);
   ClusteredMesh once();
   std::optional<SafeMesh> safely(const Box& box, ClusteredMesh coarse);
-  ClusteredMesh welded();
+  ClusteredMesh welded(const std::string& reason);  // why nothing is clustered
   void take_counts(const ClusterCounts& counts);
   [[noreturn]] void refuse_empty() const;
   [[noreturn]] void refuse_result(const ClusteredMesh& mesh) const;

@@ -56,8 +56,8 @@ std::uint64_t MemoryPlan::smallest_for(unsigned threads, const CellNeeds& needs)
   // Runs of attributes are merged beside those of cells.
   const std::uint64_t merge = SortedRuns<CellFace>::merge_memory() * (needs.attributes > 0 ? 2 : 1);
   // The smallest share decides.
-  const std::uint64_t rest = std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)}) *
-                             (needs.weld ? 4 : 3) / 3;
+  const std::uint64_t rest =
+      std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)}) * (needs.weld ? 4 : 3) / 3;
   const std::uint64_t fixed = threads * per_thread(needs) + blocks_in_flight(threads, small_batch);
   return (fixed + rest + mebibyte - 1) / mebibyte * mebibyte;
 }
@@ -122,7 +122,8 @@ std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs) {
   const std::uint64_t runs = 2 * (3 * cell + sizeof(CellFace));
   const std::uint64_t vertex = vertex_size(needs);
   const std::uint64_t weld = needs.weld ? near_weld_scratch(faces) : 0;
-  return weld + weld / 100 + faces * (runs + runs / 100 + 1 + 3 * vertex + 3 * sizeof(std::uint32_t)) + mebibyte;
+  return weld + weld / 100 + faces * (runs + runs / 100 + 1 + 3 * vertex + 3 * sizeof(std::uint32_t)) +
+         mebibyte;
 }
 
 std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, const CellNeeds& needs) {

@@ -34,10 +34,11 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
     passes.push_back("measure where most of the " + positions + " are");
     passes.emplace_back("gather the vertices of the faces, and join those near each other");
   }
-  if (options.grid) passes.push_back("measure the box of the " + positions);
-  if (options.error || options.relative_error) passes.push_back("measure the box of the " + positions);
+  if (options.grid || options.relative_error) passes.emplace_back("measure the box of the faces");
+  if (options.error) passes.push_back("measure the box of the " + positions);
   if (options.faces || options.ratio) {
-    if ((welds(options) || (!outlook.facts.faces && !outlook.taken_in && options.ratio))) passes.emplace_back("count the faces");
+    if ((welds(options) || (!outlook.facts.faces && !outlook.taken_in && options.ratio)))
+      passes.emplace_back("count the faces");
     passes.push_back("find the box and a rough cell size from the " + positions);
     passes.push_back("sample the " + positions + " for the cell size");
   }
@@ -48,6 +49,7 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   if ((options.faces || options.ratio) && !refine)
     passes.emplace_back("cluster them again, only if the sample misled by more than 10 %");
   if (refine) passes.emplace_back("collapse edges, tile by tile");
+  passes.emplace_back("count the edges of the result");
   passes.emplace_back("write the result");
   return passes;
 }
@@ -110,12 +112,23 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   out.passes = passes_of(outlook, options);
   out.faces = outlook.facts.faces;
   out.vertices = outlook.facts.vertices;
+  if (cost_of(options) == Refine::none) {
+    out.clustered = true;
+    out.clustered_reason = clustering_alone;
+  }
   if (out.faces) {
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
     if (outlook.vertices_kept) kept += out.vertices.value_or(0) * vertex_record(outlook.facts);
     if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
     out.scratch_worst =
         BlockSums::with_sums(worst_scratch(*out.faces, needs) + kept + worst_of_jumping(outlook, plan));
+    if (cost_of(options) != Refine::none) {
+      const auto target = target_of(options, *out.faces);
+      const Detail detail = target ? detail_for(options, *out.faces, std::min(*out.faces, *target))
+                                   : detail_for_error(options, *out.faces);
+      if (!detail.reason.empty()) out.clustered = !detail.welded;
+      out.clustered_reason = detail.reason;
+    }
     foretell(options, plan, needs, context.memory - input.memory(), job.threads, out);
     if (out.scratch_expected) *out.scratch_expected += kept;
   }

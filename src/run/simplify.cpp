@@ -3,10 +3,12 @@
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
+#include "base/text.hpp"
 #include "cluster/near_welder.hpp"
 #include "cluster/resolution.hpp"
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
+#include "measure/result_surface.hpp"
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
 #include "run/input.hpp"
@@ -66,6 +68,38 @@ Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const 
   return clustered;
 }
 
+// Surfaces of which more than this part of the area went get a note.
+constexpr double lost_area = 0.01;
+// Faces that hardly share an edge: more than this part of so many edges are boundaries.
+constexpr double loose_edges = 0.9;
+constexpr std::uint64_t enough_edges = 100;
+
+std::string percentage(double part) {
+  const double tenths = std::round(1000 * part) / 10;
+  return shortest(tenths) + " %";
+}
+
+// Tells what became of the surface.
+void check_surface(Job& job, const ClusteredMesh& mesh, const SimplifyOptions& options,
+                   SimplifyReport& report) {
+  const ResultSurface surface = measure_result(job, mesh, job.budget.left() / 2);
+  report.topology.output = surface.edges;
+  report.topology.closed = surface.closed;
+  report.area.output = surface.area;
+  const bool of_input = report.topology.input.has_value();
+  const SimplifyReport::Topology::Edges& edges = of_input ? *report.topology.input : surface.edges;
+  if (edges.total >= enough_edges &&
+      static_cast<double>(edges.boundary) > loose_edges * static_cast<double>(edges.total)) {
+    job.note(percentage(static_cast<double>(edges.boundary) / static_cast<double>(edges.total)) +
+             " of the edges of the " + (of_input ? "input" : "result") +
+             " are boundaries, as if its faces did not touch; " +
+             (welds(options) ? "a larger distance of --weld" : "--weld DISTANCE") +
+             " joins vertices that lie near each other");
+  }
+  const double lost = 1 - surface.area / report.area.input;
+  if (lost > lost_area) job.note(percentage(lost) + " of the area is gone");
+}
+
 // `input`: of a run whose mesh is not in the checkpoint.
 SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEncoder& encoder, ByteSink& sink,
                              const SimplifyRequest& request, SimplifyCheckpoint& checkpoint,
@@ -110,6 +144,7 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
     report.seconds.refine = watch.seconds() - report.seconds.read - report.seconds.cluster;
   }
 
+  check_surface(job, mesh, options, report);
   MeshShape shape = shape_of(job, mesh, encoder, normals, doubles, exact, "simplified by winnow");
   shape.attributes = attributes;
   write_mesh(job, mesh, shape, encoder, sink);

@@ -41,6 +41,11 @@ class Put {
     manifest_.set(key, std::uint64_t{1});
     for (std::size_t i = 0; i < 6; ++i) manifest_.set(key + "." + std::to_string(i), box[i / 3][i % 3]);
   }
+  void operator()(const std::string& key, const SimplifyReport::Topology::Edges& edges) {
+    manifest_.set(key, edges.total);
+    manifest_.set(key + ".boundary", edges.boundary);
+    manifest_.set(key + ".non_manifold", edges.non_manifold);
+  }
   void operator()(const std::string& key, const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
@@ -73,6 +78,11 @@ class Get {
   }
   void operator()(const std::string& key, std::array<std::array<double, 3>, 2>& box) {
     for (std::size_t i = 0; i < 6; ++i) box[i / 3][i % 3] = manifest_.real(key + "." + std::to_string(i));
+  }
+  void operator()(const std::string& key, SimplifyReport::Topology::Edges& edges) {
+    edges.total = manifest_.number(key);
+    edges.boundary = manifest_.number(key + ".boundary");
+    edges.non_manifold = manifest_.number(key + ".non_manifold");
   }
   void operator()(const std::string& key, std::vector<std::string>& lines) {
     lines.clear();
@@ -138,6 +148,11 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.carried", report.attributes.carried);
   visit("report.dropped", report.attributes.dropped);
   visit("report.ignored", report.attributes.ignored);
+  visit("report.input_edges", report.topology.input);
+  visit("report.output_edges", report.topology.output);
+  visit("report.closed", report.topology.closed);
+  visit("report.clustered_first", report.clustered.first);
+  visit("report.clustered_reason", report.clustered.reason);
   visit("report.input_area", report.area.input);
   visit("report.output_area", report.area.output);
   visit("report.cell_size", report.cell_size);

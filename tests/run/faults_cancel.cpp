@@ -109,16 +109,16 @@ TEST_CASE("a run is cancelled in every stage", "[faults][threads]") {
   generate("scan", 40'000, stl);
   const std::string packed_ply = gzip_file(ply);
   const std::string packed_stl = zstd_file(stl);
-  check_every_stage(directory, ply, with_cell(), {"cluster", "write"});
-  check_every_stage(directory, stl, with_grid(), {"measure", "cluster", "write"});
-  check_every_stage(directory, ply, with_faces(), {"sample", "cluster", "write"});
-  check_every_stage(directory, packed_ply, with_cell(), {"read vertices", "cluster", "write"});
+  check_every_stage(directory, ply, with_cell(), {"cluster", "check", "write"});
+  check_every_stage(directory, stl, with_grid(), {"measure", "cluster", "check", "write"});
+  check_every_stage(directory, ply, with_faces(), {"sample", "cluster", "check", "write"});
+  check_every_stage(directory, packed_ply, with_cell(), {"read vertices", "cluster", "check", "write"});
   check_every_stage(directory, packed_stl, with_faces(),
-                    {"copy the input to scratch", "sample", "cluster", "write"});
+                    {"copy the input to scratch", "sample", "cluster", "check", "write"});
   check_every_stage(directory, ascii_file(stl, directory.file("ascii.stl")), with_ratio(),
-                    {"count faces", "sample", "cluster", "write"});
+                    {"count faces", "sample", "cluster", "check", "write"});
   check_every_stage(directory, faces_first_file(ply, directory.file("faces-first.ply")), with_cell(),
-                    {"keep faces", "cluster", "write"});
+                    {"keep faces", "cluster", "check", "write"});
 }
 
 // Under the thread sanitizer the stages of their own are cancelled in tests/read.
@@ -128,9 +128,9 @@ TEST_CASE("a run over faces that jump is cancelled in every stage", "[faults]") 
   generate("scan", 1'500'000, ply, {.shuffle = true});
   SimplifyOptions coarse = with_cell();
   coarse.cell = 0.05;
-  check_every_stage(directory, ply, coarse, {"sort faces", "cluster", "write"});
+  check_every_stage(directory, ply, coarse, {"sort faces", "cluster", "check", "write"});
   coarse.strict = true;
-  check_every_stage(directory, ply, coarse, {"sort corners", "look up corners", "cluster", "write"});
+  check_every_stage(directory, ply, coarse, {"sort corners", "look up corners", "cluster", "check", "write"});
 }
 
 TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]") {
@@ -139,15 +139,16 @@ TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]")
   const std::string ply = directory.file("scan.ply");
   generate("scan", 200'000, ply);
   check_every_stage(directory, ply, refined(),
-                    {"measure", "weld", "join faces", "refine", "unfold", "write"});
+                    {"measure", "weld", "join faces", "refine", "unfold", "check", "write"});
   check_every_stage(directory, ply, refined_after_clustering(),
                     {"sample", "cluster", "look for damage", "read near damage", "split cells", "refine",
-                     "unfold", "write"});
+                     "unfold", "check", "write"});
   check_every_stage(directory, ply, refined_after_welding(),
                     {"measure", "gather vertices", "find neighbours", "join vertices", "count faces", "weld",
-                     "join faces", "refine", "unfold", "write"},
+                     "join faces", "refine", "unfold", "check", "write"},
                     60);
-  check_every_stage(directory, ply, refined_to_error(), {"measure", "weld", "join faces", "refine", "write"});
+  check_every_stage(directory, ply, refined_to_error(),
+                    {"measure", "weld", "join faces", "refine", "check", "write"});
 }
 
 TEST_CASE("a run that refines is cancelled in its second round", "[faults][threads]") {

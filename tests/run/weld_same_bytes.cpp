@@ -1,4 +1,5 @@
-// What changes no byte of a mesh changes none of a welded one: threads, memory, file or pipe, resuming.
+// What changes no byte of a mesh changes none of a welded one: threads, memory, file or pipe,
+// resuming.
 #include "support/attributes.hpp"
 #include "support/budget.hpp"
 #include "support/checkpoints.hpp"
@@ -40,7 +41,8 @@ TEST_CASE("the same welded bytes with any threads budget and way in", "[same_byt
   }
 }
 
-TEST_CASE("attributes of joined vertices are averaged the same way everywhere", "[same_bytes][weld]") {
+TEST_CASE("attributes of joined vertices are averaged the same way everywhere",
+          "[same_bytes][weld]") {
   const Directory directory;
   const std::string input = directory.file("columns.ply");
   write_attributed(input, generated(directory.path(), 20'000), usual_columns());

@@ -48,6 +48,10 @@ Json json_of(const std::optional<Resumed>& resumed) {
           {"written", resumed->written}};
 }
 
+Json json_of(const SimplifyReport::Topology::Edges& edges) {
+  return {{"edges", edges.total}, {"boundary", edges.boundary}, {"non_manifold", edges.non_manifold}};
+}
+
 Json json_of(const SimplifyReport& report) {
   return {
       {"input",
@@ -72,6 +76,12 @@ Json json_of(const SimplifyReport& report) {
        {{"carried", report.attributes.carried},
         {"dropped", report.attributes.dropped},
         {"ignored_values", report.attributes.ignored}}},
+      {"clustered", {{"first", report.clustered.first}, {"reason", report.clustered.reason}}},
+      {"topology",
+       {{"input", report.topology.input ? json_of(*report.topology.input) : Json(nullptr)},
+        {"output", json_of(report.topology.output)},
+        {"closed", report.topology.closed}}},
+      {"area", {{"input", report.area.input}, {"output", report.area.output}}},
       {"cell_size", report.cell_size},
       {"cells", report.cells},
       {"split_cells", report.split_cells},
@@ -116,6 +126,10 @@ std::string percent(double part) {
   return text.data();
 }
 
+std::string describe(const SimplifyReport::Topology::Edges& edges) {
+  return show_count(edges.boundary) + " boundary and " + show_count(edges.non_manifold) + " non-manifold";
+}
+
 void show(const SimplifyReport& report, std::ostream& out) {
   const Lines line(out, 10);
   const double part = report.input.faces == 0 ? 0
@@ -129,8 +143,8 @@ void show(const SimplifyReport& report, std::ostream& out) {
   line("file", show_bytes(report.input.bytes) + " -> " + show_bytes(report.output.bytes));
   if (report.weld.distance > 0) {
     line("welded", show_count(report.weld.vertices) + " vertices nearer than " +
-                       show_length(report.weld.distance) + " to another; " +
-                       show_count(report.weld.faces) + " faces collapsed");
+                       show_length(report.weld.distance) + " to another; " + show_count(report.weld.faces) +
+                       " faces collapsed");
   }
   const bool refined = report.refine.cost != Refine::none;
   if (report.cell_size > 0) {
@@ -142,10 +156,21 @@ void show(const SimplifyReport& report, std::ostream& out) {
                               : "  (no vertex is farther than " + show_length(report.error_bound) +
                                     " from the surface)"));
   }
+  if (!report.clustered.reason.empty())
+    line("clustered", std::string(!report.clustered.first ? "no: "
+                                  : refined               ? "first: "
+                                                          : "only: ") +
+                          report.clustered.reason);
   if (refined) {
     line("refined", show_count(report.refine.collapses) + " edges collapsed by " +
                         name_of(report.refine.cost) + ", " + show_count(report.refine.tiles) +
                         (report.refine.tiles == 1 ? " tile" : " tiles"));
+  }
+  if (report.topology.output.total > 0) {
+    std::string edges = describe(report.topology.output);
+    if (report.topology.input) edges = describe(*report.topology.input) + " -> " + edges;
+    line("edges", edges + (report.topology.closed ? "  (closed)" : "  (not closed)"));
+    line("area", show_length(report.area.input) + " -> " + show_length(report.area.output));
   }
   if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
   if (report.resumed) line("resumed", describe(*report.resumed));
@@ -168,6 +193,7 @@ Json json_of(const SimplifyPlan& plan) {
   return {{"memory", memory},
           {"smallest_memory", plan.smallest_memory},
           {"passes", plan.passes},
+          {"clustered", {{"first", optional(plan.clustered)}, {"reason", plan.clustered_reason}}},
           {"faces", optional(plan.faces)},
           {"vertices", optional(plan.vertices)},
           {"scratch_worst", optional(plan.scratch_worst)},
@@ -181,6 +207,9 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
   if (plan.vertices) out << "  vertices  " << show_count(*plan.vertices) << "\n";
   out << "passes\n";
   for (std::size_t i = 0; i < plan.passes.size(); ++i) out << "  " << i + 1 << ". " << plan.passes[i] << "\n";
+  if (plan.clustered) {
+    out << "clustered\n  " << (*plan.clustered ? "yes: " : "no: ") << plan.clustered_reason << "\n";
+  }
   out << "memory\n";
   for (const SimplifyPlan::Part& part : plan.memory) {
     const std::string size = show_bytes(part.bytes);

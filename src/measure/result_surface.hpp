@@ -1,0 +1,22 @@
+// What a run tells of the surface that it is going to write.
+#pragma once
+
+#include "cluster/clusterer.hpp"
+#include "io/job.hpp"
+
+#include <cstdint>
+
+namespace winnow {
+
+struct ResultSurface {
+  SimplifyReport::Topology::Edges edges;
+  bool closed = false;
+  double area = 0;
+};
+
+// Counts edges exactly, by the numbers of their vertices, and sorts within `memory`, or in scratch.
+// Two passes over the faces. On a mesh whose faces come in the order of their lowest vertices, as
+// all do but for `convert`, a third of the edges is sorted.
+ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t memory);
+
+}  // namespace winnow
