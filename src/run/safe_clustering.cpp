@@ -24,7 +24,7 @@ namespace {
 // Where more than one in so many cells is damaged, or one in so many faces is near them, all faces are
 // refined instead.
 constexpr std::uint64_t most_damaged = 4;
-constexpr std::uint64_t most_near = 3;
+constexpr std::uint64_t most_faces_near = 3;
 // A cell that becomes damaged when others are split takes another look at all faces. So many looks.
 constexpr unsigned most_rounds = 8;
 // For so many cells a look leaves out what lies elsewhere.
@@ -138,7 +138,7 @@ class DamageSplitter {
         job_.progress.begin("read near damage", reader_.facts().faces.value_or(0), "faces");
         read_near(level, damaged);
         reader_.rest();
-        if (level.near.size() > faces_ / most_near) return std::nullopt;
+        if (level.near.size() > faces_ / most_faces_near) return std::nullopt;
       } else {
         level.near.take(std::prev(levels.end(), 2)->near, settings_.grid, level.split, level.beside);
       }
