@@ -14,6 +14,10 @@ namespace winnow {
 
 namespace {
 
+CollapseRules rules_of(const DecimationSettings& settings) {
+  return {settings.least_cosine, coordinate_rounding(settings.single), settings.keep_pieces};
+}
+
 // By a cost that knows the mesh alone: made when it is needed, by make(mesh).
 template <typename MakeCost>
 class ForgetfulDecimation final : public Decimation {
@@ -24,11 +28,14 @@ class ForgetfulDecimation final : public Decimation {
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) override {
     auto cost = make_(mesh_);
-    Collapser collapser(mesh_, cost, settings_.least_cosine, coordinate_rounding(settings_.single));
-    collapser.run(limits, done, turn);
+    Collapser collapser(mesh_, cost, rules_of(settings_));
+    collapser.run(limits, counting(mesh_, done), turn);
     largest_error_ = cost.largest_error();
   }
-  void repeat(const Collapse& edge) override { mesh_.collapse(edge); }
+  void repeat(const Collapse& edge) override {
+    if (edge.of_piece()) return repeat_piece(mesh_, edge.kept);
+    mesh_.collapse(edge);
+  }
   void save(VertexNumber /*v*/, std::byte* /*into*/) const override {}
   [[nodiscard]] double largest_error() const override { return largest_error_; }
 
@@ -57,10 +64,13 @@ class RememberingDecimation final : public Decimation {
 
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) override {
-    Collapser<Cost> collapser(mesh_, cost_, settings_.least_cosine, coordinate_rounding(settings_.single));
-    collapser.run(limits, done, turn);
+    Collapser<Cost> collapser(mesh_, cost_, rules_of(settings_));
+    collapser.run(limits, counting(mesh_, done), turn);
   }
-  void repeat(const Collapse& edge) override { cost_.repeat(edge, star_); }
+  void repeat(const Collapse& edge) override {
+    if (edge.of_piece()) return repeat_piece(mesh_, edge.kept);
+    cost_.repeat(edge, star_);
+  }
   void save(VertexNumber v, std::byte* into) const override {
     const typename Cost::State state = cost_.state(v);
     std::memcpy(into, &state, sizeof state);
@@ -95,7 +105,11 @@ std::vector<ErrorBound::State> bound_states(TileMesh& mesh, std::span<const std:
   const std::vector<Quadric> quadrics = states_of<Quadric>(mesh, bytes);
   std::vector<ErrorBound::State> states(mesh.vertex_count());
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) states[v].planes = quadrics[v];
-  if (bytes.empty()) ErrorBound::add_faces(mesh, coordinate_rounding(settings.single), states);
+  if (bytes.empty()) {
+    ErrorBound::add_faces(mesh, coordinate_rounding(settings.single), states);
+  } else {
+    ErrorBound::forget_boxes(states);
+  }
   ErrorBound::add_borders(mesh, states);
   return states;
 }
@@ -120,6 +134,20 @@ std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std
   }
   return std::make_unique<RememberingDecimation<QuadricCost>>(
       mesh, settings, settings.single, *settings.error, bound_states(mesh, state, settings));
+}
+
+void Decimation::repeat_piece(TileMesh& mesh, VertexNumber v) {
+  piece_.find(mesh, v);
+  changes_.add_piece(mesh, piece_);
+  mesh.remove(piece_.vertices, piece_.faces);
+}
+
+std::function<void(const DoneCollapse&)> Decimation::counting(
+    TileMesh& mesh, const std::function<void(const DoneCollapse&)>& done) {
+  return [this, &mesh, &done](const DoneCollapse& collapse) {
+    if (collapse.edge.of_piece() && piece_.find(mesh, collapse.edge.kept)) changes_.add_piece(mesh, piece_);
+    done(collapse);
+  };
 }
 
 std::size_t Decimation::first_state_size(const DecimationSettings& settings) {

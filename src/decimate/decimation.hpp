@@ -20,6 +20,7 @@ struct DecimationSettings {
   bool single = true;         // vertices go to numbers that floats have
   double least_cosine = 0.2;  // of the angle by which one collapse may turn a face
   bool keep_borders = false;  // vertices at borders stay
+  bool keep_pieces = false;   // no piece of the surface goes as a whole
   bool borders_known =
       false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone
   std::optional<double> error;  // how far the surface may come from what it was: error_bound.hpp
@@ -47,7 +48,7 @@ class Decimation {
     run(limits, done, {});
   }
 
-  // Repeats a collapse of an earlier run.
+  // Repeats a collapse of an earlier run of the same settings.
   virtual void repeat(const Collapse& edge) = 0;
 
   // Writes state_size() bytes.
@@ -55,6 +56,20 @@ class Decimation {
 
   // The largest distance of a vertex from its planes so far, in the mean; 0 where the cost knows none.
   [[nodiscard]] virtual double largest_error() const = 0;
+
+  // What went besides, by all collapses that were made or repeated.
+  [[nodiscard]] const TopologyChanges& changes() const { return changes_; }
+
+ protected:
+  // Repeats the going of a piece.
+  void repeat_piece(TileMesh& mesh, VertexNumber v);
+  // For what run() tells: counts the pieces that go.
+  std::function<void(const DoneCollapse&)> counting(TileMesh& mesh,
+                                                    const std::function<void(const DoneCollapse&)>& done);
+
+ private:
+  TopologyChanges changes_;
+  Piece piece_;
 };
 
 }  // namespace winnow

@@ -15,6 +15,12 @@ namespace {
 // How far a border may move, beside the error.
 constexpr double border_share = 1.5;
 
+// The next float in this direction, but for 0.
+float outwards(double x, int direction) {
+  const auto nearest = static_cast<float>(x);
+  return x == 0 ? 0 : std::nextafter(nearest, static_cast<float>(direction) * std::numeric_limits<float>::max());
+}
+
 double distance(const Point& p, std::span<const std::array<Point, 2>> segments) {
   double square = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : segments) {
@@ -43,6 +49,32 @@ void ErrorBound::add_borders(TileMesh& mesh, std::vector<State>& states) {
     for (const VertexNumber w : mesh.open_neighbours(v))
       states[v].planes.add_line(mesh.position(w) - mesh.position(v), border_line_weight);
   }
+}
+
+void ErrorBound::forget_boxes(std::vector<State>& states) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (State& state : states) {
+    state.low.fill(-infinity);
+    state.high.fill(infinity);
+  }
+}
+
+void ErrorBound::add_box(VertexNumber v, Box& box) const {
+  const Point& at = mesh_.position(v);
+  const State& state = state_[v];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.low[axis] = std::min(box.low[axis], at[axis] + static_cast<double>(state.low[axis]));
+    box.high[axis] = std::max(box.high[axis], at[axis] + static_cast<double>(state.high[axis]));
+  }
+}
+
+bool ErrorBound::allows(const Piece& piece) const {
+  Box box{mesh_.position(piece.vertices.front()), mesh_.position(piece.vertices.front())};
+  for (const VertexNumber v : piece.vertices) add_box(v, box);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(box.high[axis] - box.low[axis] < error_)) return false;
+  }
+  return true;
 }
 
 bool ErrorBound::allows(const Collapse& edge, const EdgeStar& star) {
@@ -104,7 +136,15 @@ bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star)
 }
 
 void ErrorBound::collapsing(const Collapse& edge) {
-  state_[edge.kept].planes = planes_;
+  State& kept = state_[edge.kept];
+  kept.planes = planes_;
+  Box box{edge.position, edge.position};
+  add_box(edge.kept, box);
+  add_box(edge.removed, box);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    kept.low[axis] = outwards(box.low[axis] - edge.position[axis], -1);
+    kept.high[axis] = outwards(box.high[axis] - edge.position[axis], 1);
+  }
   if (planes_.weight() > 0) largest_square_ = std::max(largest_square_, planes_.c / planes_.weight());
   for (const VertexNumber v : border_starts_)
     state_[v].border_off = std::max(state_[v].border_off, border_off_);

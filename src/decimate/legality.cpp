@@ -24,10 +24,22 @@ bool Legality::keeps_surface(const EdgeStar& star) {
       hub ? mesh_.meeting_at_hub(star.kept(), star.of_kept(), star.removed(), star.of_removed())
           : mesh_.meeting(star.of_kept(), star.removed(), star.of_removed());
   if (meeting.faces == 0 || meeting.common != meeting.faces || meeting.falls_together) return false;
+  if (!leaves_faces(star)) return false;
   if (meeting.faces != 2 || mesh_.all_edges_even(star.removed())) return true;
   // A hub may be at a border: to know would take a walk.
   return mesh_.open_neighbours(star.removed()).empty() ||
          (!hub && mesh_.open_neighbours(star.kept()).empty());
+}
+
+// Whether the piece has a face that is not at the edge.
+bool Legality::leaves_faces(const EdgeStar& star) const {
+  const std::size_t at_edge = star.of_kept().size();
+  if (star.faces().size() != at_edge || mesh_.degree(star.kept()) != at_edge) return true;
+  for (const StarFace& face : star.of_kept()) {
+    const VertexNumber across = face.w == star.removed() ? face.x : face.w;
+    if (face.stays || mesh_.degree(across) > 1) return true;
+  }
+  return false;
 }
 
 bool Legality::keeps_faces(EdgeStar& star, const Collapse& edge) const {

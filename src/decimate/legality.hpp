@@ -16,7 +16,7 @@ class Legality {
   // The link condition (Dey et al. 1999): ends that meet in more vertices than the edge's own faces have
   // would fold the surface onto itself. An edge between two vertices at borders collapses only if
   // it is of the border itself, which it would pinch otherwise. No edge with more than two faces comes about
-  // where there was none. A face whose other two edges are border goes as a whole.
+  // where there was none. A face whose other two edges are border goes, unless nothing of its piece were left.
   [[nodiscard]] bool keeps_surface(const EdgeStar& star);
 
   // No face turns by more than the bound or shrinks to a line. One that is thinner than rounding has nothing
@@ -28,6 +28,7 @@ class Legality {
   [[nodiscard]] bool at_border(VertexNumber v);
 
  private:
+  [[nodiscard]] bool leaves_faces(const EdgeStar& star) const;
   [[nodiscard]] bool opens_outwards(const EdgeStar& star, const Collapse& edge) const;
   TileMesh& mesh_;
   double least_cosine_;

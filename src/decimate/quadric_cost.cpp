@@ -126,6 +126,12 @@ double QuadricCost::largest_error() const {
   return bound_ ? bound_->largest_error() : std::sqrt(largest_square_);
 }
 
+double QuadricCost::piece_price(const TileMesh& mesh, const Piece& piece) const {
+  if (bound_ && !bound_->allows(piece)) return std::numeric_limits<double>::infinity();
+  const PieceLoss loss = loss_of(mesh, piece);
+  return loss.surface + border_line_weight * loss.border;
+}
+
 void QuadricCost::collapsing(const PricedCollapse& now, const EdgeStar& star) {
   const VertexNumber kept = now.edge.kept;
   const VertexNumber removed = now.edge.removed;

@@ -35,6 +35,8 @@ class QuadricCost {
   // The same at the other end, where nothing is lost there either. Asked only of what place() gave last.
   [[nodiscard]] std::optional<PricedCollapse> other_place(const PricedCollapse& now) const;
   [[nodiscard]] double closer_price(const PricedCollapse& now, const EdgeStar& star, double price);
+  // As if all points of the piece went to its middle. Planes do not know how far a flat piece reaches.
+  [[nodiscard]] double piece_price(const TileMesh& mesh, const Piece& piece) const;
   void collapsing(const PricedCollapse& now, const EdgeStar& star);
   void collapsed(const Collapse& edge, Offers& offers);
   // A collapse of an earlier run: what collapsing() and collapsed() do but for offers.

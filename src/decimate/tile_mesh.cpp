@@ -179,4 +179,15 @@ unsigned TileMesh::collapse(const Collapse& edge) {
   return gone;
 }
 
+unsigned TileMesh::remove(std::span<const VertexNumber> vertices, std::span<const FaceNumber> faces) {
+  for (const VertexNumber v : vertices) {
+    first_[v] = no_number;
+    degree_[v] = 0;
+    update_hub(v);
+  }
+  for (const FaceNumber f : faces) face_[f][0] = no_number;
+  live_faces_ -= faces.size();
+  return static_cast<unsigned>(faces.size());
+}
+
 }  // namespace winnow

@@ -38,10 +38,13 @@ inline FaceVertices lowest_first(FaceVertices face) {
   return face;
 }
 
-// One edge collapsed into one of its ends, which moves.
+// One edge collapsed into one of its ends, which moves. Where both ends are the same vertex, the piece of the
+// surface that has it goes as a whole (piece.hpp).
 struct Collapse {
   VertexNumber kept = no_number, removed = no_number;
   Point position{};  // where `kept` goes
+
+  [[nodiscard]] bool of_piece() const { return kept == removed; }
 };
 
 // The face v, w, x of a vertex v, in that winding, around an edge of v.
@@ -169,6 +172,9 @@ class TileMesh {
   // Removes the faces at the edge, hands the others of `removed` to `kept`, and moves that. Returns how many
   // faces went. Walks around `removed` alone.
   unsigned collapse(const Collapse& edge);
+
+  // Removes all faces that hang together with these vertices: `faces`. Returns how many.
+  unsigned remove(std::span<const VertexNumber> vertices, std::span<const FaceNumber> faces);
 
  private:
   // Corner i of face f is 4 f + i, so that no division takes it apart.

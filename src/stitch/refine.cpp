@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/parallel.hpp"
+#include "stitch/blocked_faces.hpp"
 #include "stitch/collapse_log.hpp"
 #include "stitch/reorder.hpp"
 #include "stitch/saved_mesh.hpp"
@@ -88,7 +89,7 @@ class Refiner {
       // other will: one for each way in which the tiles lie.
       if (before - whole.mesh.face_count <= before / 1000) ++idle_;
       if (tiling.tiles() == 1 || idle_ > 1) {
-        report_.stopped_by = settings_.decimation.error ? StoppedBy::error : StoppedBy::topology;
+        find_reasons(whole);
         break;
       }
       const bool back = report_.rounds % 2 == 0;
@@ -98,6 +99,20 @@ class Refiner {
     }
     keep(whole, true);
     return whole;
+  }
+
+  void find_reasons(const RefinedMesh& whole) {
+    report_.stopped_by = StoppedBy::error;
+    if (settings_.decimation.error) return;
+    const auto [tiling, incoming] = cut(whole.mesh);
+    for_each_tile<BlockedFaces>(
+        tiling, incoming, 0,
+        [&, &tiling = tiling, &incoming = incoming](std::size_t number, BlockedFaces& blocked) {
+          blocked = blocked_faces(load_tile(whole, tiling, incoming, number, 0, 0), settings_.decimation);
+          job_.progress.check_cancelled();
+        },
+        [&](std::size_t, const BlockedFaces& blocked) { report_.blocked.add(blocked); });
+    report_.stopped_by = report_.blocked.reasons().front();
   }
 
   // A checkpoint keeps it by itself.
@@ -141,6 +156,14 @@ class Refiner {
     report_.collapses = manifest.number("refine.collapses");
     report_.largest_error = manifest.real("refine.largest_error");
     report_.stopped_by = static_cast<StoppedBy>(manifest.number("refine.stopped_by"));
+    report_.blocked.topology = manifest.number("refine.blocked.topology");
+    report_.blocked.boundaries = manifest.number("refine.blocked.boundaries");
+    report_.blocked.hubs = manifest.number("refine.blocked.hubs");
+    report_.blocked.pieces = manifest.number("refine.blocked.pieces");
+    report_.changes.pieces = manifest.number("refine.pieces");
+    report_.changes.area = manifest.real("refine.piece_area");
+    report_.changes.handles = manifest.number("refine.handles");
+    report_.changes.holes = manifest.number("refine.holes");
     idle_ = static_cast<unsigned>(manifest.number("refine.idle"));
     dearest_ = manifest.real("refine.dearest");
     settings_.decimation.borders_known = true;
@@ -157,6 +180,14 @@ class Refiner {
     manifest.set("refine.collapses", report_.collapses);
     manifest.set("refine.largest_error", report_.largest_error);
     manifest.set("refine.stopped_by", static_cast<std::uint64_t>(report_.stopped_by));
+    manifest.set("refine.blocked.topology", report_.blocked.topology);
+    manifest.set("refine.blocked.boundaries", report_.blocked.boundaries);
+    manifest.set("refine.blocked.hubs", report_.blocked.hubs);
+    manifest.set("refine.blocked.pieces", report_.blocked.pieces);
+    manifest.set("refine.pieces", report_.changes.pieces);
+    manifest.set("refine.piece_area", report_.changes.area);
+    manifest.set("refine.handles", report_.changes.handles);
+    manifest.set("refine.holes", report_.changes.holes);
     manifest.set("refine.idle", std::uint64_t{idle_});
     manifest.set("refine.dearest", dearest_);
     manifest.set("refine.done", std::uint64_t{done});
@@ -396,7 +427,10 @@ class Refiner {
           shrink(number, *decimation, values);
           rest = rest_of(tile, mesh, *decimation, values, state_size());
         },
-        [&](std::size_t, TileRest& rest) { smaller.append(std::move(rest)); });
+        [&](std::size_t, TileRest& rest) {
+          report_.changes.add(rest.changes);
+          smaller.append(std::move(rest));
+        });
     RefinedMesh out = smaller.finish(tiling, incoming.hubs());
     out.mesh.cells = whole.mesh.cells;
     out.mesh.fused = whole.mesh.fused;
