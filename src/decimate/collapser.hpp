@@ -12,6 +12,9 @@
 //
 // and may have
 //
+// - double change_price(star, edge, change): what it costs besides that a collapse changes the surface, infinite
+//   where it may not; without it no surface changes;
+// - void faces_gone(faces, offers): told of faces that fell onto each other and are gone, after collapsed();
 // - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price, asked for
 //   where place() gave one that is not legal;
 // - double closer_price(now, star, price): what place() found, looked at more closely, `price` or more, and
@@ -142,6 +145,8 @@ struct CollapseRules {
   double least_cosine = 0;   // of the angle by which one collapse may turn a face
   double rounding = 0;       // of positions (base/rounding.hpp)
   bool keep_pieces = false;  // no piece goes as a whole
+  // The topology may change and faces may turn by more, at a price.
+  bool free_topology = false;
 };
 
 // How far to go: down to so many faces, or up to this price, whichever comes first.
@@ -195,13 +200,15 @@ class Collapser {
         offer_anew(v);
         continue;
       }
-      if (!allowed(now)) {
+      const Verdict verdict = judge(now);
+      if (!verdict.allowed) {
         // It waits until a collapse beside it makes the vertex offer anew.
         go_on(v, candidate);
         continue;
       }
       if constexpr (requires { cost_.closer_price(now, star_, candidate.price); }) {
-        const double price = cost_.closer_price(now, star_, candidate.price);
+        const double price =
+            std::max(closer_price(now, candidate.price, verdict.changes), verdict.price);
         if (price > candidate.price) {
           if (std::isfinite(price)) offers_.postpone(v, {price, candidate.partner});
           go_on(v, candidate);
@@ -215,12 +222,19 @@ class Collapser {
       } else {
         cost_.collapsing(now);
       }
-      const unsigned gone = mesh_.collapse(edge);
+      if (verdict.changes) add_change(mesh_, star_, change_, changes_);
+      unsigned gone = mesh_.collapse(edge);
       offers_.set(edge.removed, {});
       cost_.collapsed(edge, offers_);
+      if constexpr (changes_surfaces) {
+        if (verdict.changes) gone += remove_pairs(edge.kept);
+      }
       done({edge, highest_, gone, cost_.largest_error()});
     }
   }
+
+  // Handles and holes that closed.
+  [[nodiscard]] const TopologyChanges& changes() const { return changes_; }
 
  private:
   static constexpr std::uint32_t turns_between = 1024;
@@ -255,18 +269,64 @@ class Collapser {
     mesh_.remove(piece_.vertices, piece_.faces);
   }
 
+  static constexpr bool changes_surfaces =
+      requires(Cost cost, const EdgeStar& star, const Collapse& edge, const SurfaceChange& change) {
+    cost.change_price(star, edge, change);
+  };
+
+  // `price`: no less, for what it changes.
+  struct Verdict {
+    bool allowed = false;
+    bool changes = false;  // the surface: change_
+    double price = 0;
+  };
+
   // Whether the collapse is legal; in the other way that the cost knows, if not in this.
-  bool allowed(PricedCollapse& now) {
+  Verdict judge(PricedCollapse& now) {
     star_.find(mesh_, now.edge.kept, now.edge.removed);
-    if (!legality_.keeps_surface(star_)) return false;
-    if (legality_.keeps_faces(star_, now.edge)) return true;
-    if constexpr (requires { cost_.other_place(now); }) {
-      if (const auto other = cost_.other_place(now)) {
-        now = *other;
-        return legality_.keeps_faces(star_, now.edge);
+    Verdict verdict;
+    if (!legality_.keeps_surface(star_)) {
+      if constexpr (changes_surfaces) {
+        if (!rules_.free_topology || !legality_.find_change(star_, change_)) return {};
+        verdict = {true, true, now.price + cost_.change_price(star_, now.edge, change_)};
+        if (!std::isfinite(verdict.price)) return {};
+      } else {
+        return {};
       }
     }
-    return false;
+    verdict.allowed = true;
+    if (legality_.keeps_faces(star_, now.edge)) return verdict;
+    if constexpr (requires { cost_.other_place(now); }) {
+      if (const auto other = cost_.other_place(now)) {
+        const PricedCollapse first = std::exchange(now, *other);
+        if (legality_.keeps_faces(star_, now.edge)) return verdict;
+        now = first;
+        if (rules_.free_topology) star_.move(mesh_, now.edge.position, rules_.least_cosine);
+      }
+    }
+    if constexpr (changes_surfaces) {
+      if (rules_.free_topology) {
+        verdict.price = std::max(verdict.price, now.price) + cost_.turning_price(star_, now.edge);
+        verdict.allowed = std::isfinite(verdict.price);
+        return verdict;
+      }
+    }
+    return {};
+  }
+
+  double closer_price(const PricedCollapse& now, double price, [[maybe_unused]] bool changes) {
+    if constexpr (changes_surfaces) {
+      return cost_.closer_price(now, star_, price, changes ? &change_ : nullptr);
+    } else {
+      return cost_.closer_price(now, star_, price);
+    }
+  }
+
+  unsigned remove_pairs(VertexNumber v) {
+    gone_.clear();
+    const unsigned gone = mesh_.remove_pairs(v, gone_);
+    if (gone > 0) cost_.faces_gone(gone_, offers_);
+    return gone;
   }
 
   TileMesh& mesh_;
@@ -276,6 +336,9 @@ class Collapser {
   EdgeStar star_;
   Offers offers_;
   Piece piece_;
+  SurfaceChange change_;
+  std::vector<FaceVertices> gone_;
+  TopologyChanges changes_;
   double highest_ = 0;
 };
 

@@ -21,9 +21,12 @@ struct DecimationSettings {
   double least_cosine = 0.2;  // of the angle by which one collapse may turn a face
   bool keep_borders = false;  // vertices at borders stay
   bool keep_pieces = false;   // no piece of the surface goes as a whole
+  bool free_topology = false;  // handles and holes may close: by CollapseCost::quadric
   bool borders_known =
       false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone
   std::optional<double> error;  // how far the surface may come from what it was: error_bound.hpp
+
+  bool operator==(const DecimationSettings&) const = default;
 };
 
 class Decimation {
@@ -61,6 +64,9 @@ class Decimation {
   [[nodiscard]] const TopologyChanges& changes() const { return changes_; }
 
  protected:
+  void add(const TopologyChanges& changes) { changes_.add(changes); }
+  // Whether the collapse of this edge changes the surface, and how; counts it.
+  bool find_change(TileMesh& mesh, const EdgeStar& star, SurfaceChange& change);
   // Repeats the going of a piece.
   void repeat_piece(TileMesh& mesh, VertexNumber v);
   // For what run() tells: counts the pieces that go.

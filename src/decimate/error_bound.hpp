@@ -7,6 +7,7 @@
 // error.
 // - A piece of the surface goes only if the box of all its vertices that there were is smaller than the error,
 //   on each axis.
+// - Handles and borders close, where they may, if what closes is smaller likewise.
 // - A border is within one and a half times the error of what it was, both ways: each edge of it has the sum
 //   of the distances by which the border around it has moved, which by the triangle inequality is no less.
 #pragma once
@@ -14,6 +15,7 @@
 #include "base/box.hpp"
 #include "base/quadric.hpp"
 #include "decimate/edge_star.hpp"
+#include "decimate/legality.hpp"
 #include "decimate/piece.hpp"
 #include "decimate/tile_mesh.hpp"
 
@@ -50,8 +52,12 @@ class ErrorBound {
   // Adds the lines of all edges with one face.
   static void add_borders(TileMesh& mesh, std::vector<State>& states);
 
-  // Of the collapse of this edge, whose star this is.
-  [[nodiscard]] bool allows(const Collapse& edge, const EdgeStar& star);
+  // Of the collapse of this edge, whose star this is. `change`: what it changes, or null.
+  [[nodiscard]] bool allows(const Collapse& edge, const EdgeStar& star,
+                            const SurfaceChange* change = nullptr);
+
+  // Whether the surface may change so.
+  [[nodiscard]] bool allows(const EdgeStar& star, const SurfaceChange& change) const;
 
   // Whether the piece may go.
   [[nodiscard]] bool allows(const Piece& piece) const;
@@ -69,7 +75,9 @@ class ErrorBound {
   static constexpr double farthest_share = 1.5;
   using Segment = std::array<Point, 2>;
   void add_box(VertexNumber v, Box& box) const;
-  [[nodiscard]] bool moves_border_little(const Collapse& edge, const EdgeStar& star);
+  [[nodiscard]] bool smaller(std::span<const VertexNumber> vertices) const;
+  [[nodiscard]] bool moves_border_little(const Collapse& edge, const EdgeStar& star,
+                                         const SurfaceChange* change);
 
   TileMesh& mesh_;
   double error_;

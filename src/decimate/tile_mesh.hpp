@@ -173,6 +173,10 @@ class TileMesh {
   // faces went. Walks around `removed` alone.
   unsigned collapse(const Collapse& edge);
 
+  // Of faces at `v` that have the same other two corners, those in opposite senses go in pairs, and of those
+  // in one sense one stays. Adds the ones that go to `gone`. Returns how many.
+  unsigned remove_pairs(VertexNumber v, std::vector<FaceVertices>& gone);
+
   // Removes all faces that hang together with these vertices: `faces`. Returns how many.
   unsigned remove(std::span<const VertexNumber> vertices, std::span<const FaceNumber> faces);
 
@@ -202,6 +206,7 @@ class TileMesh {
   // The first of so many marks that no vertex has.
   std::uint32_t new_marks(std::uint32_t count);
   void unlink(VertexNumber v, std::uint32_t corner);
+  void remove_face(FaceNumber f);
   void update_hub(VertexNumber v);
   // Whether it takes a walk, or another tile, to know what is beside it.
   [[nodiscard]] bool unknown(VertexNumber v) const { return flags_[v] != 0; }

@@ -139,6 +139,7 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
   settings.decimation.keep_borders = options.borders == Borders::keep;
   settings.decimation.keep_pieces = options.keep_pieces;
+  settings.decimation.free_topology = options.topology == Topology::free;
   if (clustered.error > 0) settings.decimation.error = clustered.error;
   const RefineMemory memory = refine_memory(job.budget.left());
   RefinedMesh whole{std::move(clustered.mesh), nullptr};

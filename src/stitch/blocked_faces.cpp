@@ -21,8 +21,13 @@ enum Keeper : std::uint8_t { nothing_else = 0, kept_border = 1, hub_beside = 2, 
 }  // namespace
 
 BlockedFaces blocked_faces(Tile tile, const DecimationSettings& settings) {
+  std::vector<std::uint8_t> keeper(tile.locked.size(), nothing_else);
+  for (std::size_t v = 0; v < keeper.size(); ++v) {
+    if (tile.locked[v] == fixed_hub) keeper[v] = hub_beside;
+    // Locked is what this tiling locks. A small piece across its borders is one as far as it is known.
+    tile.locked[v] = free_vertex;
+  }
   TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
-  std::vector<std::uint8_t> keeper(mesh.vertex_count(), nothing_else);
   Legality legality(mesh, 0);
   Piece piece;
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {

@@ -42,6 +42,12 @@ constexpr std::uint64_t largest_tiles = 64;
 // again: with more, and then without a limit.
 constexpr double first_headroom = 2;
 constexpr double more_headroom = 64;
+// Where the count is missed, a collapse may be so many times as dear as the dearest of a result that met it:
+// twice as far off. With 1 four faces in a hundred more are left, hardly nearer to the surface; with 64 shapes
+// begin to go (bench/RESULTS.md).
+constexpr double headroom_when_blocked = 4;
+// Of tiles that are tried for their prices alone.
+constexpr unsigned no_attempt = std::numeric_limits<unsigned>::max();
 
 // Whoever asks for an error gets the surface on which it was watched.
 bool unfolds(const RefineSettings& settings) {
@@ -166,6 +172,7 @@ class Refiner {
     report_.changes.holes = manifest.number("refine.holes");
     idle_ = static_cast<unsigned>(manifest.number("refine.idle"));
     dearest_ = manifest.real("refine.dearest");
+    dearest_allowed_ = manifest.real("refine.dearest_allowed");
     settings_.decimation.borders_known = true;
     return manifest.number("refine.done") != 0;
   }
@@ -190,6 +197,7 @@ class Refiner {
     manifest.set("refine.holes", report_.changes.holes);
     manifest.set("refine.idle", std::uint64_t{idle_});
     manifest.set("refine.dearest", dearest_);
+    manifest.set("refine.dearest_allowed", dearest_allowed_);
     manifest.set("refine.done", std::uint64_t{done});
     checkpoint_->commit();
   }
@@ -236,41 +244,74 @@ class Refiner {
       return repeat(whole, tiling, incoming, *tried.log, tried.log->all());
     }
     if (tiling.tiles() == 1 || settings_.faces == 0) {
-      return make_smaller(whole, tiling, incoming,
-                          [&](std::size_t, Decimation& decimation, CarriedValues& values) {
-                            Steps steps(job_.progress);
-                            std::uint64_t collapses = 0;
-                            decimation.run(
-                                {settings_.faces, no_limit},
-                                [&](const DoneCollapse& done) {
-                                  ++collapses;
-                                  values.collapsed(done.edge);
-                                  steps.add(done.faces);
-                                },
-                                check_);
-                            tell(collapses, decimation.largest_error());
-                          });
+      const RefineReport before = report_;
+      RefinedMesh smaller = run_through(whole, tiling, incoming);
+      if (smaller.mesh.face_count <= settings_.faces || !find_dearest_allowed(whole, tiling, incoming))
+        return smaller;
+      report_ = before;
+      return run_through(whole, tiling, incoming);
     }
     const bool first = report_.rounds == 1;
     double more = more_headroom;
     unsigned attempt = 0;
     TryLimits limits{first ? deepest : 0, first || dearest_ == 0 ? no_limit : first_headroom * dearest_};
+    limits.price = std::min(limits.price, dearest_allowed_);
     Tried tried = try_all(whole, tiling, incoming, limits, attempt);
     for (;;) {
       const CollapseLog& log = *tried.log;
       const std::uint64_t wanted = wanted_now(whole.mesh.face_count, tried.frozen);
-      if (log.removed() < wanted && limits.price < no_limit) {
-        limits.price *= std::exchange(more, no_limit);
+      if (log.removed() < wanted && limits.price < dearest_allowed_) {
+        limits.price = std::min(limits.price * std::exchange(more, no_limit), dearest_allowed_);
         tried = try_all(whole, tiling, incoming, limits, ++attempt);
         continue;
       }
-      dearest_ = log.price_of(std::min(wanted, log.removed()));
-      if (tried.complete_to(dearest_)) return repeat(whole, tiling, incoming, log, log.cut(wanted));
+      if (log.removed() < wanted) find_dearest_allowed(whole, tiling, incoming);
+      const double dearest = log.price_of(std::min(wanted, log.removed()));
+      dearest_ = std::min(dearest, dearest_allowed_);
+      if (tried.complete_to(dearest_))
+        return repeat(whole, tiling, incoming, log, dearest_ < dearest ? log.up_to(dearest_) : log.cut(wanted));
       // Some tiles have more to give at this price than they were let: as those that are flat, beside a
       // statue.
       limits = {0, dearest_};
       tried = try_all(whole, tiling, incoming, limits, ++attempt, &tried);
     }
+  }
+
+  // What is left when each tile, one or all of them to the end, has collapsed what it can.
+  RefinedMesh run_through(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming) {
+    return make_smaller(whole, tiling, incoming,
+                        [&](std::size_t, Decimation& decimation, CarriedValues& values) {
+                          Steps steps(job_.progress);
+                          std::uint64_t collapses = 0;
+                          decimation.run(
+                              {settings_.faces, dearest_allowed_},
+                              [&](const DoneCollapse& done) {
+                                ++collapses;
+                                values.collapsed(done.edge);
+                                steps.add(done.faces);
+                              },
+                              check_);
+                          tell(collapses, decimation.largest_error());
+                        });
+  }
+
+  // Sets how dear a collapse may be where the count cannot be met: as dear as the dearest would be that met it
+  // if nothing were kept. What is left then would cost more than the detail that the count has no room for.
+  // False where it is known, or nothing is kept.
+  bool find_dearest_allowed(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming) {
+    DecimationSettings nothing_kept = settings_.decimation;
+    nothing_kept.free_topology = true;
+    nothing_kept.keep_borders = nothing_kept.keep_pieces = false;
+    if (dearest_allowed_ < no_limit || settings_.faces == 0 || settings_.decimation.error ||
+        settings_.decimation.cost != CollapseCost::quadric || nothing_kept == settings_.decimation)
+      return false;
+    const DecimationSettings kept = std::exchange(settings_.decimation, nothing_kept);
+    const unsigned never_saved = no_attempt;
+    const Tried tried = try_all(whole, tiling, incoming, {0, no_limit}, never_saved);
+    settings_.decimation = kept;
+    const std::uint64_t wanted = wanted_now(whole.mesh.face_count, tried.frozen);
+    dearest_allowed_ = headroom_when_blocked * tried.log->price_of(std::min(wanted, tried.log->removed()));
+    return true;
   }
 
   // What is left when so many collapses of each tile are repeated.
@@ -353,7 +394,7 @@ class Refiner {
     Tried all;
     // Two attempts may be there at once.
     all.log = std::make_unique<CollapseLog>(job_, memory_.logs / 2);
-    TriedTiles kept(checkpoint_, report_.rounds, attempt);
+    TriedTiles kept(attempt == no_attempt ? nullptr : checkpoint_, report_.rounds, attempt);
     std::size_t known = 0;
     const auto take = [&](const TriedTile& tried) {
       all.log->append(tried.edges, tried.prices);
@@ -446,6 +487,7 @@ class Refiner {
   std::mutex reporting_;
   ClusteredMesh reference_;  // vertices and faces of the mesh that the first round began with
   double dearest_ = 0;       // collapse of the last round
+  double dearest_allowed_ = no_limit;
   unsigned idle_ = 0;        // rounds that hardly helped
 };
 
