@@ -58,7 +58,7 @@ struct SimplifyOptions {
   std::optional<double> detail;
   Borders borders = Borders::weigh;
   Topology topology = Topology::keep;
-  bool keep_pieces = false;  // no connected piece of the surface goes, however small it is
+  bool keep_pieces = false;          // no connected piece of the surface goes, however small it is
   double max_normal_deviation = 45;  // by which one collapse may turn a face, in degrees; in (0, 90]
 
   Placement placement = Placement::quadric;  // where in its cell the vertex goes
@@ -131,8 +131,8 @@ struct SimplifyReport {
     // The root of the mean squared distance of a vertex from the planes of its faces: the largest of all
     // vertices that were moved, in model units. 0 without Refine::quadric.
     double max_error = 0;
-    // "count" or "error"; where the count was missed "topology", "boundaries", "hubs" or "pieces", whichever
-    // keeps most of the faces; empty without refinement.
+    // "count" or "error"; where the count was missed "topology", "boundaries", "hubs" or "pieces",
+    // whichever keeps most of the faces; empty without refinement.
     std::string stopped_by;
   } refine;
   std::optional<bool> target_met;      // with target_faces and refinement
@@ -141,7 +141,7 @@ struct SimplifyReport {
   // What refinement took away besides details. What clustering joined is not known.
   struct {
     std::uint64_t pieces = 0;   // connected ones that went as a whole
-    double piece_area = 0;      // of these, as they were when they went: about half of what they were at first
+    double piece_area = 0;      // of what was left of these when they went
     std::uint64_t handles = 0;  // of these pieces, and with Topology::free those that closed
     std::uint64_t holes = 0;    // boundary loops that closed: with Topology::free
   } lost;

@@ -7,14 +7,15 @@
 // - void collapsing(now), told that before the collapse; or collapsing(now, star), its star moved there;
 // - void collapsed(edge, offers), told after it: makes offers anew for the vertices whose edges now cost
 //   otherwise, or makes their offers stale;
-// - double piece_price(mesh, piece): what it costs that a piece of the surface goes as a whole, infinite where
-//   it may not;
+// - double piece_price(mesh, piece): what it costs that a piece of the surface goes as a whole,
+//   infinite where it may not;
 //
 // and may have
 //
-// - double change_price(star, edge, change): what it costs besides that a collapse changes the surface, infinite
-//   where it may not; without it no surface changes;
-// - void faces_gone(faces, offers): told of faces that fell onto each other and are gone, after collapsed();
+// - double change_price(star, edge, change): what it costs besides that a collapse changes the surface,
+//   infinite where it may not; without it no surface changes;
+// - double turning_price(star, edge): the same for faces that turn too far; with change_price() only;
+// - void faces_gone(faces, offers): told after collapsed() of faces that fell onto each other and went;
 // - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price, asked for
 //   where place() gave one that is not legal;
 // - double closer_price(now, star, price): what place() found, looked at more closely, `price` or more, and
@@ -178,7 +179,8 @@ class Collapser {
     offers_.order();
   }
 
-  // Tells `done` of every collapse, while its faces are there where it is a piece that goes. `turn` comes now and then, also where nothing can be collapsed.
+  // Tells `done` of every collapse, while its faces are there where it is a piece that goes. `turn`
+  // comes now and then, also where nothing can be collapsed.
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) {
     for (std::uint32_t turns = 0; mesh_.live_faces() > limits.faces && !offers_.empty(); ++turns) {
@@ -207,8 +209,7 @@ class Collapser {
         continue;
       }
       if constexpr (requires { cost_.closer_price(now, star_, candidate.price); }) {
-        const double price =
-            std::max(closer_price(now, candidate.price, verdict.changes), verdict.price);
+        const double price = std::max(closer_price(now, candidate.price, verdict.changes), verdict.price);
         if (price > candidate.price) {
           if (std::isfinite(price)) offers_.postpone(v, {price, candidate.partner});
           go_on(v, candidate);
@@ -248,7 +249,8 @@ class Collapser {
     if (!offers_.holds(v)) offer_piece(v);
   }
 
-  // A piece is offered as a whole, by its lowest vertex to itself, as soon as none of its edges is offered.
+  // A piece is offered as a whole, by its lowest vertex to itself, as soon as none of its edges is
+  // offered.
   void offer_piece(VertexNumber v) {
     if (rules_.keep_pieces) return;
     if (!piece_.find(mesh_, v, [this](VertexNumber w) { return offers_.holds(w); })) return;

@@ -15,7 +15,8 @@ namespace winnow {
 namespace {
 
 CollapseRules rules_of(const DecimationSettings& settings) {
-  return {settings.least_cosine, coordinate_rounding(settings.single), settings.keep_pieces, settings.free_topology};
+  const double rounding = coordinate_rounding(settings.single);
+  return {settings.least_cosine, rounding, settings.keep_pieces, settings.free_topology};
 }
 
 // By a cost that knows the mesh alone: made when it is needed, by make(mesh).

@@ -17,10 +17,10 @@ enum class CollapseCost { quadric, volume, importance };
 
 struct DecimationSettings {
   CollapseCost cost = CollapseCost::quadric;
-  bool single = true;         // vertices go to numbers that floats have
-  double least_cosine = 0.2;  // of the angle by which one collapse may turn a face
-  bool keep_borders = false;  // vertices at borders stay
-  bool keep_pieces = false;   // no piece of the surface goes as a whole
+  bool single = true;          // vertices go to numbers that floats have
+  double least_cosine = 0.2;   // of the angle by which one collapse may turn a face
+  bool keep_borders = false;   // vertices at borders stay
+  bool keep_pieces = false;    // no piece of the surface goes as a whole
   bool free_topology = false;  // handles and holes may close: by CollapseCost::quadric
   bool borders_known =
       false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone

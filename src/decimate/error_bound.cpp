@@ -18,7 +18,8 @@ constexpr double border_share = 1.5;
 // The next float in this direction, but for 0.
 float outwards(double x, int direction) {
   const auto nearest = static_cast<float>(x);
-  return x == 0 ? 0 : std::nextafter(nearest, static_cast<float>(direction) * std::numeric_limits<float>::max());
+  const float end = static_cast<float>(direction) * std::numeric_limits<float>::max();
+  return x == 0 ? 0 : std::nextafter(nearest, end);
 }
 
 double distance(const Point& p, std::span<const std::array<Point, 2>> segments) {
@@ -73,9 +74,7 @@ bool ErrorBound::allows(const Piece& piece) const {
 }
 
 bool ErrorBound::allows(const EdgeStar& star, const SurfaceChange& change) const {
-  const auto closes = [&](VertexNumber v) {
-    return smaller(std::array{star.kept(), star.removed(), v});
-  };
+  const auto closes = [&](VertexNumber v) { return smaller(std::array{star.kept(), star.removed(), v}); };
   return !change.pinches_border && std::all_of(change.across.begin(), change.across.end(), closes) &&
          std::all_of(change.pairs.begin(), change.pairs.end(), [&](const FaceVertices& face) {
            return smaller(std::array{star.kept(), face[0], face[1], face[2]});

@@ -5,7 +5,8 @@
 //   areas, is at most the square of the error (the quadrics of Garland and Heckbert 1997, never forgotten).
 // - The farthest point that a vertex remembers (farthest_points.hpp) is within one and a half times the
 // error.
-// - A piece of the surface goes only if the box of all its vertices that there were is smaller than the error,
+// - A piece of the surface goes only if the box of all its vertices that there were is smaller than the
+// error,
 //   on each axis.
 // - Handles and borders close, where they may, if what closes is smaller likewise.
 // - A border is within one and a half times the error of what it was, both ways: each edge of it has the sum

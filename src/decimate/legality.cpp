@@ -59,7 +59,8 @@ bool Legality::find_change(const EdgeStar& star, SurfaceChange& change) {
       break;
     }
   }
-  if (falls_together_whole(star, change)) return false;
+  // An edge that was postponed may be one no more.
+  if (at_edge == 0 || falls_together_whole(star, change)) return false;
   change.pinches_border = at_edge == 2 && !mesh_.open_neighbours(star.removed()).empty() &&
                           !mesh_.open_neighbours(star.kept()).empty();
   return true;
@@ -85,7 +86,8 @@ void add_change(const TileMesh& mesh, const EdgeStar& star, const SurfaceChange&
                 TopologyChanges& changes) {
   const bool open = mesh.faces_at(star.kept(), star.removed(), 2) == 1;
   for (const VertexNumber v : change.across) {
-    const bool hole = open && mesh.faces_at(star.kept(), v, 2) == 1 && mesh.faces_at(star.removed(), v, 2) == 1;
+    const auto is_open = [&](VertexNumber end) { return mesh.faces_at(end, v, 2) == 1; };
+    const bool hole = open && is_open(star.kept()) && is_open(star.removed());
     ++(hole ? changes.holes : changes.handles);
   }
 }

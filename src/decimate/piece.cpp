@@ -73,7 +73,8 @@ PieceLoss loss_of(const TileMesh& mesh, const Piece& piece) {
 std::uint64_t handles_of(const TileMesh& mesh, const Piece& piece) {
   std::size_t edges = 0;
   bool surface = true;
-  std::vector<VertexNumber> loop(piece.vertices);  // of each vertex the lowest known of its border loop
+  // Of each vertex the lowest known of its border loop.
+  std::vector<VertexNumber> loop(piece.vertices);
   std::sort(loop.begin(), loop.end());
   const std::vector<VertexNumber> vertices = loop;
   const auto place = [&](VertexNumber v) {
@@ -98,7 +99,7 @@ std::uint64_t handles_of(const TileMesh& mesh, const Piece& piece) {
     if (kept != gone) --loops;
     std::replace(loop.begin(), loop.end(), gone, kept);
   }
-  // Edges less those that joined two parts, in a graph whose vertices have two edges each: one a loop.
+  // A loop has as many edges as vertices, so one edge of each joined nothing.
   const auto euler = static_cast<std::int64_t>(piece.vertices.size()) - static_cast<std::int64_t>(edges) +
                      static_cast<std::int64_t>(piece.faces.size());
   const std::int64_t doubled = 2 - euler - static_cast<std::int64_t>(loops);

@@ -1,5 +1,5 @@
-// A piece of the surface: all faces that hang together. A small one that no collapse can make smaller may go
-// as a whole.
+// A piece of the surface: all faces that hang together. A small one that no collapse can make
+// smaller may go as a whole.
 #pragma once
 
 #include "decimate/tile_mesh.hpp"
@@ -17,8 +17,8 @@ struct Piece {
   std::vector<VertexNumber> vertices;
   std::vector<FaceNumber> faces;
 
-  // The piece of `v`. False, and no piece, where it has more than most_piece_faces, or where a vertex of it is
-  // locked, a hub, or refuses(vertex).
+  // The piece of `v`. False, and no piece, where it has more than most_piece_faces, or where a
+  // vertex of it is locked, a hub, or refuses(vertex).
   template <typename Refuses>
   bool find(TileMesh& mesh, VertexNumber v, const Refuses& refuses) {
     vertices.clear();

@@ -11,9 +11,9 @@ namespace winnow {
 
 namespace {
 
-// What is left when a piece is gone is farther from it than its middle: eight times as far, by measurement.
-// With 1 the error of a scan full of dust is twice as large at the same count, with 4096 no smaller
-// (bench/RESULTS.md).
+// What is left when a piece is gone is farther from it than its middle: eight times as far, by
+// measurement. With 1 the error of a scan full of dust is twice as large at the same count, with
+// 4096 no smaller (bench/RESULTS.md).
 constexpr double piece_weight = 64;
 
 }  // namespace

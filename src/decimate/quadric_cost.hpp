@@ -39,9 +39,11 @@ class QuadricCost {
   // `change`: null where the surface stays what it is.
   [[nodiscard]] double closer_price(const PricedCollapse& now, const EdgeStar& star, double price,
                                     const SurfaceChange* change = nullptr);
-  // As if all points of the piece went to its middle. Planes do not know how far a flat piece reaches.
+  // As if all points of the piece went to its middle. Planes do not know how far a flat piece
+  // reaches.
   [[nodiscard]] double piece_price(const TileMesh& mesh, const Piece& piece) const;
-  // A triangle that closes is lost or gained as a piece would be, and so is a face that falls onto another.
+  // A triangle that closes is lost or gained as a piece would be, and so is a face that falls onto
+  // another.
   [[nodiscard]] double change_price(const EdgeStar& star, const Collapse& edge, const SurfaceChange& change);
   // As if the faces around the edge were off by its length.
   [[nodiscard]] double turning_price(const EdgeStar& star, const Collapse& edge) const;
@@ -49,7 +51,8 @@ class QuadricCost {
   void faces_gone(std::span<const FaceVertices> faces);
   void collapsing(const PricedCollapse& now, const EdgeStar& star);
   void collapsed(const Collapse& edge, Offers& offers);
-  // A collapse of an earlier run, whose star this is: what collapsing() and collapsed() do but for offers.
+  // A collapse of an earlier run, whose star this is: what collapsing() and collapsed() do but for
+  // offers.
   void repeat(const Collapse& edge, EdgeStar& star, const SurfaceChange* change);
 
   // Within an error.

@@ -205,8 +205,9 @@ unsigned TileMesh::remove_pairs(VertexNumber v, std::vector<FaceVertices>& gone)
   std::sort(seen.begin(), seen.end());
   unsigned removed = 0;
   for (auto first = seen.begin(); first != seen.end();) {
-    const auto end = std::find_if(
-        first, seen.end(), [&](const Seen& face) { return face.low != first->low || face.high != first->high; });
+    const auto end = std::find_if(first, seen.end(), [&](const Seen& face) {
+      return face.low != first->low || face.high != first->high;
+    });
     const auto backs = std::find_if(first, end, [](const Seen& face) { return face.back; });
     // The first of the more numerous sense stays, if there is one.
     const auto stays = backs - first > end - backs ? first : backs;

@@ -38,8 +38,8 @@ inline FaceVertices lowest_first(FaceVertices face) {
   return face;
 }
 
-// One edge collapsed into one of its ends, which moves. Where both ends are the same vertex, the piece of the
-// surface that has it goes as a whole (piece.hpp).
+// One edge collapsed into one of its ends, which moves. Where both ends are the same vertex, the
+// piece of the surface that has it goes as a whole (piece.hpp).
 struct Collapse {
   VertexNumber kept = no_number, removed = no_number;
   Point position{};  // where `kept` goes
@@ -173,8 +173,8 @@ class TileMesh {
   // faces went. Walks around `removed` alone.
   unsigned collapse(const Collapse& edge);
 
-  // Of faces at `v` that have the same other two corners, those in opposite senses go in pairs, and of those
-  // in one sense one stays. Adds the ones that go to `gone`. Returns how many.
+  // Of faces at `v` that have the same other two corners, those in opposite senses go in pairs, and
+  // of those in one sense one stays. Adds the ones that go to `gone`. Returns how many.
   unsigned remove_pairs(VertexNumber v, std::vector<FaceVertices>& gone);
 
   // Removes all faces that hang together with these vertices: `faces`. Returns how many.

@@ -51,9 +51,10 @@ const char* sentence_of(StoppedBy reason, bool free) {
     case StoppedBy::pieces:
       return "--keep-pieces keeps every piece of the surface; without it the smallest go";
     default:
-      return free ? "no edge is left that could be collapsed"
-                  : "fewer would change the topology or destroy the shape; --topology free closes handles and "
-                    "holes, and meets the count";
+      return free
+                 ? "no edge is left that could be collapsed"
+                 : "fewer would change the topology or destroy the shape; --topology free closes handles and "
+                   "holes, and meets the count";
   }
 }
 

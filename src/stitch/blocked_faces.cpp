@@ -24,7 +24,8 @@ BlockedFaces blocked_faces(Tile tile, const DecimationSettings& settings) {
   std::vector<std::uint8_t> keeper(tile.locked.size(), nothing_else);
   for (std::size_t v = 0; v < keeper.size(); ++v) {
     if (tile.locked[v] == fixed_hub) keeper[v] = hub_beside;
-    // Locked is what this tiling locks. A small piece across its borders is one as far as it is known.
+    // Locked is what this tiling locks. A small piece across its borders is one as far as it is
+    // known.
     tile.locked[v] = free_vertex;
   }
   TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));

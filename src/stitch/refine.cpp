@@ -42,9 +42,9 @@ constexpr std::uint64_t largest_tiles = 64;
 // again: with more, and then without a limit.
 constexpr double first_headroom = 2;
 constexpr double more_headroom = 64;
-// Where the count is missed, a collapse may be so many times as dear as the dearest of a result that met it:
-// twice as far off. With 1 four faces in a hundred more are left, hardly nearer to the surface; with 64 shapes
-// begin to go (bench/RESULTS.md).
+// Where the count is missed, a collapse may be so many times as dear as the dearest of a result
+// that met it: twice as far off. With 1 four faces in a hundred more are left, hardly nearer to the
+// surface; with 64 shapes begin to go (bench/RESULTS.md).
 constexpr double headroom_when_blocked = 4;
 // Of tiles that are tried for their prices alone.
 constexpr unsigned no_attempt = std::numeric_limits<unsigned>::max();
@@ -269,7 +269,8 @@ class Refiner {
       const double dearest = log.price_of(std::min(wanted, log.removed()));
       dearest_ = std::min(dearest, dearest_allowed_);
       if (tried.complete_to(dearest_))
-        return repeat(whole, tiling, incoming, log, dearest_ < dearest ? log.up_to(dearest_) : log.cut(wanted));
+        return repeat(whole, tiling, incoming, log,
+                      dearest_ < dearest ? log.up_to(dearest_) : log.cut(wanted));
       // Some tiles have more to give at this price than they were let: as those that are flat, beside a
       // statue.
       limits = {0, dearest_};
@@ -277,7 +278,7 @@ class Refiner {
     }
   }
 
-  // What is left when each tile, one or all of them to the end, has collapsed what it can.
+  // What is left when each tile has collapsed what it can: down to the count where it is the only one.
   RefinedMesh run_through(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming) {
     return make_smaller(whole, tiling, incoming,
                         [&](std::size_t, Decimation& decimation, CarriedValues& values) {
@@ -295,9 +296,9 @@ class Refiner {
                         });
   }
 
-  // Sets how dear a collapse may be where the count cannot be met: as dear as the dearest would be that met it
-  // if nothing were kept. What is left then would cost more than the detail that the count has no room for.
-  // False where it is known, or nothing is kept.
+  // Sets how dear a collapse may be where the count cannot be met: as dear as the dearest would be
+  // that met it if nothing were kept. What is left then would cost more than the detail that the
+  // count has no room for. False where it is known, or nothing is kept.
   bool find_dearest_allowed(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming) {
     DecimationSettings nothing_kept = settings_.decimation;
     nothing_kept.free_topology = true;
@@ -306,8 +307,7 @@ class Refiner {
         settings_.decimation.cost != CollapseCost::quadric || nothing_kept == settings_.decimation)
       return false;
     const DecimationSettings kept = std::exchange(settings_.decimation, nothing_kept);
-    const unsigned never_saved = no_attempt;
-    const Tried tried = try_all(whole, tiling, incoming, {0, no_limit}, never_saved);
+    const Tried tried = try_all(whole, tiling, incoming, {0, no_limit}, no_attempt);
     settings_.decimation = kept;
     const std::uint64_t wanted = wanted_now(whole.mesh.face_count, tried.frozen);
     dearest_allowed_ = headroom_when_blocked * tried.log->price_of(std::min(wanted, tried.log->removed()));
@@ -488,7 +488,7 @@ class Refiner {
   ClusteredMesh reference_;  // vertices and faces of the mesh that the first round began with
   double dearest_ = 0;       // collapse of the last round
   double dearest_allowed_ = no_limit;
-  unsigned idle_ = 0;        // rounds that hardly helped
+  unsigned idle_ = 0;  // rounds that hardly helped
 };
 
 }  // namespace

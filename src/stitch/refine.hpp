@@ -32,7 +32,8 @@ struct RefineMemory {
 
 enum class StoppedBy { count, error, topology, boundaries, hubs, pieces };
 
-// Faces that are left where the count was missed, by what keeps them: `topology` are those of no other kind.
+// Faces that are left where the count was missed, by what keeps them: `topology` are those of no
+// other kind.
 struct BlockedFaces {
   std::uint64_t topology = 0;
   std::uint64_t boundaries = 0;  // at vertices that DecimationSettings::keep_borders keeps
@@ -53,7 +54,7 @@ struct RefineReport {
   std::uint64_t tiles = 0;  // of the first round
   std::uint64_t rounds = 0;
   std::uint64_t collapses = 0;
-  double largest_error = 0;  // of a vertex from its planes, in the mean; model units
+  double largest_error = 0;                 // of a vertex from its planes, in the mean; model units
   StoppedBy stopped_by = StoppedBy::count;  // the first of blocked.reasons() where the count was missed
   BlockedFaces blocked;
   TopologyChanges changes;

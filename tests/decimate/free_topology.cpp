@@ -1,11 +1,12 @@
-// With a free topology any count is met, handles and holes close, and no face is left twice or without a side.
+// With a free topology any count is met, handles and holes close, and no face is left twice or
+// without a side.
 #include "support/surfaces.hpp"
 #include "support/tile_meshes.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <set>
+
+#include <catch2/catch.hpp>
 
 namespace winnow {
 

@@ -2,9 +2,9 @@
 #include "support/surfaces.hpp"
 #include "support/tile_meshes.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+
+#include <catch2/catch.hpp>
 
 namespace winnow {
 

@@ -1,4 +1,5 @@
-// A plate full of holes that cannot become few faces: it keeps its shape, or it loses holes, as is asked for.
+// A plate full of holes that cannot become few faces: it keeps its shape, or it loses holes, as is
+// asked for.
 #include "support/refined_shape.hpp"
 
 #include <cmath>
@@ -8,8 +9,8 @@ namespace winnow::test {
 
 namespace {
 
-// Closed, with n x n square tunnels from side to side; each cell of 3 x 3 is open in its middle and has
-// `fine` squares a side.
+// Closed, with n x n square tunnels from side to side; each cell of 3 x 3 is open in its middle and
+// has `fine` squares a side.
 Shape sieve(std::size_t n, std::size_t fine) {
   const std::size_t side = 3 * n * fine;
   const auto solid = [&](std::size_t i, std::size_t j) {
@@ -24,7 +25,8 @@ Shape sieve(std::size_t n, std::size_t fine) {
     // Not flat, so that faces are worth something.
     const double x = step * static_cast<double>(i);
     const double y = step * static_cast<double>(j);
-    if (added) shape.vertices.push_back({x, y, 0.4 * static_cast<double>(k) + 0.1 * std::sin(x) * std::cos(y)});
+    if (added)
+      shape.vertices.push_back({x, y, 0.4 * static_cast<double>(k) + 0.1 * std::sin(x) * std::cos(y)});
     return at->second;
   };
   const auto square = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -34,7 +36,9 @@ Shape sieve(std::size_t n, std::size_t fine) {
   for (std::size_t i = 0; i < side; ++i) {
     for (std::size_t j = 0; j < side; ++j) {
       if (!solid(i, j)) continue;
-      const auto at = [&](std::size_t di, std::size_t dj, std::size_t k) { return vertex(i + di, j + dj, k); };
+      const auto at = [&](std::size_t di, std::size_t dj, std::size_t k) {
+        return vertex(i + di, j + dj, k);
+      };
       square(at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1));
       square(at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0));
       if (!solid(i + 1, j)) square(at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1));
@@ -47,7 +51,8 @@ Shape sieve(std::size_t n, std::size_t fine) {
 }
 
 std::int64_t euler_of(const Shape& closed) {
-  return static_cast<std::int64_t>(closed.vertices.size()) - static_cast<std::int64_t>(closed.faces.size() / 2);
+  return static_cast<std::int64_t>(closed.vertices.size()) -
+         static_cast<std::int64_t>(closed.faces.size() / 2);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What keeps the faces that are left: kept boundaries, hubs, kept pieces, or the topology.
 #include "stitch/blocked_faces.hpp"
+
 #include "support/surfaces.hpp"
 #include "support/tile_meshes.hpp"
 

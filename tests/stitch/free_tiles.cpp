@@ -1,11 +1,11 @@
-// Rings everywhere, in many tiles and across their borders: pieces, handles and holes go by one price, whatever
-// the threads and the memory.
+// Rings everywhere, in many tiles and across their borders: pieces, handles and holes go by one
+// price, whatever the threads and the memory.
 #include "support/refining.hpp"
 #include "support/surfaces.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <cmath>
+
+#include <catch2/catch.hpp>
 
 namespace winnow {
 

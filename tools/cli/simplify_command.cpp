@@ -22,7 +22,8 @@ struct SimplifyArguments {
   std::vector<std::string> inputs;
   std::string output, crop;
   std::string cell, grid, faces, ratio, error;
-  std::string placement = "quadric", refine, detail, boundary = "weigh", topology = "keep", max_normal_deviation;
+  std::string placement = "quadric", refine, detail, boundary = "weigh", topology = "keep",
+              max_normal_deviation;
   std::string attributes = "auto";
   std::string from;
   std::string checkpoint;
