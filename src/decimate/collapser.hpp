@@ -252,8 +252,10 @@ class Collapser {
   // A piece is offered as a whole, by its lowest vertex to itself, as soon as none of its edges is
   // offered.
   void offer_piece(VertexNumber v) {
-    if (rules_.keep_pieces) return;
-    if (!piece_.find(mesh_, v, [this](VertexNumber w) { return offers_.holds(w); })) return;
+    const auto is_offered = [this](VertexNumber w) { return offers_.holds(w); };
+    // Nearly always some edge beside it is.
+    if (rules_.keep_pieces || mesh_.has_neighbour(v, is_offered)) return;
+    if (!piece_.find(mesh_, v, is_offered)) return;
     const double price = cost_.piece_price(mesh_, piece_);
     if (!std::isfinite(price)) return;
     const VertexNumber lowest = *std::min_element(piece_.vertices.begin(), piece_.vertices.end());

@@ -107,6 +107,18 @@ class TileMesh {
     }
   }
 
+  // Whether some vertex that shares a face with `v` is wanted(vertex): looks no further than to the first.
+  template <typename Wanted>
+  [[nodiscard]] bool has_neighbour(VertexNumber v, const Wanted& wanted) const {
+    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner)) {
+      ++steps_;
+      const FaceVertices& face = face_[face_of(corner)];
+      if (std::any_of(face.begin(), face.end(), [&](VertexNumber w) { return w != v && wanted(w); }))
+        return true;
+    }
+    return false;
+  }
+
   // Faces at the edge between two vertices, counted no further than to `most`: around the end that has
   // fewer.
   [[nodiscard]] unsigned faces_at(VertexNumber a, VertexNumber b, unsigned most) const {
