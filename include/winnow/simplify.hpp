@@ -31,6 +31,12 @@ enum class Borders {
   keep    // their vertices stay, all of them
 };
 
+// What collapses may do to the topology: whether a surface is closed, its boundaries, its handles.
+enum class Topology {
+  keep,  // it stays: the result may have more faces than were asked for
+  free   // handles and holes may close and parts may come apart, at a price: the count is met
+};
+
 // Options that change the result. Exactly one of cell, grid, faces, ratio, error and
 // relative_error must be set.
 struct SimplifyOptions {
@@ -51,6 +57,8 @@ struct SimplifyOptions {
   // where that would not spare three quarters of the faces, or where the input has no more than 2^20.
   std::optional<double> detail;
   Borders borders = Borders::weigh;
+  Topology topology = Topology::keep;
+  bool keep_pieces = false;          // no connected piece of the surface goes, however small it is
   double max_normal_deviation = 45;  // by which one collapse may turn a face, in degrees; in (0, 90]
 
   Placement placement = Placement::quadric;  // where in its cell the vertex goes
@@ -135,8 +143,20 @@ struct SimplifyReport {
     // The root of the mean squared distance of a vertex from the planes of its faces: the largest of all
     // vertices that were moved, in model units. 0 without Refine::quadric.
     double max_error = 0;
-    std::string stopped_by;  // "count", "error" or "topology"; empty without refinement
+    // "count" or "error"; where the count was missed "topology", "boundaries", "hubs" or "pieces",
+    // whichever keeps most of the faces; empty without refinement.
+    std::string stopped_by;
   } refine;
+  std::optional<bool> target_met;      // with target_faces and refinement
+  std::vector<std::string> missed_by;  // all that keep one face in eight or more, if it was not
+
+  // What refinement took away besides details. What clustering joined is not known.
+  struct {
+    std::uint64_t pieces = 0;   // connected ones that went as a whole
+    double piece_area = 0;      // of what was left of these when they went
+    std::uint64_t handles = 0;  // of these pieces, and with Topology::free those that closed
+    std::uint64_t holes = 0;    // boundary loops that closed: with Topology::free
+  } lost;
 
   struct {
     std::vector<std::string> carried;  // "red (uchar)", in the order of the output

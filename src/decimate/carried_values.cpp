@@ -14,7 +14,7 @@ constexpr double middle = 0.5;
 }  // namespace
 
 void CarriedValues::collapsed(const Collapse& edge) {
-  if (attributes_ == 0) return;
+  if (attributes_ == 0 || edge.of_piece()) return;
   const Point& from = position_[edge.kept];
   const Point along = position_[edge.removed] - from;
   const double square = dot(along, along);

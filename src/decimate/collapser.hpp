@@ -7,9 +7,15 @@
 // - void collapsing(now), told that before the collapse; or collapsing(now, star), its star moved there;
 // - void collapsed(edge, offers), told after it: makes offers anew for the vertices whose edges now cost
 //   otherwise, or makes their offers stale;
+// - double piece_price(mesh, piece): what it costs that a piece of the surface goes as a whole,
+//   infinite where it may not;
 //
 // and may have
 //
+// - double change_price(star, edge, change): what it costs besides that a collapse changes the surface,
+//   infinite where it may not; without it no surface changes;
+// - double turning_price(star, edge): the same for faces that turn too far; with change_price() only;
+// - void faces_gone(faces, offers): told after collapsed() of faces that fell onto each other and went;
 // - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price, asked for
 //   where place() gave one that is not legal;
 // - double closer_price(now, star, price): what place() found, looked at more closely, `price` or more, and
@@ -18,6 +24,7 @@
 
 #include "decimate/edge_star.hpp"
 #include "decimate/legality.hpp"
+#include "decimate/piece.hpp"
 #include "decimate/price_queue.hpp"
 #include "decimate/tile_mesh.hpp"
 
@@ -109,6 +116,7 @@ class Offers {
     return queue_.holds(v) ? Candidate{queue_.price(v), partner_[v]} : Candidate{};
   }
 
+  [[nodiscard]] bool holds(VertexNumber v) const { return queue_.holds(v); }
   [[nodiscard]] bool empty() const { return queue_.empty(); }
   [[nodiscard]] VertexNumber cheapest() const { return queue_.top().vertex; }
 
@@ -133,6 +141,15 @@ class Offers {
   std::vector<Candidate> postponed_;  // of those that are waiting
 };
 
+// What collapses have to respect, besides the topology.
+struct CollapseRules {
+  double least_cosine = 0;   // of the angle by which one collapse may turn a face
+  double rounding = 0;       // of positions (base/rounding.hpp)
+  bool keep_pieces = false;  // no piece goes as a whole
+  // The topology may change and faces may turn by more, at a price.
+  bool free_topology = false;
+};
+
 // How far to go: down to so many faces, or up to this price, whichever comes first.
 struct CollapseLimits {
   std::uint64_t faces = 0;
@@ -150,46 +167,52 @@ struct DoneCollapse {
 template <typename Cost>
 class Collapser {
  public:
-  // `rounding`: of positions (base/rounding.hpp).
-  Collapser(TileMesh& mesh, Cost& cost, double least_cosine, double rounding)
+  Collapser(TileMesh& mesh, Cost& cost, const CollapseRules& rules)
       : mesh_(mesh),
         cost_(cost),
-        legality_(mesh, least_cosine),
-        star_(rounding),
+        rules_(rules),
+        legality_(mesh, rules.least_cosine),
+        star_(rules.rounding),
         offers_(mesh.vertex_count()) {
     for (VertexNumber v = 0; v < mesh.vertex_count(); ++v)
       offers_.append(v, cost.best(v, Candidate::none_yet()));
     offers_.order();
   }
 
-  // Tells `done` of every collapse. `turn` comes now and then, also where nothing can be collapsed.
+  // Tells `done` of every collapse, while its faces are there where it is a piece that goes. `turn`
+  // comes now and then, also where nothing can be collapsed.
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) {
     for (std::uint32_t turns = 0; mesh_.live_faces() > limits.faces && !offers_.empty(); ++turns) {
       if (turns % turns_between == 0 && turn) turn();
       const VertexNumber v = offers_.cheapest();
       if (offers_.stale(v)) {
-        offers_.set(v, cost_.best(v, Candidate::none_yet()));
+        offer_anew(v);
         continue;
       }
       const Candidate candidate = offers_.of(v);
       if (candidate.price > limits.price) return;
+      if (candidate.partner == v) {
+        take_piece(v, candidate.price, done);
+        continue;
+      }
       PricedCollapse now = cost_.place(v, candidate.partner);
       if (now.price > candidate.price) {
         // The other end has become dearer since.
-        offers_.set(v, cost_.best(v, Candidate::none_yet()));
+        offer_anew(v);
         continue;
       }
-      if (!allowed(now)) {
+      const Verdict verdict = judge(now);
+      if (!verdict.allowed) {
         // It waits until a collapse beside it makes the vertex offer anew.
-        offers_.go_on(v, cost_.best(v, candidate));
+        go_on(v, candidate);
         continue;
       }
       if constexpr (requires { cost_.closer_price(now, star_, candidate.price); }) {
-        const double price = cost_.closer_price(now, star_, candidate.price);
+        const double price = std::max(closer_price(now, candidate.price, verdict.changes), verdict.price);
         if (price > candidate.price) {
           if (std::isfinite(price)) offers_.postpone(v, {price, candidate.partner});
-          offers_.go_on(v, cost_.best(v, candidate));
+          go_on(v, candidate);
           continue;
         }
       }
@@ -200,35 +223,126 @@ class Collapser {
       } else {
         cost_.collapsing(now);
       }
-      const unsigned gone = mesh_.collapse(edge);
+      if (verdict.changes) add_change(mesh_, star_, change_, changes_);
+      unsigned gone = mesh_.collapse(edge);
       offers_.set(edge.removed, {});
       cost_.collapsed(edge, offers_);
+      if constexpr (changes_surfaces) {
+        if (verdict.changes) gone += remove_pairs(edge.kept);
+      }
       done({edge, highest_, gone, cost_.largest_error()});
     }
   }
 
+  // Handles and holes that closed.
+  [[nodiscard]] const TopologyChanges& changes() const { return changes_; }
+
  private:
   static constexpr std::uint32_t turns_between = 1024;
 
+  void offer_anew(VertexNumber v) {
+    offers_.set(v, cost_.best(v, Candidate::none_yet()));
+    if (!offers_.holds(v)) offer_piece(v);
+  }
+  void go_on(VertexNumber v, const Candidate& candidate) {
+    offers_.go_on(v, cost_.best(v, candidate));
+    if (!offers_.holds(v)) offer_piece(v);
+  }
+
+  // A piece is offered as a whole, by its lowest vertex to itself, as soon as none of its edges is
+  // offered.
+  void offer_piece(VertexNumber v) {
+    const auto is_offered = [this](VertexNumber w) { return offers_.holds(w); };
+    // Nearly always some edge beside it is.
+    if (rules_.keep_pieces || mesh_.has_neighbour(v, is_offered)) return;
+    if (!piece_.find(mesh_, v, is_offered)) return;
+    const double price = cost_.piece_price(mesh_, piece_);
+    if (!std::isfinite(price)) return;
+    const VertexNumber lowest = *std::min_element(piece_.vertices.begin(), piece_.vertices.end());
+    offers_.set(lowest, {price, lowest});
+  }
+
+  // The last piece stays.
+  void take_piece(VertexNumber v, double price, const std::function<void(const DoneCollapse&)>& done) {
+    piece_.find(mesh_, v);
+    offers_.set(v, {});
+    if (piece_.faces.size() >= mesh_.live_faces()) return;
+    highest_ = std::max(highest_, price);
+    const auto faces = static_cast<unsigned>(piece_.faces.size());
+    done({{v, v, mesh_.position(v)}, highest_, faces, cost_.largest_error()});
+    mesh_.remove(piece_.vertices, piece_.faces);
+  }
+
+  static constexpr bool changes_surfaces =
+      requires(Cost cost, const EdgeStar& star, const Collapse& edge, const SurfaceChange& change) {
+    cost.change_price(star, edge, change);
+  };
+
+  // `price`: no less, for what it changes.
+  struct Verdict {
+    bool allowed = false;
+    bool changes = false;  // the surface: change_
+    double price = 0;
+  };
+
   // Whether the collapse is legal; in the other way that the cost knows, if not in this.
-  bool allowed(PricedCollapse& now) {
+  Verdict judge(PricedCollapse& now) {
     star_.find(mesh_, now.edge.kept, now.edge.removed);
-    if (!legality_.keeps_surface(star_)) return false;
-    if (legality_.keeps_faces(star_, now.edge)) return true;
-    if constexpr (requires { cost_.other_place(now); }) {
-      if (const auto other = cost_.other_place(now)) {
-        now = *other;
-        return legality_.keeps_faces(star_, now.edge);
+    Verdict verdict;
+    if (!legality_.keeps_surface(star_)) {
+      if constexpr (changes_surfaces) {
+        if (!rules_.free_topology || !legality_.find_change(star_, change_)) return {};
+        verdict = {true, true, now.price + cost_.change_price(star_, now.edge, change_)};
+        if (!std::isfinite(verdict.price)) return {};
+      } else {
+        return {};
       }
     }
-    return false;
+    verdict.allowed = true;
+    if (legality_.keeps_faces(star_, now.edge)) return verdict;
+    if constexpr (requires { cost_.other_place(now); }) {
+      if (const auto other = cost_.other_place(now)) {
+        const PricedCollapse first = std::exchange(now, *other);
+        if (legality_.keeps_faces(star_, now.edge)) return verdict;
+        now = first;
+        if (rules_.free_topology) star_.move(mesh_, now.edge.position, rules_.least_cosine);
+      }
+    }
+    if constexpr (changes_surfaces) {
+      if (rules_.free_topology) {
+        verdict.price = std::max(verdict.price, now.price) + cost_.turning_price(star_, now.edge);
+        verdict.allowed = std::isfinite(verdict.price);
+        return verdict;
+      }
+    }
+    return {};
+  }
+
+  double closer_price(const PricedCollapse& now, double price, [[maybe_unused]] bool changes) {
+    if constexpr (changes_surfaces) {
+      return cost_.closer_price(now, star_, price, changes ? &change_ : nullptr);
+    } else {
+      return cost_.closer_price(now, star_, price);
+    }
+  }
+
+  unsigned remove_pairs(VertexNumber v) {
+    gone_.clear();
+    const unsigned gone = mesh_.remove_pairs(v, gone_);
+    if (gone > 0) cost_.faces_gone(gone_, offers_);
+    return gone;
   }
 
   TileMesh& mesh_;
   Cost& cost_;
+  CollapseRules rules_;
   Legality legality_;
   EdgeStar star_;
   Offers offers_;
+  Piece piece_;
+  SurfaceChange change_;
+  std::vector<FaceVertices> gone_;
+  TopologyChanges changes_;
   double highest_ = 0;
 };
 

@@ -14,21 +14,41 @@ namespace winnow {
 
 namespace {
 
+CollapseRules rules_of(const DecimationSettings& settings) {
+  const double rounding = coordinate_rounding(settings.single);
+  return {settings.least_cosine, rounding, settings.keep_pieces, settings.free_topology};
+}
+
 // By a cost that knows the mesh alone: made when it is needed, by make(mesh).
 template <typename MakeCost>
 class ForgetfulDecimation final : public Decimation {
  public:
   ForgetfulDecimation(TileMesh& mesh, const DecimationSettings& settings, MakeCost make)
-      : mesh_(mesh), settings_(settings), make_(std::move(make)) {}
+      : mesh_(mesh),
+        settings_(settings),
+        make_(std::move(make)),
+        star_(coordinate_rounding(settings.single)) {}
 
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) override {
     auto cost = make_(mesh_);
-    Collapser collapser(mesh_, cost, settings_.least_cosine, coordinate_rounding(settings_.single));
-    collapser.run(limits, done, turn);
+    Collapser collapser(mesh_, cost, rules_of(settings_));
+    collapser.run(limits, counting(mesh_, done), turn);
+    add(collapser.changes());
     largest_error_ = cost.largest_error();
   }
-  void repeat(const Collapse& edge) override { mesh_.collapse(edge); }
+  void repeat(const Collapse& edge) override {
+    if (edge.of_piece()) return repeat_piece(mesh_, edge.kept);
+    if (settings_.free_topology) {
+      star_.find(mesh_, edge.kept, edge.removed);
+      const bool changes = find_change(mesh_, star_, change_);
+      mesh_.collapse(edge);
+      gone_.clear();
+      if (changes) mesh_.remove_pairs(edge.kept, gone_);
+    } else {
+      mesh_.collapse(edge);
+    }
+  }
   void save(VertexNumber /*v*/, std::byte* /*into*/) const override {}
   [[nodiscard]] double largest_error() const override { return largest_error_; }
 
@@ -36,6 +56,9 @@ class ForgetfulDecimation final : public Decimation {
   TileMesh& mesh_;
   DecimationSettings settings_;
   MakeCost make_;
+  EdgeStar star_;
+  SurfaceChange change_;
+  std::vector<FaceVertices> gone_;
   double largest_error_ = 0;
 };
 
@@ -57,10 +80,20 @@ class RememberingDecimation final : public Decimation {
 
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) override {
-    Collapser<Cost> collapser(mesh_, cost_, settings_.least_cosine, coordinate_rounding(settings_.single));
-    collapser.run(limits, done, turn);
+    Collapser<Cost> collapser(mesh_, cost_, rules_of(settings_));
+    collapser.run(limits, counting(mesh_, done), turn);
+    add(collapser.changes());
   }
-  void repeat(const Collapse& edge) override { cost_.repeat(edge, star_); }
+  void repeat(const Collapse& edge) override {
+    if (edge.of_piece()) return repeat_piece(mesh_, edge.kept);
+    star_.find(mesh_, edge.kept, edge.removed);
+    const bool changes = settings_.free_topology && find_change(mesh_, star_, change_);
+    cost_.repeat(edge, star_, changes ? &change_ : nullptr);
+    if (!changes) return;
+    gone_.clear();
+    mesh_.remove_pairs(edge.kept, gone_);
+    cost_.faces_gone(gone_);
+  }
   void save(VertexNumber v, std::byte* into) const override {
     const typename Cost::State state = cost_.state(v);
     std::memcpy(into, &state, sizeof state);
@@ -71,6 +104,8 @@ class RememberingDecimation final : public Decimation {
   TileMesh& mesh_;
   DecimationSettings settings_;
   EdgeStar star_;
+  SurfaceChange change_;
+  std::vector<FaceVertices> gone_;
   Cost cost_;
 };
 
@@ -95,7 +130,11 @@ std::vector<ErrorBound::State> bound_states(TileMesh& mesh, std::span<const std:
   const std::vector<Quadric> quadrics = states_of<Quadric>(mesh, bytes);
   std::vector<ErrorBound::State> states(mesh.vertex_count());
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) states[v].planes = quadrics[v];
-  if (bytes.empty()) ErrorBound::add_faces(mesh, coordinate_rounding(settings.single), states);
+  if (bytes.empty()) {
+    ErrorBound::add_faces(mesh, coordinate_rounding(settings.single), states);
+  } else {
+    ErrorBound::forget_boxes(states);
+  }
   ErrorBound::add_borders(mesh, states);
   return states;
 }
@@ -120,6 +159,27 @@ std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std
   }
   return std::make_unique<RememberingDecimation<QuadricCost>>(
       mesh, settings, settings.single, *settings.error, bound_states(mesh, state, settings));
+}
+
+bool Decimation::find_change(TileMesh& mesh, const EdgeStar& star, SurfaceChange& change) {
+  Legality legality(mesh, 0);
+  if (legality.keeps_surface(star) || !legality.find_change(star, change)) return false;
+  add_change(mesh, star, change, changes_);
+  return true;
+}
+
+void Decimation::repeat_piece(TileMesh& mesh, VertexNumber v) {
+  piece_.find(mesh, v);
+  changes_.add_piece(mesh, piece_);
+  mesh.remove(piece_.vertices, piece_.faces);
+}
+
+std::function<void(const DoneCollapse&)> Decimation::counting(
+    TileMesh& mesh, const std::function<void(const DoneCollapse&)>& done) {
+  return [this, &mesh, &done](const DoneCollapse& collapse) {
+    if (collapse.edge.of_piece() && piece_.find(mesh, collapse.edge.kept)) changes_.add_piece(mesh, piece_);
+    done(collapse);
+  };
 }
 
 std::size_t Decimation::first_state_size(const DecimationSettings& settings) {

@@ -17,12 +17,16 @@ enum class CollapseCost { quadric, volume, importance };
 
 struct DecimationSettings {
   CollapseCost cost = CollapseCost::quadric;
-  bool single = true;         // vertices go to numbers that floats have
-  double least_cosine = 0.2;  // of the angle by which one collapse may turn a face
-  bool keep_borders = false;  // vertices at borders stay
+  bool single = true;          // vertices go to numbers that floats have
+  double least_cosine = 0.2;   // of the angle by which one collapse may turn a face
+  bool keep_borders = false;   // vertices at borders stay
+  bool keep_pieces = false;    // no piece of the surface goes as a whole
+  bool free_topology = false;  // handles and holes may close: by CollapseCost::quadric
   bool borders_known =
       false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone
   std::optional<double> error;  // how far the surface may come from what it was: error_bound.hpp
+
+  bool operator==(const DecimationSettings&) const = default;
 };
 
 class Decimation {
@@ -47,7 +51,7 @@ class Decimation {
     run(limits, done, {});
   }
 
-  // Repeats a collapse of an earlier run.
+  // Repeats a collapse of an earlier run of the same settings.
   virtual void repeat(const Collapse& edge) = 0;
 
   // Writes state_size() bytes.
@@ -55,6 +59,23 @@ class Decimation {
 
   // The largest distance of a vertex from its planes so far, in the mean; 0 where the cost knows none.
   [[nodiscard]] virtual double largest_error() const = 0;
+
+  // What went besides, by all collapses that were made or repeated.
+  [[nodiscard]] const TopologyChanges& changes() const { return changes_; }
+
+ protected:
+  void add(const TopologyChanges& changes) { changes_.add(changes); }
+  // Whether the collapse of this edge changes the surface, and how; counts it.
+  bool find_change(TileMesh& mesh, const EdgeStar& star, SurfaceChange& change);
+  // Repeats the going of a piece.
+  void repeat_piece(TileMesh& mesh, VertexNumber v);
+  // For what run() tells: counts the pieces that go.
+  std::function<void(const DoneCollapse&)> counting(TileMesh& mesh,
+                                                    const std::function<void(const DoneCollapse&)>& done);
+
+ private:
+  TopologyChanges changes_;
+  Piece piece_;
 };
 
 }  // namespace winnow

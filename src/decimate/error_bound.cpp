@@ -15,6 +15,13 @@ namespace {
 // How far a border may move, beside the error.
 constexpr double border_share = 1.5;
 
+// The next float in this direction, but for 0.
+float outwards(double x, int direction) {
+  const auto nearest = static_cast<float>(x);
+  const float end = static_cast<float>(direction) * std::numeric_limits<float>::max();
+  return x == 0 ? 0 : std::nextafter(nearest, end);
+}
+
 double distance(const Point& p, std::span<const std::array<Point, 2>> segments) {
   double square = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : segments) {
@@ -45,18 +52,59 @@ void ErrorBound::add_borders(TileMesh& mesh, std::vector<State>& states) {
   }
 }
 
-bool ErrorBound::allows(const Collapse& edge, const EdgeStar& star) {
+void ErrorBound::forget_boxes(std::vector<State>& states) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (State& state : states) {
+    state.low.fill(-infinity);
+    state.high.fill(infinity);
+  }
+}
+
+void ErrorBound::add_box(VertexNumber v, Box& box) const {
+  const Point& at = mesh_.position(v);
+  const State& state = state_[v];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.low[axis] = std::min(box.low[axis], at[axis] + static_cast<double>(state.low[axis]));
+    box.high[axis] = std::max(box.high[axis], at[axis] + static_cast<double>(state.high[axis]));
+  }
+}
+
+bool ErrorBound::allows(const Piece& piece) const {
+  return smaller(piece.vertices);
+}
+
+bool ErrorBound::allows(const EdgeStar& star, const SurfaceChange& change) const {
+  const auto closes = [&](VertexNumber v) { return smaller(std::array{star.kept(), star.removed(), v}); };
+  return !change.pinches_border && std::all_of(change.across.begin(), change.across.end(), closes) &&
+         std::all_of(change.pairs.begin(), change.pairs.end(), [&](const FaceVertices& face) {
+           return smaller(std::array{star.kept(), face[0], face[1], face[2]});
+         });
+}
+
+// In every direction.
+bool ErrorBound::smaller(std::span<const VertexNumber> vertices) const {
+  Box box{mesh_.position(vertices.front()), mesh_.position(vertices.front())};
+  for (const VertexNumber v : vertices) add_box(v, box);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(box.high[axis] - box.low[axis] < error_)) return false;
+  }
+  return true;
+}
+
+bool ErrorBound::allows(const Collapse& edge, const EdgeStar& star, const SurfaceChange* change) {
   planes_ = state_[edge.kept].planes.from(edge.position - mesh_.position(edge.kept));
   planes_.add(state_[edge.removed].planes.from(edge.position - mesh_.position(edge.removed)));
   planes_.c = std::max(0.0, planes_.c);
   border_starts_.clear();
   if (planes_.c > error_ * error_ * planes_.weight()) return false;
-  return !(at_border_[edge.kept] | at_border_[edge.removed]) || moves_border_little(edge, star);
+  return !(at_border_[edge.kept] | at_border_[edge.removed]) || moves_border_little(edge, star, change);
 }
 
 // Compares the border's edges at the two ends with those at the one that is left. A piece whose border goes
 // altogether moves it by more than any bound.
-bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star) {
+// One that closes is let go.
+bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star,
+                                     const SurfaceChange* change) {
   const VertexNumber kept = edge.kept;
   const VertexNumber removed = edge.removed;
   const Point& to = edge.position;
@@ -76,6 +124,12 @@ bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star)
       const VertexNumber b = corner[(i + 1) % 3];
       if (!is_end(a) && !is_end(b)) continue;
       const bool open = at_border_[a] && at_border_[b] && mesh_.faces_at(a, b, 2) == 1;
+      const auto closes = [&](VertexNumber v) {
+        if (is_end(v)) return true;
+        return change != nullptr &&
+               std::find(change->across.begin(), change->across.end(), v) != change->across.end();
+      };
+      if (open && change != nullptr && !change->across.empty() && closes(a) && closes(b)) continue;
       if (open) {
         before_.push_back({mesh_.position(a), mesh_.position(b)});
         off = std::max(off, state_[a].border_off);
@@ -104,7 +158,15 @@ bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star)
 }
 
 void ErrorBound::collapsing(const Collapse& edge) {
-  state_[edge.kept].planes = planes_;
+  State& kept = state_[edge.kept];
+  kept.planes = planes_;
+  Box box{edge.position, edge.position};
+  add_box(edge.kept, box);
+  add_box(edge.removed, box);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    kept.low[axis] = outwards(box.low[axis] - edge.position[axis], -1);
+    kept.high[axis] = outwards(box.high[axis] - edge.position[axis], 1);
+  }
   if (planes_.weight() > 0) largest_square_ = std::max(largest_square_, planes_.c / planes_.weight());
   for (const VertexNumber v : border_starts_)
     state_[v].border_off = std::max(state_[v].border_off, border_off_);

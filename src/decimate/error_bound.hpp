@@ -5,12 +5,19 @@
 //   areas, is at most the square of the error (the quadrics of Garland and Heckbert 1997, never forgotten).
 // - The farthest point that a vertex remembers (farthest_points.hpp) is within one and a half times the
 // error.
+// - A piece of the surface goes only if the box of all its vertices that there were is smaller than the
+// error,
+//   on each axis.
+// - Handles and borders close, where they may, if what closes is smaller likewise.
 // - A border is within one and a half times the error of what it was, both ways: each edge of it has the sum
 //   of the distances by which the border around it has moved, which by the triangle inequality is no less.
 #pragma once
 
+#include "base/box.hpp"
 #include "base/quadric.hpp"
 #include "decimate/edge_star.hpp"
+#include "decimate/legality.hpp"
+#include "decimate/piece.hpp"
 #include "decimate/tile_mesh.hpp"
 
 #include <array>
@@ -27,6 +34,8 @@ class ErrorBound {
     Quadric planes;         // seen from it
     Point farthest{};       // the point of FarthestPoints, seen from it
     double border_off = 0;  // of the border's edges that begin there
+    // The box of all vertices that it stands for, seen from it and rounded outwards.
+    std::array<float, 3> low{}, high{};
   };
 
   // `states`: of each vertex. `at_border`: of each vertex whether it may be at one; kept up to date by the
@@ -39,11 +48,20 @@ class ErrorBound {
 
   // Adds to `states` the planes of all faces, each with a third of its area.
   static void add_faces(const TileMesh& mesh, double rounding, std::vector<State>& states);
+  // Nothing is known of where the vertices are that each stands for.
+  static void forget_boxes(std::vector<State>& states);
   // Adds the lines of all edges with one face.
   static void add_borders(TileMesh& mesh, std::vector<State>& states);
 
-  // Of the collapse of this edge, whose star this is.
-  [[nodiscard]] bool allows(const Collapse& edge, const EdgeStar& star);
+  // Of the collapse of this edge, whose star this is. `change`: what it changes, or null.
+  [[nodiscard]] bool allows(const Collapse& edge, const EdgeStar& star,
+                            const SurfaceChange* change = nullptr);
+
+  // Whether the surface may change so.
+  [[nodiscard]] bool allows(const EdgeStar& star, const SurfaceChange& change) const;
+
+  // Whether the piece may go.
+  [[nodiscard]] bool allows(const Piece& piece) const;
 
   // To be told of the collapse that allows() was asked about last: before it is done.
   void collapsing(const Collapse& edge);
@@ -57,7 +75,10 @@ class ErrorBound {
  private:
   static constexpr double farthest_share = 1.5;
   using Segment = std::array<Point, 2>;
-  [[nodiscard]] bool moves_border_little(const Collapse& edge, const EdgeStar& star);
+  void add_box(VertexNumber v, Box& box) const;
+  [[nodiscard]] bool smaller(std::span<const VertexNumber> vertices) const;
+  [[nodiscard]] bool moves_border_little(const Collapse& edge, const EdgeStar& star,
+                                         const SurfaceChange* change);
 
   TileMesh& mesh_;
   double error_;

@@ -46,6 +46,10 @@ ImportancePrice::ImportancePrice(const FanView& fan)
   border_ = weight_of_border_square * height * height;
 }
 
+double ImportancePrice::of_piece(const PieceLoss& loss) {
+  return std::numbers::pi * loss.area + weight_of_border_square * std::sqrt(loss.border);
+}
+
 double ImportancePrice::operator()(std::size_t into) const {
   return importance_ * turning_error(fan_, into) + border_;
 }

@@ -35,6 +35,8 @@ class ImportancePrice {
  public:
   explicit ImportancePrice(const FanView& fan);
   double operator()(std::size_t into) const;
+  // All of the area turns over.
+  static double of_piece(const PieceLoss& loss);
 
  private:
   FanView fan_;

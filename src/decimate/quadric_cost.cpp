@@ -9,6 +9,15 @@
 
 namespace winnow {
 
+namespace {
+
+// What is left when a piece is gone is farther from it than its middle: eight times as far, by
+// measurement. With 1 the error of a scan full of dust is twice as large at the same count, with
+// 4096 no smaller (bench/RESULTS.md).
+constexpr double piece_weight = 64;
+
+}  // namespace
+
 QuadricCost::QuadricCost(TileMesh& mesh, bool single)
     : mesh_(mesh),
       single_(single),
@@ -105,7 +114,8 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
   return cheapest;
 }
 
-double QuadricCost::closer_price(const PricedCollapse& now, const EdgeStar& star, double price) {
+double QuadricCost::closer_price(const PricedCollapse& now, const EdgeStar& star, double price,
+                                 const SurfaceChange* change) {
   // As place() has found it.
   const bool flat = batch_.flat_low[0] + batch_.flat_high[0] != 0;
   if (!bound_) return farthest_.price(now.edge, star, price, flat);
@@ -113,7 +123,7 @@ double QuadricCost::closer_price(const PricedCollapse& now, const EdgeStar& star
   const double closer = std::max(price, farthest_.price(now.edge, star, 0, flat));
   const double far = bound_->farthest();
   const bool near = farthest_.square() <= far * far;
-  return near && bound_->allows(now.edge, star) ? closer : std::numeric_limits<double>::infinity();
+  return near && bound_->allows(now.edge, star, change) ? closer : std::numeric_limits<double>::infinity();
 }
 
 QuadricCost::State QuadricCost::state(VertexNumber v) const {
@@ -124,6 +134,58 @@ QuadricCost::State QuadricCost::state(VertexNumber v) const {
 
 double QuadricCost::largest_error() const {
   return bound_ ? bound_->largest_error() : std::sqrt(largest_square_);
+}
+
+double QuadricCost::piece_price(const TileMesh& mesh, const Piece& piece) const {
+  if (bound_ && !bound_->allows(piece)) return std::numeric_limits<double>::infinity();
+  const PieceLoss loss = loss_of(mesh, piece);
+  return piece_weight * (loss.surface + border_line_weight * loss.border);
+}
+
+double QuadricCost::change_price(const EdgeStar& star, const Collapse& edge, const SurfaceChange& change) {
+  if (bound_ && !bound_->allows(star, change)) return std::numeric_limits<double>::infinity();
+  const Point& a = mesh_.position(star.kept());
+  const Point& b = mesh_.position(star.removed());
+  const auto loss = [](const Triangle& t) {
+    const Point ab = t[1] - t[0];
+    const Point bc = t[2] - t[1];
+    const Point ca = t[0] - t[2];
+    return length(doubled_area(t)) / 2 * (dot(ab, ab) + dot(bc, bc) + dot(ca, ca)) / 36;
+  };
+  double price = 0;
+  for (const VertexNumber c : change.across) price += loss({a, b, mesh_.position(c)});
+  for (const FaceVertices& face : change.pairs)
+    price += 2 * loss({edge.position, mesh_.position(face[1]), mesh_.position(face[2])});
+  if (change.pinches_border) {
+    const double square = dot(b - a, b - a);
+    price += border_line_weight * square * square / 12;
+  }
+  return price;
+}
+
+double QuadricCost::turning_price(const EdgeStar& star, const Collapse& edge) const {
+  if (bound_) return std::numeric_limits<double>::infinity();
+  double area = 0;
+  for (const StarFace& face : star.faces()) area += length(doubled_area(mesh_.triangle(face.number))) / 2;
+  const Point along = mesh_.position(edge.removed) - mesh_.position(edge.kept);
+  return area * dot(along, along);
+}
+
+void QuadricCost::take_anew(VertexNumber v) {
+  planes_[v] = {};
+  mesh_.for_each_face(v, [&](FaceNumber f) { add(planes_[v], planes_of(f)); });
+  if (!mesh_.all_edges_even(v)) {
+    at_border_[v] = 1;
+    for (const VertexNumber w : mesh_.open_neighbours(v))
+      add_line(planes_[v], mesh_.position(w) - mesh_.position(v), border_line_weight);
+  }
+}
+
+void QuadricCost::faces_gone(std::span<const FaceVertices> faces, Offers& offers) {
+  faces_gone(faces);
+  for (const FaceVertices& face : faces) {
+    for (const VertexNumber v : face) offers.make_stale(v);
+  }
 }
 
 void QuadricCost::collapsing(const PricedCollapse& now, const EdgeStar& star) {
@@ -184,15 +246,22 @@ void QuadricCost::collapsed(const Collapse& edge, Offers& offers) {
   }
 }
 
-void QuadricCost::repeat(const Collapse& edge, EdgeStar& star) {
-  star.find(mesh_, edge.kept, edge.removed);
+void QuadricCost::repeat(const Collapse& edge, EdgeStar& star, const SurfaceChange* change) {
   star.move(mesh_, edge.position, -1);
   const bool hub = mesh_.hub(edge.kept);
   (void)place(hub ? edge.removed : edge.kept, hub ? edge.kept : edge.removed);
-  (void)closer_price({edge, 0}, star, 0);
+  (void)closer_price({edge, 0}, star, 0, change);
   collapsing({edge, 0}, star);
   mesh_.collapse(edge);
   settle(edge, [](VertexNumber) {});
+}
+
+void QuadricCost::faces_gone(std::span<const FaceVertices> faces) {
+  for (const FaceVertices& face : faces) {
+    for (const VertexNumber v : face) {
+      if (!mesh_.hub(v)) take_anew(v);
+    }
+  }
 }
 
 }  // namespace winnow

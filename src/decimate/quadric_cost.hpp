@@ -8,11 +8,13 @@
 #include "decimate/edge_batch.hpp"
 #include "decimate/error_bound.hpp"
 #include "decimate/farthest_points.hpp"
+#include "decimate/legality.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace winnow {
@@ -34,11 +36,24 @@ class QuadricCost {
   [[nodiscard]] PricedCollapse place(VertexNumber low, VertexNumber high);
   // The same at the other end, where nothing is lost there either. Asked only of what place() gave last.
   [[nodiscard]] std::optional<PricedCollapse> other_place(const PricedCollapse& now) const;
-  [[nodiscard]] double closer_price(const PricedCollapse& now, const EdgeStar& star, double price);
+  // `change`: null where the surface stays what it is.
+  [[nodiscard]] double closer_price(const PricedCollapse& now, const EdgeStar& star, double price,
+                                    const SurfaceChange* change = nullptr);
+  // As if all points of the piece went to its middle. Planes do not know how far a flat piece
+  // reaches.
+  [[nodiscard]] double piece_price(const TileMesh& mesh, const Piece& piece) const;
+  // A triangle that closes is lost or gained as a piece would be, and so is a face that falls onto
+  // another.
+  [[nodiscard]] double change_price(const EdgeStar& star, const Collapse& edge, const SurfaceChange& change);
+  // As if the faces around the edge were off by its length.
+  [[nodiscard]] double turning_price(const EdgeStar& star, const Collapse& edge) const;
+  void faces_gone(std::span<const FaceVertices> faces, Offers& offers);
+  void faces_gone(std::span<const FaceVertices> faces);
   void collapsing(const PricedCollapse& now, const EdgeStar& star);
   void collapsed(const Collapse& edge, Offers& offers);
-  // A collapse of an earlier run: what collapsing() and collapsed() do but for offers.
-  void repeat(const Collapse& edge, EdgeStar& star);
+  // A collapse of an earlier run, whose star this is: what collapsing() and collapsed() do but for
+  // offers.
+  void repeat(const Collapse& edge, EdgeStar& star, const SurfaceChange* change);
 
   // Within an error.
   [[nodiscard]] State state(VertexNumber v) const;
@@ -49,6 +64,7 @@ class QuadricCost {
 
  private:
   [[nodiscard]] VertexPlanes planes_of(FaceNumber f) const;
+  void take_anew(VertexNumber v);
   void add_border(VertexNumber a, VertexNumber b, double sign);
   void take_borders(const Collapse& edge, const EdgeStar& star);
   template <typename Changed>

@@ -11,7 +11,7 @@
 namespace winnow {
 
 // Price(view)(i): what the removal of a fan's vertex into its neighbour i costs, by the fan alone; 0 where
-// nothing is lost.
+// nothing is lost. Price::of_piece(loss): what it costs that a piece goes.
 template <typename Price>
 class RemovalCost {
  public:
@@ -38,6 +38,10 @@ class RemovalCost {
   // No dearer than offered: whatever changes a fan makes its vertex offer anew.
   [[nodiscard]] PricedCollapse place(VertexNumber v, VertexNumber partner) const {
     return {{partner, v, mesh_.position(partner)}, 0};
+  }
+
+  [[nodiscard]] double piece_price(const TileMesh& mesh, const Piece& piece) const {
+    return Price::of_piece(loss_of(mesh, piece));
   }
 
   void collapsing(const PricedCollapse& now) {

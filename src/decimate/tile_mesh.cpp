@@ -1,6 +1,7 @@
 #include "decimate/tile_mesh.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace winnow {
@@ -177,6 +178,59 @@ unsigned TileMesh::collapse(const Collapse& edge) {
   update_hub(removed);
   live_faces_ -= gone;
   return gone;
+}
+
+void TileMesh::remove_face(FaceNumber f) {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    unlink(face_[f][i], 4 * f + i);
+    update_hub(face_[f][i]);
+  }
+  face_[f][0] = no_number;
+  --live_faces_;
+}
+
+unsigned TileMesh::remove_pairs(VertexNumber v, std::vector<FaceVertices>& gone) {
+  struct Seen {
+    VertexNumber low, high;
+    bool back;
+    FaceNumber face;
+    bool operator<(const Seen& other) const {
+      return std::tie(low, high, back, face) < std::tie(other.low, other.high, other.back, other.face);
+    }
+  };
+  std::vector<Seen> seen;
+  for_each_corner(v, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
+    seen.push_back({std::min(w, x), std::max(w, x), w > x, f});
+  });
+  std::sort(seen.begin(), seen.end());
+  unsigned removed = 0;
+  for (auto first = seen.begin(); first != seen.end();) {
+    const auto end = std::find_if(first, seen.end(), [&](const Seen& face) {
+      return face.low != first->low || face.high != first->high;
+    });
+    const auto backs = std::find_if(first, end, [](const Seen& face) { return face.back; });
+    // The first of the more numerous sense stays, if there is one.
+    const auto stays = backs - first > end - backs ? first : backs;
+    const bool even = backs - first == end - backs;
+    for (; first != end; ++first) {
+      if (first == stays && !even) continue;
+      gone.push_back(face_[first->face]);
+      remove_face(first->face);
+      ++removed;
+    }
+  }
+  return removed;
+}
+
+unsigned TileMesh::remove(std::span<const VertexNumber> vertices, std::span<const FaceNumber> faces) {
+  for (const VertexNumber v : vertices) {
+    first_[v] = no_number;
+    degree_[v] = 0;
+    update_hub(v);
+  }
+  for (const FaceNumber f : faces) face_[f][0] = no_number;
+  live_faces_ -= faces.size();
+  return static_cast<unsigned>(faces.size());
 }
 
 }  // namespace winnow

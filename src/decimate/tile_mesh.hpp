@@ -38,10 +38,13 @@ inline FaceVertices lowest_first(FaceVertices face) {
   return face;
 }
 
-// One edge collapsed into one of its ends, which moves.
+// One edge collapsed into one of its ends, which moves. Where both ends are the same vertex, the
+// piece of the surface that has it goes as a whole (piece.hpp).
 struct Collapse {
   VertexNumber kept = no_number, removed = no_number;
   Point position{};  // where `kept` goes
+
+  [[nodiscard]] bool of_piece() const { return kept == removed; }
 };
 
 // The face v, w, x of a vertex v, in that winding, around an edge of v.
@@ -102,6 +105,18 @@ class TileMesh {
       const std::uint32_t following = (1U << at) & 3U;  // no branch on what is a toss of three sides
       each(f, face_[f][following], face_[f][3 - at - following]);
     }
+  }
+
+  // Whether some vertex that shares a face with `v` is wanted(vertex): looks no further than to the first.
+  template <typename Wanted>
+  [[nodiscard]] bool has_neighbour(VertexNumber v, const Wanted& wanted) const {
+    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner)) {
+      ++steps_;
+      const FaceVertices& face = face_[face_of(corner)];
+      if (std::any_of(face.begin(), face.end(), [&](VertexNumber w) { return w != v && wanted(w); }))
+        return true;
+    }
+    return false;
   }
 
   // Faces at the edge between two vertices, counted no further than to `most`: around the end that has
@@ -170,6 +185,13 @@ class TileMesh {
   // faces went. Walks around `removed` alone.
   unsigned collapse(const Collapse& edge);
 
+  // Of faces at `v` that have the same other two corners, those in opposite senses go in pairs, and
+  // of those in one sense one stays. Adds the ones that go to `gone`. Returns how many.
+  unsigned remove_pairs(VertexNumber v, std::vector<FaceVertices>& gone);
+
+  // Removes all faces that hang together with these vertices: `faces`. Returns how many.
+  unsigned remove(std::span<const VertexNumber> vertices, std::span<const FaceNumber> faces);
+
  private:
   // Corner i of face f is 4 f + i, so that no division takes it apart.
   static FaceNumber face_of(std::uint32_t corner) { return corner >> 2; }
@@ -196,6 +218,7 @@ class TileMesh {
   // The first of so many marks that no vertex has.
   std::uint32_t new_marks(std::uint32_t count);
   void unlink(VertexNumber v, std::uint32_t corner);
+  void remove_face(FaceNumber f);
   void update_hub(VertexNumber v);
   // Whether it takes a walk, or another tile, to know what is beside it.
   [[nodiscard]] bool unknown(VertexNumber v) const { return flags_[v] != 0; }

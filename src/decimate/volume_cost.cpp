@@ -35,6 +35,11 @@ VolumePrice::VolumePrice(const FanView& fan) : fan_(fan), share_(share_of_angle(
   border_ = weight_of_border_area * area * height / 3;
 }
 
+double VolumePrice::of_piece(const PieceLoss& loss) {
+  const double border = weight_of_border_area * std::pow(loss.border, 0.75);
+  return std::sqrt(loss.area * loss.surface) + border;
+}
+
 double VolumePrice::operator()(std::size_t into) const {
   return (swept_volume(fan_, into) + border_) / share_;
 }

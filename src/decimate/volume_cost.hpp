@@ -33,6 +33,8 @@ class VolumePrice {
  public:
   explicit VolumePrice(const FanView& fan);
   double operator()(std::size_t into) const;
+  // The area times its distance from the middle of the piece, as if that were swept.
+  static double of_piece(const PieceLoss& loss);
 
  private:
   FanView fan_;

@@ -25,8 +25,49 @@ CollapseCost collapse_cost(Refine refine) {
 }
 
 const char* name_of(StoppedBy reason) {
-  if (reason == StoppedBy::error) return "error";
-  return reason == StoppedBy::topology ? "topology" : "count";
+  switch (reason) {
+    case StoppedBy::error:
+      return "error";
+    case StoppedBy::topology:
+      return "topology";
+    case StoppedBy::boundaries:
+      return "boundaries";
+    case StoppedBy::hubs:
+      return "hubs";
+    case StoppedBy::pieces:
+      return "pieces";
+    case StoppedBy::count:
+      break;
+  }
+  return "count";
+}
+
+const char* sentence_of(StoppedBy reason, bool free) {
+  switch (reason) {
+    case StoppedBy::boundaries:
+      return "--boundary keep keeps every boundary vertex; --boundary weigh lets them go";
+    case StoppedBy::hubs:
+      return "vertices with very many faces stay, and so do faces between two of them";
+    case StoppedBy::pieces:
+      return "--keep-pieces keeps every piece of the surface; without it the smallest go";
+    default:
+      return free
+                 ? "no edge is left that could be collapsed"
+                 : "fewer would change the topology or destroy the shape; --topology free closes handles and "
+                   "holes, and meets the count";
+  }
+}
+
+void tell_reasons(Job& job, const RefineReport& done, std::uint64_t left, std::uint64_t wanted, bool free,
+                  SimplifyReport& report) {
+  const std::vector<StoppedBy> reasons = done.blocked.reasons();
+  for (const StoppedBy reason : reasons) {
+    const std::string sentence = sentence_of(reason, free);
+    job.note(reason == reasons.front()
+                 ? grouped(left) + " faces are left instead of " + grouped(wanted) + ": " + sentence
+                 : "besides, " + sentence);
+    report.missed_by.emplace_back(name_of(reason));
+  }
 }
 
 // What a run holds at the most beside the tile that it works on, under a budget of any size.
@@ -98,6 +139,8 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   settings.decimation.single = !doubles;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
   settings.decimation.keep_borders = options.borders == Borders::keep;
+  settings.decimation.keep_pieces = options.keep_pieces;
+  settings.decimation.free_topology = options.topology == Topology::free;
   if (clustered.error > 0) settings.decimation.error = clustered.error;
   const RefineMemory memory = refine_memory(job.budget.left());
   RefinedMesh whole{std::move(clustered.mesh), nullptr};
@@ -117,10 +160,10 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
     report.resumed->rounds = done.rounds_before;
     report.resumed->tiles = done.tiles_before;
   }
-  if (done.stopped_by == StoppedBy::topology) {
-    job.note("no edge can be collapsed any more without changing what the surface is: " +
-             grouped(out.face_count) + " faces are left instead of " + grouped(settings.faces));
-  }
+  report.lost = {done.changes.pieces, done.changes.area, done.changes.handles, done.changes.holes};
+  if (report.target_faces) report.target_met = out.face_count <= *report.target_faces;
+  if (done.stopped_by != StoppedBy::count && done.stopped_by != StoppedBy::error)
+    tell_reasons(job, done, out.face_count, settings.faces, options.topology == Topology::free, report);
   return out;
 }
 

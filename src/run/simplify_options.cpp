@@ -79,6 +79,14 @@ void check(const SimplifyOptions& options) {
   if (options.borders == Borders::keep && cost_of(options) == Refine::none) {
     throw Error(ErrorKind::usage, "--boundary keep goes with refinement; clustering moves every vertex");
   }
+  if (options.topology == Topology::free && cost_of(options) != Refine::quadric) {
+    throw Error(ErrorKind::usage,
+                "--topology free goes with --refine quadric alone: the other costs remove vertices inside of "
+                "a surface");
+  }
+  if (options.keep_pieces && cost_of(options) == Refine::none) {
+    throw Error(ErrorKind::usage, "--keep-pieces goes with refinement; clustering joins what is near");
+  }
   if (options.max_normal_deviation != SimplifyOptions{}.max_normal_deviation &&
       cost_of(options) == Refine::none) {
     throw Error(ErrorKind::usage,

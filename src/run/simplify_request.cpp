@@ -97,7 +97,7 @@ class Get {
 // Every option: one that is missing here would be forgotten by resume().
 template <typename Visit, typename Options>
 void visit_options(Visit&& visit, Options& options) {
-  static_assert(sizeof(SimplifyOptions) == 296, "an option has come or gone: name it below");
+  static_assert(sizeof(SimplifyOptions) == 304, "an option has come or gone: name it below");
   visit("option.cell", options.cell);
   visit("option.grid", options.grid);
   visit("option.faces", options.faces);
@@ -107,6 +107,8 @@ void visit_options(Visit&& visit, Options& options) {
   visit("option.refine", options.refine);
   visit("option.detail", options.detail);
   visit("option.borders", options.borders);
+  visit("option.topology", options.topology);
+  visit("option.keep_pieces", options.keep_pieces);
   visit("option.max_normal_deviation", options.max_normal_deviation);
   visit("option.placement", options.placement);
   visit("option.normals", options.normals);
@@ -145,6 +147,12 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.collapses", report.refine.collapses);
   visit("report.max_error", report.refine.max_error);
   visit("report.stopped_by", report.refine.stopped_by);
+  visit("report.target_met", report.target_met);
+  visit("report.missed_by", report.missed_by);
+  visit("report.lost_pieces", report.lost.pieces);
+  visit("report.lost_piece_area", report.lost.piece_area);
+  visit("report.lost_handles", report.lost.handles);
+  visit("report.lost_holes", report.lost.holes);
   visit("report.carried", report.attributes.carried);
   visit("report.dropped", report.attributes.dropped);
   visit("report.ignored", report.attributes.ignored);

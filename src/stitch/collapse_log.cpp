@@ -90,6 +90,12 @@ std::vector<std::uint64_t> CollapseLog::cut(std::uint64_t faces) const {
   return counts;
 }
 
+std::vector<std::uint64_t> CollapseLog::up_to(double price) const {
+  std::vector<std::uint64_t> counts;
+  for (std::size_t tile = 0; tile < tiles(); ++tile) counts.push_back(count(tile, price, true));
+  return counts;
+}
+
 std::vector<std::uint64_t> CollapseLog::all() const {
   std::vector<std::uint64_t> counts;
   for (std::size_t tile = 0; tile < tiles(); ++tile) counts.push_back(entries(tile));

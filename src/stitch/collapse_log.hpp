@@ -33,6 +33,9 @@ class CollapseLog {
   // where all are not enough. Of equally cheap ones those of lower tiles come first.
   [[nodiscard]] std::vector<std::uint64_t> cut(std::uint64_t faces) const;
 
+  // All collapses that cost no more than this: how many of each tile.
+  [[nodiscard]] std::vector<std::uint64_t> up_to(double price) const;
+
   // How many collapses of a tile there are.
   [[nodiscard]] std::uint64_t entries(std::size_t tile) const { return first_[tile + 1] - first_[tile]; }
 

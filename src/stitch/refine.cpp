@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/parallel.hpp"
+#include "stitch/blocked_faces.hpp"
 #include "stitch/collapse_log.hpp"
 #include "stitch/reorder.hpp"
 #include "stitch/saved_mesh.hpp"
@@ -41,6 +42,12 @@ constexpr std::uint64_t largest_tiles = 64;
 // again: with more, and then without a limit.
 constexpr double first_headroom = 2;
 constexpr double more_headroom = 64;
+// Where the count is missed, a collapse may be so many times as dear as the dearest of a result
+// that met it: twice as far off. With 1 four faces in a hundred more are left, hardly nearer to the
+// surface; with 64 shapes begin to go (bench/RESULTS.md).
+constexpr double headroom_when_blocked = 4;
+// Of tiles that are tried for their prices alone.
+constexpr unsigned no_attempt = std::numeric_limits<unsigned>::max();
 
 // Whoever asks for an error gets the surface on which it was watched.
 bool unfolds(const RefineSettings& settings) {
@@ -88,7 +95,7 @@ class Refiner {
       // other will: one for each way in which the tiles lie.
       if (before - whole.mesh.face_count <= before / 1000) ++idle_;
       if (tiling.tiles() == 1 || idle_ > 1) {
-        report_.stopped_by = settings_.decimation.error ? StoppedBy::error : StoppedBy::topology;
+        find_reasons(whole);
         break;
       }
       const bool back = report_.rounds % 2 == 0;
@@ -98,6 +105,20 @@ class Refiner {
     }
     keep(whole, true);
     return whole;
+  }
+
+  void find_reasons(const RefinedMesh& whole) {
+    report_.stopped_by = StoppedBy::error;
+    if (settings_.decimation.error) return;
+    const auto [tiling, incoming] = cut(whole.mesh);
+    for_each_tile<BlockedFaces>(
+        tiling, incoming, 0,
+        [&, &tiling = tiling, &incoming = incoming](std::size_t number, BlockedFaces& blocked) {
+          blocked = blocked_faces(load_tile(whole, tiling, incoming, number, 0, 0), settings_.decimation);
+          job_.progress.check_cancelled();
+        },
+        [&](std::size_t, const BlockedFaces& blocked) { report_.blocked.add(blocked); });
+    report_.stopped_by = report_.blocked.reasons().front();
   }
 
   // A checkpoint keeps it by itself.
@@ -141,8 +162,17 @@ class Refiner {
     report_.collapses = manifest.number("refine.collapses");
     report_.largest_error = manifest.real("refine.largest_error");
     report_.stopped_by = static_cast<StoppedBy>(manifest.number("refine.stopped_by"));
+    report_.blocked.topology = manifest.number("refine.blocked.topology");
+    report_.blocked.boundaries = manifest.number("refine.blocked.boundaries");
+    report_.blocked.hubs = manifest.number("refine.blocked.hubs");
+    report_.blocked.pieces = manifest.number("refine.blocked.pieces");
+    report_.changes.pieces = manifest.number("refine.pieces");
+    report_.changes.area = manifest.real("refine.piece_area");
+    report_.changes.handles = manifest.number("refine.handles");
+    report_.changes.holes = manifest.number("refine.holes");
     idle_ = static_cast<unsigned>(manifest.number("refine.idle"));
     dearest_ = manifest.real("refine.dearest");
+    dearest_allowed_ = manifest.real("refine.dearest_allowed");
     settings_.decimation.borders_known = true;
     return manifest.number("refine.done") != 0;
   }
@@ -157,8 +187,17 @@ class Refiner {
     manifest.set("refine.collapses", report_.collapses);
     manifest.set("refine.largest_error", report_.largest_error);
     manifest.set("refine.stopped_by", static_cast<std::uint64_t>(report_.stopped_by));
+    manifest.set("refine.blocked.topology", report_.blocked.topology);
+    manifest.set("refine.blocked.boundaries", report_.blocked.boundaries);
+    manifest.set("refine.blocked.hubs", report_.blocked.hubs);
+    manifest.set("refine.blocked.pieces", report_.blocked.pieces);
+    manifest.set("refine.pieces", report_.changes.pieces);
+    manifest.set("refine.piece_area", report_.changes.area);
+    manifest.set("refine.handles", report_.changes.handles);
+    manifest.set("refine.holes", report_.changes.holes);
     manifest.set("refine.idle", std::uint64_t{idle_});
     manifest.set("refine.dearest", dearest_);
+    manifest.set("refine.dearest_allowed", dearest_allowed_);
     manifest.set("refine.done", std::uint64_t{done});
     checkpoint_->commit();
   }
@@ -205,41 +244,74 @@ class Refiner {
       return repeat(whole, tiling, incoming, *tried.log, tried.log->all());
     }
     if (tiling.tiles() == 1 || settings_.faces == 0) {
-      return make_smaller(whole, tiling, incoming,
-                          [&](std::size_t, Decimation& decimation, CarriedValues& values) {
-                            Steps steps(job_.progress);
-                            std::uint64_t collapses = 0;
-                            decimation.run(
-                                {settings_.faces, no_limit},
-                                [&](const DoneCollapse& done) {
-                                  ++collapses;
-                                  values.collapsed(done.edge);
-                                  steps.add(done.faces);
-                                },
-                                check_);
-                            tell(collapses, decimation.largest_error());
-                          });
+      const RefineReport before = report_;
+      RefinedMesh smaller = run_through(whole, tiling, incoming);
+      if (smaller.mesh.face_count <= settings_.faces || !find_dearest_allowed(whole, tiling, incoming))
+        return smaller;
+      report_ = before;
+      return run_through(whole, tiling, incoming);
     }
     const bool first = report_.rounds == 1;
     double more = more_headroom;
     unsigned attempt = 0;
     TryLimits limits{first ? deepest : 0, first || dearest_ == 0 ? no_limit : first_headroom * dearest_};
+    limits.price = std::min(limits.price, dearest_allowed_);
     Tried tried = try_all(whole, tiling, incoming, limits, attempt);
     for (;;) {
       const CollapseLog& log = *tried.log;
       const std::uint64_t wanted = wanted_now(whole.mesh.face_count, tried.frozen);
-      if (log.removed() < wanted && limits.price < no_limit) {
-        limits.price *= std::exchange(more, no_limit);
+      if (log.removed() < wanted && limits.price < dearest_allowed_) {
+        limits.price = std::min(limits.price * std::exchange(more, no_limit), dearest_allowed_);
         tried = try_all(whole, tiling, incoming, limits, ++attempt);
         continue;
       }
-      dearest_ = log.price_of(std::min(wanted, log.removed()));
-      if (tried.complete_to(dearest_)) return repeat(whole, tiling, incoming, log, log.cut(wanted));
+      if (log.removed() < wanted) find_dearest_allowed(whole, tiling, incoming);
+      const double dearest = log.price_of(std::min(wanted, log.removed()));
+      dearest_ = std::min(dearest, dearest_allowed_);
+      if (tried.complete_to(dearest_))
+        return repeat(whole, tiling, incoming, log,
+                      dearest_ < dearest ? log.up_to(dearest_) : log.cut(wanted));
       // Some tiles have more to give at this price than they were let: as those that are flat, beside a
       // statue.
       limits = {0, dearest_};
       tried = try_all(whole, tiling, incoming, limits, ++attempt, &tried);
     }
+  }
+
+  // What is left when each tile has collapsed what it can: down to the count where it is the only one.
+  RefinedMesh run_through(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming) {
+    return make_smaller(whole, tiling, incoming,
+                        [&](std::size_t, Decimation& decimation, CarriedValues& values) {
+                          Steps steps(job_.progress);
+                          std::uint64_t collapses = 0;
+                          decimation.run(
+                              {settings_.faces, dearest_allowed_},
+                              [&](const DoneCollapse& done) {
+                                ++collapses;
+                                values.collapsed(done.edge);
+                                steps.add(done.faces);
+                              },
+                              check_);
+                          tell(collapses, decimation.largest_error());
+                        });
+  }
+
+  // Sets how dear a collapse may be where the count cannot be met: as dear as the dearest would be
+  // that met it if nothing were kept. What is left then would cost more than the detail that the
+  // count has no room for. False where it is known, or nothing is kept.
+  bool find_dearest_allowed(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming) {
+    DecimationSettings nothing_kept = settings_.decimation;
+    nothing_kept.free_topology = true;
+    nothing_kept.keep_borders = nothing_kept.keep_pieces = false;
+    if (dearest_allowed_ < no_limit || settings_.faces == 0 || settings_.decimation.error ||
+        settings_.decimation.cost != CollapseCost::quadric || nothing_kept == settings_.decimation)
+      return false;
+    const DecimationSettings kept = std::exchange(settings_.decimation, nothing_kept);
+    const Tried tried = try_all(whole, tiling, incoming, {0, no_limit}, no_attempt);
+    settings_.decimation = kept;
+    const std::uint64_t wanted = wanted_now(whole.mesh.face_count, tried.frozen);
+    dearest_allowed_ = headroom_when_blocked * tried.log->price_of(std::min(wanted, tried.log->removed()));
+    return true;
   }
 
   // What is left when so many collapses of each tile are repeated.
@@ -322,7 +394,7 @@ class Refiner {
     Tried all;
     // Two attempts may be there at once.
     all.log = std::make_unique<CollapseLog>(job_, memory_.logs / 2);
-    TriedTiles kept(checkpoint_, report_.rounds, attempt);
+    TriedTiles kept(attempt == no_attempt ? nullptr : checkpoint_, report_.rounds, attempt);
     std::size_t known = 0;
     const auto take = [&](const TriedTile& tried) {
       all.log->append(tried.edges, tried.prices);
@@ -396,7 +468,10 @@ class Refiner {
           shrink(number, *decimation, values);
           rest = rest_of(tile, mesh, *decimation, values, state_size());
         },
-        [&](std::size_t, TileRest& rest) { smaller.append(std::move(rest)); });
+        [&](std::size_t, TileRest& rest) {
+          report_.changes.add(rest.changes);
+          smaller.append(std::move(rest));
+        });
     RefinedMesh out = smaller.finish(tiling, incoming.hubs());
     out.mesh.cells = whole.mesh.cells;
     out.mesh.fused = whole.mesh.fused;
@@ -412,7 +487,8 @@ class Refiner {
   std::mutex reporting_;
   ClusteredMesh reference_;  // vertices and faces of the mesh that the first round began with
   double dearest_ = 0;       // collapse of the last round
-  unsigned idle_ = 0;        // rounds that hardly helped
+  double dearest_allowed_ = no_limit;
+  unsigned idle_ = 0;  // rounds that hardly helped
 };
 
 }  // namespace

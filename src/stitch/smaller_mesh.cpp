@@ -72,6 +72,7 @@ TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decim
     }
   }
   std::sort(rest.faces.begin(), rest.faces.end());
+  rest.changes = decimation.changes();
   return rest;
 }
 

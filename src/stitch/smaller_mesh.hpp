@@ -37,6 +37,7 @@ struct TileRest {
   std::vector<SeamFace> seam_faces;  // the lowest first, which is the tile's own; in ascending order
   std::vector<SeamFace> hub_faces;   // those that have a hub; in any order
   std::vector<NamedVertex> named;    // in ascending order
+  TopologyChanges changes;           // that its collapses made
 };
 
 // Vertices without faces go; the others get the normals of their faces.

@@ -136,13 +136,22 @@ TEST_CASE("clustering first changes nothing about the count") {
   }
 }
 
-TEST_CASE("below what topology allows the fewest faces are left and it is said") {
+TEST_CASE("below what kept pieces allow the fewest faces are left and it is said") {
   const Directory directory;
-  const RefinedFile out = refine_faces(directory, tetrahedra(50), to_faces(10));
-  CHECK(out.report.output.faces == 200);
-  CHECK(out.report.refine.stopped_by == "topology");
-  REQUIRE(out.report.notes.size() == 1);
-  CHECK(out.report.notes[0].find("200 faces are left instead of 10") != std::string::npos);
+  SimplifyOptions options = to_faces(10);
+  const RefinedFile out = refine_faces(directory, tetrahedra(50), options);
+  CHECK(out.report.output.faces == 8);
+  CHECK(out.report.target_met == true);
+  CHECK(out.report.lost.pieces == 48);
+  options.keep_pieces = true;
+  const RefinedFile kept = refine_faces(directory, tetrahedra(50), options);
+  CHECK(kept.report.output.faces == 200);
+  CHECK(kept.report.refine.stopped_by == "pieces");
+  CHECK(kept.report.target_met == false);
+  CHECK(kept.report.missed_by == std::vector<std::string>{"pieces"});
+  CHECK(kept.report.lost.pieces == 0);
+  REQUIRE(kept.report.notes.size() == 1);
+  CHECK(kept.report.notes[0].find("200 faces are left instead of 10: --keep-pieces") != std::string::npos);
 }
 
 TEST_CASE("more faces than there are leaves all of them, with normals and without lone vertices") {
@@ -192,14 +201,24 @@ TEST_CASE("a soup of any faces is refined without new faults") {
   }
 }
 
-TEST_CASE("faces without neighbours stay within an error, however large that is") {
+TEST_CASE("within an error the faces without neighbours go that are smaller than it") {
   const Directory directory;
   Random random(902);
   const std::string input = directory.file("in.stl");
-  write_file(input, binary_stl(soup(random, 100, 0.01)));
-  SimplifyOptions options;
-  options.error = 1000;
-  CHECK(refine_file(directory, input, options).mesh.faces.size() == 100);
+  const std::vector<Triangle> faces = as_floats(soup(random, 100, 0.01));
+  write_file(input, binary_stl(faces));
+  for (const double error : {1e-4, 0.004, 1000.0}) {
+    CAPTURE(error);
+    SimplifyOptions options;
+    options.error = error;
+    const auto stays = [error](const Triangle& face) {
+      const Box box = box_of({face});
+      return box.longest_side() >= error;
+    };
+    const auto left = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), stays));
+    // One is left in any case.
+    CHECK(refine_file(directory, input, options).mesh.faces.size() == std::max<std::size_t>(1, left));
+  }
 }
 
 }  // namespace winnow::test

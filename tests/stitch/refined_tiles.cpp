@@ -98,7 +98,7 @@ TEST_CASE("a mesh that has no more faces than wanted stays as it is") {
 }
 
 TEST_CASE("many tiles of a surface that can become no smaller stop") {
-  // Tetrahedra everywhere: none can lose a face.
+  // Tetrahedra everywhere: none can lose a face, unless it goes as a whole.
   Random random(880);
   std::vector<Triangle> faces;
   for (int i = 0; i < 1000; ++i) {
@@ -108,13 +108,21 @@ TEST_CASE("many tiles of a surface that can become no smaller stop") {
     for (const auto& [a, b, c] : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
       faces.push_back({corner[a], corner[b], corner[c]});
   }
-  TestJob test;
-  RefineReport report;
-  const ClusteredMesh left =
-      refine(test.job, {welded(test.job, faces), nullptr}, down_to(10, 300), divided(test.job), report);
-  CHECK(left.face_count == 4000);
-  CHECK(report.stopped_by == StoppedBy::topology);
-  CHECK(report.rounds <= 3);
+  RefineSettings settings = down_to(10, 300);
+  for (const bool keep : {true, false}) {
+    CAPTURE(keep);
+    settings.decimation.keep_pieces = keep;
+    TestJob test;
+    RefineReport report;
+    const ClusteredMesh left =
+        refine(test.job, {welded(test.job, faces), nullptr}, settings, divided(test.job), report);
+    CHECK(left.face_count == (keep ? 4000 : 8));
+    CHECK(report.stopped_by == (keep ? StoppedBy::pieces : StoppedBy::count));
+    CHECK(report.blocked.pieces == (keep ? 4000 : 0));
+    CHECK(report.changes.pieces == (keep ? 0 : 998));
+    CHECK(report.changes.handles == 0);
+    CHECK(report.rounds <= 3);
+  }
 }
 
 }  // namespace winnow

@@ -57,6 +57,24 @@ inline std::vector<Triangle> sheet(std::size_t n, double z = 0) {
   return faces;
 }
 
+// A closed ring with a hole through it, of 2 n m faces: n around the hole, m around the tube.
+inline std::vector<Triangle> torus(std::size_t n, std::size_t m, double tube = 0.3) {
+  const auto at = [&](std::size_t i, std::size_t j) -> Point {
+    const double u = 2 * std::numbers::pi * static_cast<double>(i % n) / static_cast<double>(n);
+    const double v = 2 * std::numbers::pi * static_cast<double>(j % m) / static_cast<double>(m);
+    const double r = 1 + tube * std::cos(v);
+    return {r * std::cos(u), r * std::sin(u), tube * std::sin(v)};
+  };
+  std::vector<Triangle> faces;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < m; ++j) {
+      faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return faces;
+}
+
 inline Triangle turned(const Triangle& face) {
   return {face[0], face[2], face[1]};
 }

@@ -22,11 +22,12 @@ struct SimplifyArguments {
   std::vector<std::string> inputs;
   std::string output, crop, weld;
   std::string cell, grid, faces, ratio, error;
-  std::string placement = "quadric", refine, detail, boundary = "weigh", max_normal_deviation;
+  std::string placement = "quadric", refine, detail, boundary = "weigh", topology = "keep",
+              max_normal_deviation;
   std::string attributes = "auto";
   std::string from;
   std::string checkpoint;
-  bool keep_checkpoint = false;
+  bool keep_checkpoint = false, keep_pieces = false;
   bool normals = false, strict = false, dry_run = false;
   OutputOptions written;
   CommonOptions common;
@@ -50,6 +51,8 @@ SimplifyOptions options_of(const SimplifyArguments& arguments) {
     options.detail = parse_number("--detail", arguments.detail, "a number like 6, or full");
   }
   if (arguments.boundary == "keep") options.borders = Borders::keep;
+  if (arguments.topology == "free") options.topology = Topology::free;
+  options.keep_pieces = arguments.keep_pieces;
   if (!arguments.max_normal_deviation.empty())
     options.max_normal_deviation = parse_number("--max-normal-deviation", arguments.max_normal_deviation,
                                                 "an angle like 60, in degrees");
@@ -155,6 +158,17 @@ void add_simplify(CLI::App& app) {
       ->type_name("HOW")
       ->group(refinement);
   command
+      ->add_option("--topology", arguments->topology,
+                   "Handles and holes: keep (default: the count may be missed) or free (they may close, and "
+                   "the count is met)")
+      ->check(CLI::IsMember({"keep", "free"}))
+      ->type_name("HOW")
+      ->group(refinement);
+  command
+      ->add_flag("--keep-pieces", arguments->keep_pieces,
+                 "Keep every connected piece; by default small ones go where that costs least")
+      ->group(refinement);
+  command
       ->add_option("--max-normal-deviation", arguments->max_normal_deviation,
                    "By how many degrees one collapse may turn a face (default 45)")
       ->type_name("ANGLE")
@@ -217,6 +231,7 @@ void add_simplify(CLI::App& app) {
       "  winnow simplify scan.ply -o small.ply --faces 1M --detail full\n"
       "  winnow simplify scan.stl -o small.ply --faces 1M --refine none\n"
       "  winnow simplify soup.stl -o small.ply --faces 50k --weld 0.01\n"
+      "  winnow simplify bone.ply -o small.ply --ratio 2% --topology free\n"
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept    # if killed: winnow resume "
       "kept\n"
       "  winnow simplify part-*.ply -o all.ply --faces 5M --crop 0,0,-10,500,500,90\n"

@@ -66,12 +66,19 @@ Json json_of(const SimplifyReport& report) {
         {"vertices", report.weld.vertices},
         {"collapsed_faces", report.weld.faces}}},
       {"target", {{"faces", report.target_faces ? Json(*report.target_faces) : Json(nullptr)}}},
+      {"target_met", report.target_met ? Json(*report.target_met) : Json(nullptr)},
+      {"missed_by", report.missed_by},
       {"refine",
        {{"cost", name_of(report.refine.cost)},
         {"tiles", report.refine.tiles},
         {"collapses", report.refine.collapses},
         {"max_error", report.refine.max_error},
         {"stopped_by", report.refine.stopped_by.empty() ? Json(nullptr) : Json(report.refine.stopped_by)}}},
+      {"lost",
+       {{"pieces", report.lost.pieces},
+        {"piece_area", report.lost.piece_area},
+        {"handles", report.lost.handles},
+        {"holes", report.lost.holes}}},
       {"attributes",
        {{"carried", report.attributes.carried},
         {"dropped", report.attributes.dropped},
@@ -113,6 +120,21 @@ std::string describe(const Resumed& resumed) {
   if (resumed.tiles > 0)
     text +=
         ", " + show_count(resumed.tiles) + (resumed.tiles == 1 ? " tile" : " tiles") + " of the next tried";
+  return text;
+}
+
+// "3 pieces (area 0.25), 1 handle"; empty where nothing was lost.
+std::string describe_lost(const SimplifyReport& report) {
+  std::string text;
+  const auto add = [&](std::uint64_t count, const char* one) {
+    if (count == 0) return;
+    if (!text.empty()) text += ", ";
+    text += show_count(count) + " " + one + (count == 1 ? "" : "s");
+  };
+  add(report.lost.pieces, "piece");
+  if (report.lost.pieces > 0) text += " (area " + show_length(report.lost.piece_area) + ")";
+  add(report.lost.handles, "handle");
+  add(report.lost.holes, "hole");
   return text;
 }
 
@@ -172,6 +194,7 @@ void show(const SimplifyReport& report, std::ostream& out) {
     line("edges", edges + (report.topology.closed ? "  (closed)" : "  (not closed)"));
     line("area", show_length(report.area.input) + " -> " + show_length(report.area.output));
   }
+  if (const std::string lost = describe_lost(report); !lost.empty()) line("lost", lost);
   if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
   if (report.resumed) line("resumed", describe(*report.resumed));
   line("time", show_time(report.seconds.total, report.input.faces));

@@ -22,6 +22,10 @@ simplify --faces 10 --max-normal-deviation flat
 echo "# names"
 simplify --faces 10 --refine best
 simplify --faces 10 --boundary free
+simplify --faces 10 --topology none
+echo "# topology"
+simplify --faces 10 --refine volume --topology free
+simplify --cell 1 --keep-pieces
 echo "# boundary"
 simplify --cell 1 --boundary keep
 simplify --faces 10 --refine none --boundary keep

@@ -1,0 +1,81 @@
+// Rings everywhere, in many tiles and across their borders: pieces, handles and holes go by one
+// price, whatever the threads and the memory.
+#include "support/refining.hpp"
+#include "support/surfaces.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+namespace winnow {
+
+using namespace test;
+
+namespace {
+
+std::vector<Triangle> rings(std::size_t count) {
+  Random random(1601);
+  std::vector<Triangle> faces;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double size = 0.01 * std::exp2(4 * random.unit());
+    const Point at{random.unit(), random.unit(), random.unit()};
+    // Some are open.
+    const std::vector<Triangle> ring = placed(torus(12, 6), size, at);
+    faces.insert(faces.end(), ring.begin(), ring.end() - (i % 3 == 0 ? 2 : 0));
+  }
+  return as_floats(faces);
+}
+
+struct Left {
+  PlainMesh mesh;
+  RefineReport report;
+};
+
+Left refined_rings(const std::vector<Triangle>& faces, const RefineSettings& settings, unsigned threads,
+                   bool small) {
+  TestJob test({.threads = threads});
+  Left out;
+  const RefineMemory memory = small ? RefineMemory{1, 1 << 14, 1 << 16, 1 << 17} : divided(test.job);
+  out.mesh = plain(refine(test.job, {welded(test.job, faces), nullptr}, settings, memory, out.report));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("rings in many tiles go the same way with any threads and memory", "[same_bytes]") {
+  const std::vector<Triangle> faces = rings(400);
+  RefineSettings settings = down_to(500, 1000);
+  settings.decimation.keep_pieces = GENERATE(false, true);
+  settings.decimation.free_topology = GENERATE(false, true);
+  CAPTURE(settings.decimation.keep_pieces, settings.decimation.free_topology);
+  const Left one = refined_rings(faces, settings, 1, false);
+  const TopologyChanges& lost = one.report.changes;
+  CHECK(one.report.tiles > 10);
+  CHECK((lost.pieces > 0) == !settings.decimation.keep_pieces);
+  CHECK((lost.area > 0) == (lost.pieces > 0));
+  const Defects defects = defects_of(one.mesh.faces);
+  CHECK(defects.duplicates + defects.degenerate == 0);
+  if (settings.decimation.free_topology) {
+    CHECK(lost.handles > 0);
+  } else {
+    CHECK(defects.crowded == 0);
+  }
+  if (!settings.decimation.keep_pieces) {
+    CHECK(one.mesh.faces.size() <= 500);
+    CHECK(one.report.stopped_by == StoppedBy::count);
+  } else {
+    CHECK(one.mesh.faces.size() > 500);
+    CHECK(one.report.stopped_by != StoppedBy::count);
+  }
+  for (const auto& [threads, small] : {std::pair{2U, false}, {7U, false}, {2U, true}}) {
+    const Left other = refined_rings(faces, settings, threads, small);
+    CHECK(difference(one.mesh, other.mesh) == "");
+    CHECK(other.report.changes.pieces == lost.pieces);
+    CHECK(other.report.changes.area == lost.area);
+    CHECK(other.report.changes.handles == lost.handles);
+    CHECK(other.report.changes.holes == lost.holes);
+    CHECK(other.report.rounds == one.report.rounds);
+  }
+}
+
+}  // namespace winnow
