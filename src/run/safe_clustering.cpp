@@ -91,14 +91,14 @@ class DamageSplitter {
     if (record_count<CellKey>(*whole_.vanished) > most_cells()) return std::nullopt;
     const std::optional<Damage> damage = look_at(whole_, most_cells());
     if (!damage) return std::nullopt;
-    open_ = !damage->at_boundaries.empty();
     Names cells;
     SpoolCursor<CellKey> vanished(job_, *whole_.vanished);
     for (CellKey key = 0; vanished.next(key);) cells.push_back(names_.name_of(key));
     VertexIndex::Reader vertices(*whole_.vertices);
     for (const std::uint32_t v : damage->vertices) cells.push_back(names_.name_of(vertices.at(v).key));
-    for (const std::uint32_t v : damage->at_boundaries)
-      boundary_.push_back(names_.name_of(vertices.at(v).key));
+    for (const std::uint32_t v : damage->at_boundaries) {
+      if (is_boundary(whole_, v)) boundary_.push_back(names_.name_of(vertices.at(v).key));
+    }
     cells.insert(cells.end(), boundary_.begin(), boundary_.end());
     for (std::uint64_t v = 0; v < whole_.met_twice.size(); ++v) {
       if (!whole_.met_twice[v]) continue;
@@ -107,6 +107,12 @@ class DamageSplitter {
     }
     make_unique(cells);
     return cells;
+  }
+
+  // Where several faces became one, an edge may have one face that had more.
+  bool is_boundary(const ClusteredMesh& mesh, std::uint32_t vertex) {
+    open_ |= !mesh.met_twice[vertex];
+    return !mesh.met_twice[vertex];
   }
 
   std::optional<Damage> look_at(ClusteredMesh& mesh, std::uint64_t most) {
@@ -276,6 +282,9 @@ class DamageSplitter {
     VertexIndex::Reader reader(*level.mesh.vertices);
     for (const std::uint32_t v : damage.vertices) {
       if (known[v]) tell(reader.at(v).key);
+    }
+    for (const std::uint32_t v : damage.at_boundaries) {
+      if (known[v]) is_boundary(level.mesh, v);
     }
     for (std::uint64_t v = 0; v < vertices; ++v) {
       if (known[v] && level.mesh.met_twice[v]) tell(reader.at(v).key);
