@@ -8,8 +8,9 @@ namespace winnow {
 
 namespace {
 
-constexpr std::uint64_t fewest_faces = 8;                     // the octahedron
-constexpr std::uint64_t most_generated = std::uint64_t{1} << 48;  // 14 PB of STL; rows stay countable in 32 bits
+constexpr std::uint64_t fewest_faces = 8;  // the octahedron
+constexpr std::uint64_t most_generated = std::uint64_t{1}
+                                         << 48;  // 14 PB of STL; rows stay countable in 32 bits
 
 }  // namespace
 
