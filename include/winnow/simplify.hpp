@@ -117,6 +117,12 @@ struct Resumed {
   bool written = false;      // all was done but to clear the checkpoint away
 };
 
+struct SurfaceEdges {
+  std::uint64_t total = 0;
+  std::uint64_t boundary = 0;      // with one face
+  std::uint64_t non_manifold = 0;  // with more than two
+};
+
 struct SimplifyReport {
   struct {
     std::uint64_t faces = 0;     // triangles read, bad ones included; polygons count as their triangles
@@ -166,11 +172,7 @@ struct SimplifyReport {
   } attributes;
 
   struct Topology {
-    struct Edges {
-      std::uint64_t total = 0;
-      std::uint64_t boundary = 0;      // with one face
-      std::uint64_t non_manifold = 0;  // with more than two
-    };
+    using Edges = SurfaceEdges;
     // Once equal positions are one; only where nothing is clustered, of at most 2^20 faces.
     std::optional<Edges> input;
     Edges output;

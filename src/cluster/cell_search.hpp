@@ -15,7 +15,7 @@ class CellSearch {
   CellSearch(const CellCounts& sample, double wanted_faces);
 
   [[nodiscard]] double next() const { return next_; }  // the cell edge to try
-  void add(double cell, std::uint64_t faces);          // what it gave
+  void add(double cell, std::uint64_t count);          // what it gave
 
   // Whether no other cell is worth a try.
   [[nodiscard]] bool exhausted() const { return exhausted_; }

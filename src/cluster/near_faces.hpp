@@ -18,6 +18,11 @@ namespace winnow {
 
 class NearFaces {
  public:
+  // `attributes`: that vertices carry, as below.
+  static constexpr std::uint64_t bytes_a_face(std::size_t attributes) {
+    return (9 + 3 * attributes) * sizeof(double);
+  }
+
   // `attributes`: that vertices carry. Uses at most `memory` bytes of the budget, and scratch.
   NearFaces(Job& job, std::size_t attributes, std::uint64_t memory);
 
@@ -38,7 +43,7 @@ class NearFaces {
 
  private:
   struct Worker;
-  [[nodiscard]] std::size_t numbers_a_face() const { return 9 + 3 * attributes_; }
+  [[nodiscard]] std::size_t numbers_a_face() const { return bytes_a_face(attributes_) / sizeof(double); }
   void keep(Worker& worker);
   void choose(Worker& worker, const FaceBatch& faces, const Grid& grid, const CellSet& split,
               BatchBoxes* boxes);

@@ -26,6 +26,10 @@ double square_between(const Point& a, const Point& b) {
 
 }  // namespace
 
+double FarthestPoints::price_of(double square) {
+  return weight * square * square;
+}
+
 FarthestPoints::FarthestPoints(const TileMesh& mesh, double rounding)
     : mesh_(mesh),
       rounding_square_(roundings * roundings * rounding * rounding),
@@ -59,7 +63,7 @@ double FarthestPoints::price(const Collapse& edge, const EdgeStar& star, double 
   square_ = std::max(kept_square, removed_square);
   const bool first = flat ? to == mesh_.position(edge.kept) : kept_square >= removed_square;
   next_ = point_[mesh_.hub(edge.kept) || first ? edge.kept : edge.removed];
-  return square_ <= near ? price : weight * square_ * square_;
+  return square_ <= near ? price : price_of(square_);
 }
 
 }  // namespace winnow

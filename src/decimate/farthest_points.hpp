@@ -17,6 +17,9 @@ class FarthestPoints {
   // `rounding`: of positions (base/rounding.hpp). A point that is off by no more is not off.
   FarthestPoints(const TileMesh& mesh, double rounding);
 
+  // Of a point that is off by so much; `square`: of the distance.
+  static double price_of(double square);
+
   // The point that a vertex keeps, seen from it.
   [[nodiscard]] Point of(VertexNumber v) const { return point_[v] - mesh_.position(v); }
   void set(VertexNumber v, const Point& from_it) { point_[v] = mesh_.position(v) + from_it; }

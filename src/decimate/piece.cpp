@@ -15,7 +15,7 @@ std::vector<PieceEdge> edges_of(const TileMesh& mesh, const Piece& piece) {
   std::vector<PieceEdge> edges;
   for (const FaceNumber f : piece.faces) {
     const FaceVertices& face = mesh.face(f);
-    for (std::size_t i = 0; i < 3; ++i) edges.push_back(std::minmax(face[i], face[(i + 1) % 3]));
+    for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(std::minmax(face[i], face[(i + 1) % 3]));
   }
   std::sort(edges.begin(), edges.end());
   return edges;
@@ -60,6 +60,10 @@ PieceLoss loss_of(const TileMesh& mesh, const Piece& piece) {
   for (const FaceNumber f : piece.faces) {
     const Triangle t = mesh.triangle(f);
     loss.surface += length(doubled_area(t)) / 2 * mean_square({t[0] - middle, t[1] - middle, t[2] - middle});
+  }
+  for (const VertexNumber v : piece.vertices) {
+    const Point away = mesh.position(v) - middle;
+    loss.farthest = std::max(loss.farthest, dot(away, away));
   }
   for_each_edge(edges_of(mesh, piece), [&](const PieceEdge& edge, std::size_t faces) {
     if (faces != 1) return;

@@ -53,8 +53,9 @@ struct Piece {
 // What is lost with a piece, if all of it went to its middle.
 struct PieceLoss {
   double area = 0;
-  double surface = 0;  // the integral of the squared distance from the middle
-  double border = 0;   // the same along edges with one face, times their lengths
+  double surface = 0;   // the integral of the squared distance from the middle
+  double border = 0;    // the same along edges with one face, times their lengths
+  double farthest = 0;  // the square of the distance of the farthest vertex from the middle
 };
 PieceLoss loss_of(const TileMesh& mesh, const Piece& piece);
 

@@ -15,6 +15,10 @@ namespace {
 // measurement. With 1 the error of a scan full of dust is twice as large at the same count, with
 // 4096 no smaller (bench/RESULTS.md).
 constexpr double piece_weight = 64;
+// What is left may be much farther from a piece than it is wide. So it costs at least what a point does that
+// is off by so many times the distance of its farthest vertex from its middle: else the largest error doubles
+// (bench/RESULTS.md).
+constexpr double piece_reach = 6;
 
 }  // namespace
 
@@ -139,7 +143,8 @@ double QuadricCost::largest_error() const {
 double QuadricCost::piece_price(const TileMesh& mesh, const Piece& piece) const {
   if (bound_ && !bound_->allows(piece)) return std::numeric_limits<double>::infinity();
   const PieceLoss loss = loss_of(mesh, piece);
-  return piece_weight * (loss.surface + border_line_weight * loss.border);
+  return std::max(piece_weight * (loss.surface + border_line_weight * loss.border),
+                  FarthestPoints::price_of(piece_reach * piece_reach * loss.farthest));
 }
 
 double QuadricCost::change_price(const EdgeStar& star, const Collapse& edge, const SurfaceChange& change) {

@@ -1,5 +1,6 @@
 #include <winnow/simplify.hpp>
 
+#include "cluster/near_faces.hpp"
 #include "io/arena.hpp"
 #include "io/block_sums.hpp"
 #include "read/corner_streams.hpp"
@@ -75,6 +76,10 @@ std::uint64_t worst_of_jumping(const InputOutlook& outlook, const MemoryPlan& pl
 constexpr double clustered_a_second = 2.2e7;
 constexpr double welded_a_second = 2e6;
 constexpr double collapsed_a_second = 3e5;
+// Of a scan: the part of the faces that is near cells which clustering damages, and how many more faces the
+// mesh of cells has when these are split.
+constexpr double near_damage = 0.08;
+constexpr double split_faces = 1.3;
 
 // Of a coherent scan; at a tenth of its faces for a cell or grid. How far an error goes shows only later.
 void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const CellNeeds& needs,
@@ -85,11 +90,20 @@ void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const Cell
   out.scratch_expected = expected_scratch(target, plan, needs);
   double seconds = faces / clustered_a_second;
   if (cost_of(options) != Refine::none) {
-    const Detail detail = detail_for(options, *out.faces, target);
-    if (detail.welded) seconds = faces / welded_a_second;
+    Detail detail = detail_for(options, *out.faces, target);
+    std::uint64_t near = 0;
+    if (detail.welded) {
+      seconds = faces / welded_a_second;
+    } else {
+      // They are read again, and those near damage clustered again.
+      seconds *= 2;
+      near = static_cast<std::uint64_t>(near_damage * faces) * NearFaces::bytes_a_face(needs.attributes);
+      if (near <= plan.cluster.vertices / 2) near = 0;
+      near += expected_scratch(detail.faces, plan, needs);
+      detail.faces = static_cast<std::uint64_t>(split_faces * static_cast<double>(detail.faces));
+    }
     if (detail.faces > target) seconds += static_cast<double>(detail.faces - target) / collapsed_a_second;
-    out.scratch_expected = std::max(detail.welded ? 0 : expected_scratch(detail.faces, plan, needs),
-                                    refining_scratch(detail.faces, refine_memory(memory), needs));
+    out.scratch_expected = std::max(near, refining_scratch(detail.faces, refine_memory(memory), needs));
   }
   out.seconds_expected = seconds / threads;
 }
