@@ -51,15 +51,16 @@ void AreaSum::add(const FaceBatch& faces) {
     }
   }
   Part& part = parts_.local();
-  std::int64_t units = 0;
+  // Without a sign: it may overflow where not all are small, and does not count then.
+  std::uint64_t units = 0;
   std::int64_t small = scale_ > 0 ? 1 : 0;
   for (std::size_t i = 0; i < faces.count; ++i) {
     const double scaled = 0.5 * area[i] * scale_;
-    units += std::bit_cast<std::int64_t>(scaled + rounding) - std::bit_cast<std::int64_t>(rounding);
+    units += std::bit_cast<std::uint64_t>(scaled + rounding) - std::bit_cast<std::uint64_t>(rounding);
     small &= static_cast<std::int64_t>(scaled < most_units);
   }
   if (small != 0) {
-    part.units += units;
+    part.units += static_cast<std::int64_t>(units);
   } else {
     for (std::size_t i = 0; i < faces.count; ++i) {
       const double scaled = 0.5 * area[i] * scale_;
