@@ -5,17 +5,6 @@
 
 namespace winnow {
 
-namespace {
-
-bool boxes_meet(const Box& a, const Box& b) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!(a.low[axis] <= b.high[axis] && b.low[axis] <= a.high[axis])) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
 void BatchBoxes::add(const FaceBatch& faces, const Box& box) {
   if (faces.count == 0) return;
   const std::scoped_lock lock(adding_);

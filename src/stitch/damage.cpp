@@ -94,14 +94,7 @@ std::optional<Damage> find_damage(Job& job, const RefinedMesh& whole, std::uint6
                                   std::uint64_t memory) {
   const Tiling tiling(whole.mesh, damage_tile_faces);
   const IncomingFaces incoming(job, whole.mesh, tiling, memory, damage_hub_faces);
-  std::uint64_t largest = 0;
-  for (std::size_t t = 0; t < tiling.tiles(); ++t) {
-    const std::uint64_t faces =
-        tiling.first_face(t + 1) - tiling.first_face(t) - incoming.away(t) + incoming.count(t);
-    const std::uint64_t vertices =
-        tiling.first_vertex(t + 1) - tiling.first_vertex(t) + 2 * incoming.count(t);
-    largest = std::max(largest, memory_of(vertices, faces));
-  }
+  const std::uint64_t largest = largest_tile(tiling, incoming, memory_of);
   const std::uint64_t at_once = std::clamp<std::uint64_t>(memory / largest, 1, job.threads);
   const Reservation reserved = job.budget.reserve(at_once * largest, "looking at a tile");
   Damage damage;

@@ -41,13 +41,6 @@ void add(Extent& extent, const Extent& more) {
   }
 }
 
-bool meet(const Extent& a, const Extent& b) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!(a.low[axis] <= b.high[axis] && b.low[axis] <= a.high[axis])) return false;
-  }
-  return true;
-}
-
 // each(triangle) for some faces.
 template <typename Each>
 void for_each_face(const ClusteredMesh& mesh, VertexIndex::Reader& vertices, std::uint64_t first,
@@ -131,14 +124,14 @@ bool ReferenceMesh::Reader::add_faces(std::size_t level, std::uint64_t first, co
   const std::uint64_t all =
       blocks ? record_count<Extent>(reference_.boxes_) : reference_.levels_[level - 1].size();
   for (std::uint64_t i = first; i < std::min(first + group, all); ++i) {
-    if (!meet(blocks ? boxes_.at<Extent>(i) : reference_.levels_[level - 1][i], place)) continue;
+    if (!boxes_meet(blocks ? boxes_.at<Extent>(i) : reference_.levels_[level - 1][i], place)) continue;
     if (!blocks) {
       if (!add_faces(level - 1, i * group, place, looked_at, found)) return false;
       continue;
     }
     if (++looked_at > most_blocks || looks_left_ == 0) return false;
     for (const Triangle& t : block(i)) {
-      if (!meet(extent_of(t), place)) continue;
+      if (!boxes_meet(extent_of(t), place)) continue;
       if (found.size() == most_near) return false;
       found.push_back(t);
     }

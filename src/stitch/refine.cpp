@@ -350,15 +350,10 @@ class Refiner {
   template <typename Item, typename Work, typename Finish>
   void for_each_tile(const Tiling& tiling, const IncomingFaces& incoming, std::size_t first, const Work& work,
                      const Finish& finish) {
-    std::uint64_t largest = 0;
-    for (std::size_t t = 0; t < tiling.tiles(); ++t) {
-      const std::uint64_t faces =
-          tiling.first_face(t + 1) - tiling.first_face(t) - incoming.away(t) + incoming.count(t);
-      // An incoming face brings at most two vertices along, an own one too few to count.
-      const std::uint64_t vertices =
-          tiling.first_vertex(t + 1) - tiling.first_vertex(t) + 2 * incoming.count(t);
-      largest = std::max(largest, tile_memory(settings_, vertices, faces));
-    }
+    const std::uint64_t largest =
+        largest_tile(tiling, incoming, [this](std::uint64_t vertices, std::uint64_t faces) {
+          return tile_memory(settings_, vertices, faces);
+        });
     const std::uint64_t at_once = std::clamp<std::uint64_t>(memory_.tiles / largest, 1, job_.threads);
     const Reservation reserved = job_.budget.reserve(at_once * largest, "refining a tile");
     std::size_t next = first;

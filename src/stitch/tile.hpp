@@ -83,6 +83,21 @@ struct Tile {
   static std::uint64_t memory(std::uint64_t vertices, std::uint64_t faces, std::size_t state_size);
 };
 
+// The most that memory_of(vertices, faces) says of any tile.
+template <typename MemoryOf>
+std::uint64_t largest_tile(const Tiling& tiling, const IncomingFaces& incoming, const MemoryOf& memory_of) {
+  std::uint64_t largest = 0;
+  for (std::size_t t = 0; t < tiling.tiles(); ++t) {
+    const std::uint64_t faces =
+        tiling.first_face(t + 1) - tiling.first_face(t) - incoming.away(t) + incoming.count(t);
+    // An incoming face brings at most two vertices along, an own one too few to count.
+    const std::uint64_t vertices =
+        tiling.first_vertex(t + 1) - tiling.first_vertex(t) + 2 * incoming.count(t);
+    largest = std::max(largest, memory_of(vertices, faces));
+  }
+  return largest;
+}
+
 Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                std::size_t number, std::size_t state_size, std::size_t attributes);
 
