@@ -24,18 +24,6 @@ namespace winnow {
 
 namespace {
 
-struct KeyedPosition {
-  CellKey key;
-  Point position;
-
-  static bool before(const KeyedPosition& a, const KeyedPosition& b) {
-    return a.key != b.key ? a.key < b.key : a.position < b.position;
-  }
-  static bool combine(KeyedPosition& into, const KeyedPosition& from) {
-    return into.position == from.position;
-  }
-};
-
 // A position in one of the cells that it may have neighbours in. Cells that share a hash are taken
 // for one, which costs time alone.
 struct CellPosition {

@@ -14,6 +14,18 @@ inline Point without_minus_zero(const Point& p) {
 // The key of a position's cell. Positions beside the lattice count as if at its sides.
 CellKey key_of(const Grid& grid, const Point& p);
 
+struct KeyedPosition {
+  CellKey key;
+  Point position;
+
+  static bool before(const KeyedPosition& a, const KeyedPosition& b) {
+    return a.key != b.key ? a.key < b.key : a.position < b.position;
+  }
+  static bool combine(KeyedPosition& into, const KeyedPosition& from) {
+    return into.position == from.position;
+  }
+};
+
 // Fine enough that few positions share a key, and coarse enough that the lattice has room for a
 // shifted copy.
 Grid lattice_over(const Box& box);

@@ -17,16 +17,6 @@ namespace winnow {
 
 namespace {
 
-struct WeldedPoint {
-  CellKey key;
-  Point position;
-
-  static bool before(const WeldedPoint& a, const WeldedPoint& b) {
-    return a.key != b.key ? a.key < b.key : a.position < b.position;
-  }
-  static bool combine(WeldedPoint& into, const WeldedPoint& from) { return into.position == from.position; }
-};
-
 // All faces of three vertices, whose numbers ascend. For each sense, along that order (an even
 // permutation of it) and against it: how many faces have it, and the number of the first one in the
 // input (low 32 bits).
@@ -75,18 +65,18 @@ WeldedFaces welded_face(const std::array<std::uint64_t, 3>& number, std::uint32_
 void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMemory& memory,
                    ClusteredMesh& mesh) {
   job.progress.begin("weld", reader.facts().vertices.value_or(0), "positions");
-  ThreadedRecords<WeldedPoint> points(job, memory.lists);
+  ThreadedRecords<KeyedPosition> points(job, memory.lists);
   for_each_position_batch(job, reader, [&](const PositionView& view) {
-    SortedList<WeldedPoint>& list = points.local();
+    SortedList<KeyedPosition>& list = points.local();
     for (std::size_t i = 0; i < view.count; ++i) {
       const Point p = without_minus_zero({view.axis[0][i], view.axis[1][i], view.axis[2][i]});
       if (finite(p)) list.add({key_of(grid, p), p});
     }
   });
-  MergedCursor<WeldedPoint> merged = points.merged();
+  MergedCursor<KeyedPosition> merged = points.merged();
   mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
   Appender<IndexedVertex, VertexIndex> append(job, *mesh.vertices);
-  for (WeldedPoint point; merged.next(point);) {
+  for (KeyedPosition point; merged.next(point);) {
     IndexedVertex vertex;
     vertex.key = point.key;
     vertex.position = point.position;
