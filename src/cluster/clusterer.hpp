@@ -4,6 +4,7 @@
 #include <winnow/simplify.hpp>
 
 #include "base/attribute.hpp"
+#include "cluster/folds.hpp"
 #include "cluster/grid.hpp"
 #include "cluster/split_cells.hpp"
 #include "cluster/vertex_index.hpp"
@@ -48,6 +49,12 @@ struct ClusterCounts {
   void add(const ClusterCounts& other);
 };
 
+// A face of the result, and how many faces fell onto it: so many of its sense, and of the other.
+struct FusedFace {
+  std::array<std::uint32_t, 3> vertices{};
+  std::uint32_t along = 0, against = 0;
+};
+
 // The result: vertices in key order, faces as their numbers.
 struct ClusteredMesh {
   std::unique_ptr<VertexIndex> vertices;
@@ -60,10 +67,11 @@ struct ClusteredMesh {
   std::uint64_t turned = 0;
   std::uint64_t fused = 0;       // pairs of opposite faces that left one face
   std::uint64_t flat_pairs = 0;  // those without area that left none; only where welded
-  // Only where clustered for refinement: of each vertex whether it has a face that several fell onto; and the
-  // keys of cells that no face of three cells touches, in ascending order.
-  std::vector<bool> met_twice{};
+  // Only where clustered for refinement: the faces that several fell onto, a FusedFace each, in the order of
+  // faces; and the keys of cells that no face of three cells touches, in ascending order.
+  std::unique_ptr<Spool> several{};
   std::unique_ptr<Spool> vanished{};
+  Folds folds{};
 };
 
 struct ClusterSettings {

@@ -103,6 +103,22 @@ class KeptVertices {
   std::uint64_t kept_ = 0;
 };
 
+// Whether a name is one of them; asked for names in ascending order.
+class NamesInOrder {
+ public:
+  NamesInOrder(const std::vector<CellKey>& keys, unsigned shift) : keys_(keys), shift_(shift) {}
+
+  bool has(CellKey name) {
+    while (at_ < keys_.size() && keys_[at_] << shift_ < name) ++at_;
+    return at_ < keys_.size() && keys_[at_] << shift_ == name;
+  }
+
+ private:
+  const std::vector<CellKey>& keys_;
+  unsigned shift_;
+  std::size_t at_ = 0;
+};
+
 class Joiner {
  public:
   Joiner(Job& job, const ClusteredMesh& coarse, unsigned shift, const ClusteredMesh& fine,
@@ -140,38 +156,40 @@ class Joiner {
     Appender<IndexedVertex, VertexIndex> vertices(job_, *out_.vertices);
     VertexCursor coarse(job_, coarse_, attributes_);
     VertexCursor fine(job_, fine_, attributes_);
+    NamesInOrder folded_coarse(coarse_.folds.vertices, shift_);
+    NamesInOrder folded_fine(fine_.folds.vertices, 0);
     const auto next_coarse = [&] {
-      while (coarse.next()) {
-        coarse.vertex.key <<= shift_;
-        if (!splits(coarse.vertex.key)) return true;
-      }
-      return false;
-    };
-    const auto next_fine = [&] {
-      while (fine.next()) {
-        if (splits(fine.vertex.key)) return true;
-      }
-      return false;
+      if (!coarse.next()) return false;
+      coarse.vertex.key <<= shift_;
+      return true;
     };
     std::uint64_t from_coarse = 0;
     std::uint64_t from_fine = 0;
     bool more_coarse = next_coarse();
-    bool more_fine = next_fine();
+    bool more_fine = fine.next();
     while (more_coarse || more_fine) {
-      const bool take_fine = !more_coarse || (more_fine && fine.vertex.key < coarse.vertex.key);
-      const VertexCursor& from = take_fine ? fine : coarse;
-      vertices.add(from.vertex);
-      if (quadrics) append_records<Quadric>(*out_.quadrics, std::span(&from.quadric, 1));
-      if (attributes_ > 0) append_records<double>(*out_.attributes, from.carried);
-      if (take_fine) {
-        kept_fine_.keep(fine.number(), from_coarse);
-        ++from_fine;
-        more_fine = next_fine();
-      } else {
-        kept_coarse_.keep(coarse.number(), from_fine);
-        ++from_coarse;
-        more_coarse = next_coarse();
+      const CellKey name =
+          std::min(more_coarse ? coarse.vertex.key : UINT64_MAX, more_fine ? fine.vertex.key : UINT64_MAX);
+      const bool in_coarse = more_coarse && coarse.vertex.key == name;
+      const bool in_fine = more_fine && fine.vertex.key == name;
+      const bool split = splits(name);
+      const bool take_coarse = in_coarse && !split && !folded_coarse.has(name);
+      const bool take_fine = in_fine && (split || !take_coarse);
+      if ((take_coarse || take_fine) && !folded_fine.has(name)) {
+        const VertexCursor& from = take_fine ? fine : coarse;
+        vertices.add(from.vertex);
+        if (quadrics) append_records<Quadric>(*out_.quadrics, std::span(&from.quadric, 1));
+        if (attributes_ > 0) append_records<double>(*out_.attributes, from.carried);
+        if (take_fine) {
+          kept_fine_.keep(fine.number(), from_coarse);
+          ++from_fine;
+        } else {
+          kept_coarse_.keep(coarse.number(), from_fine);
+          ++from_coarse;
+        }
       }
+      if (in_coarse) more_coarse = next_coarse();
+      if (in_fine) more_fine = fine.next();
     }
     vertices.flush();
     out_.vertices->finish();
@@ -202,9 +220,10 @@ class Joiner {
         },
         [&](Chunk& chunk) {
           chunk.now.clear();
+          FoldedFaces folds(mesh.folds);
           for (const Numbers& face : chunk.old) {
             Numbers now{};
-            if (chosen(face, now)) chunk.now.push_back(now);
+            if (!folds.has(face) && chosen(face, now)) chunk.now.push_back(now);
           }
         },
         [&](const Chunk& chunk) { append_records<Numbers>(*faces, chunk.now); });

@@ -24,8 +24,8 @@ constexpr std::size_t chunk_faces = 4096;
 constexpr double shortest_normal = 0.1;
 
 struct Triple {
-  std::array<CellKey, 3> cell;  // in the order of the winding
-  bool several;                 // faces fell onto it
+  std::array<CellKey, 3> cell;   // in the order of the winding
+  std::uint64_t along, against;  // faces that fell onto it
 };
 
 // One face for all that fell onto the same three cells: turned the way most of them were; as many on either
@@ -34,6 +34,10 @@ struct FusedFaces {
   std::vector<Triple> faces;
   std::uint64_t fused = 0;
 };
+
+std::uint32_t counted(std::uint64_t faces) {
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(faces, UINT32_MAX));
+}
 
 struct Winding {
   std::uint64_t along = 0, against = 0;
@@ -54,11 +58,10 @@ class FaceFuser {
         winding.against += next_.against;
       }
       out.fused += std::min(winding.along, winding.against);
-      const bool several = winding.along + winding.against > 1;
       if (winding.along >= winding.against) {
-        out.faces.push_back({cell, several});
+        out.faces.push_back({cell, winding.along, winding.against});
       } else {
-        out.faces.push_back({{cell[0], cell[2], cell[1]}, several});
+        out.faces.push_back({{cell[0], cell[2], cell[1]}, winding.against, winding.along});
       }
     }
     return out;
@@ -174,14 +177,15 @@ template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum
 void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
                    ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
-  if (!turn) mesh.met_twice.assign(mesh.vertices->size(), false);
+  if (!turn) mesh.several = std::make_unique<Spool>(job, memory / 16);
   FaceFuser fuser(faces);
   PerSlot<VertexIndex::Reader> readers(job.threads,
                                        [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
   std::atomic<std::uint64_t> turned{0};
   struct Chunk {
     std::vector<Triple> faces;
-    std::vector<std::uint32_t> numbers, met_twice;
+    std::vector<std::uint32_t> numbers;
+    std::vector<FusedFace> several;
   };
   pipeline<Chunk>(
       2 * std::size_t{job.threads},
@@ -195,7 +199,7 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
       [&](Chunk& chunk) {
         VertexIndex::Reader& reader = readers.local();
         chunk.numbers.clear();
-        chunk.met_twice.clear();
+        chunk.several.clear();
         std::uint64_t turned_here = 0;
         for (const Triple& triple : chunk.faces) {
           std::array<IndexedVertex, 3> corner;
@@ -210,17 +214,18 @@ void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory
             ++turned_here;
           }
           chunk.numbers.insert(chunk.numbers.end(), number.begin(), number.end());
-          if (!turn && triple.several)
-            chunk.met_twice.insert(chunk.met_twice.end(), number.begin(), number.end());
+          if (!turn && triple.along + triple.against > 1)
+            chunk.several.push_back({number, counted(triple.along), counted(triple.against)});
         }
         turned += turned_here;
       },
       [&](const Chunk& chunk) {
         mesh.faces->append(std::as_bytes(std::span(chunk.numbers)));
         mesh.face_count += chunk.numbers.size() / 3;
-        for (const std::uint32_t v : chunk.met_twice) mesh.met_twice[v] = true;
+        if (!chunk.several.empty()) append_records<FusedFace>(*mesh.several, chunk.several);
       });
   mesh.faces->finish();
+  if (mesh.several != nullptr) mesh.several->finish();
   mesh.turned = turned;
 }
 

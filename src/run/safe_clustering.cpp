@@ -34,6 +34,9 @@ constexpr std::size_t few_places = 256;
 constexpr unsigned least_boundary_depth = 2;
 constexpr std::uint64_t boundary_share = 100;
 
+// A fold's vertex that goes is at most so many cells from the edge that stays: it had little of the surface.
+constexpr double fold_reach = 0.5;
+
 constexpr std::uint64_t tile_share = std::uint64_t{64} << 20;
 
 // Of cells, or of parts of some.
@@ -80,6 +83,10 @@ class DamageSplitter {
       damaged = split_all(*damaged);
     }
     if (!damaged) return std::nullopt;
+    if (!whole_.folds.empty()) {
+      const CellSet nothing(job_);
+      join(whole_, shift_, Clusterer::make(job_, settings_, memory_)->finish(), nothing);
+    }
     return SafeMesh{std::move(whole_), names_.size(), open_};
   }
 
@@ -96,31 +103,24 @@ class DamageSplitter {
     for (CellKey key = 0; vanished.next(key);) cells.push_back(names_.name_of(key));
     VertexIndex::Reader vertices(*whole_.vertices);
     for (const std::uint32_t v : damage->vertices) cells.push_back(names_.name_of(vertices.at(v).key));
-    for (const std::uint32_t v : damage->at_boundaries) {
-      if (is_boundary(whole_, v)) boundary_.push_back(names_.name_of(vertices.at(v).key));
-    }
+    for (const std::uint32_t v : damage->at_boundaries)
+      boundary_.push_back(names_.name_of(vertices.at(v).key));
+    open_ = !boundary_.empty();
     cells.insert(cells.end(), boundary_.begin(), boundary_.end());
-    for (std::uint64_t v = 0; v < whole_.met_twice.size(); ++v) {
-      if (!whole_.met_twice[v]) continue;
-      cells.push_back(names_.name_of(vertices.at(v).key));
-      if (cells.size() > 4 * most_cells()) return std::nullopt;
-    }
     make_unique(cells);
     return cells;
-  }
-
-  // Where several faces became one, an edge may have one face that had more.
-  bool is_boundary(const ClusteredMesh& mesh, std::uint32_t vertex) {
-    open_ |= !mesh.met_twice[vertex];
-    return !mesh.met_twice[vertex];
   }
 
   std::optional<Damage> look_at(ClusteredMesh& mesh, std::uint64_t most) {
     job_.progress.begin("look for damage", mesh.face_count, "faces");
     RefinedMesh whole{std::move(mesh), nullptr};
-    std::optional<Damage> damage =
-        find_damage(job_, whole, most, std::min(tile_share, job_.budget.left() / 2));
+    std::optional<Damage> damage = find_damage(job_, whole, most, fold_reach * settings_.grid.cell,
+                                               std::min(tile_share, job_.budget.left() / 2));
     mesh = std::move(whole.mesh);
+    if (!damage) return damage;
+    mesh.folds.faces = std::move(damage->folds);
+    VertexIndex::Reader vertices(*mesh.vertices);
+    for (const std::uint32_t v : damage->folded) mesh.folds.vertices.push_back(vertices.at(v).key);
     return damage;
   }
 
@@ -162,12 +162,15 @@ class DamageSplitter {
       const Level& last = levels.back();
       const bool first = levels.size() == 1;
       ClusteredMesh& into = first ? whole_ : std::prev(levels.end(), 2)->mesh;
-      into = joined(job_, into, first ? shift_ : 0, last.mesh, names_, last.split, attributes_,
-                    {memory_.vertices, memory_.result});
+      join(into, first ? shift_ : 0, last.mesh, last.split);
       levels.pop_back();
     }
     shift_ = 0;
     return Names(damaged_beside.begin(), damaged_beside.end());
+  }
+
+  void join(ClusteredMesh& into, unsigned shift, const ClusteredMesh& parts, const CellSet& split) {
+    into = joined(job_, into, shift, parts, names_, split, attributes_, {memory_.vertices, memory_.result});
   }
 
   void read_near(Level& level, const Names& damaged) {
@@ -234,8 +237,10 @@ class DamageSplitter {
     VertexIndex::Reader reader(*mesh.vertices);
     Appender<NamedFace> append(job_, *ring);
     SpoolCursor<FaceVertices> faces(job_, *mesh.faces);
+    FoldedFaces folds(mesh.folds);
     for (FaceVertices face{}; faces.next(face);) {
       const auto [a, b, c] = face;
+      if (folds.has(face)) continue;
       if (!(beside[a] || beside[b] || beside[c]) || split[a] || split[b] || split[c]) continue;
       append.add({reader.at(a).key << shift, reader.at(b).key << shift, reader.at(c).key << shift});
     }
@@ -283,12 +288,7 @@ class DamageSplitter {
     for (const std::uint32_t v : damage.vertices) {
       if (known[v]) tell(reader.at(v).key);
     }
-    for (const std::uint32_t v : damage.at_boundaries) {
-      if (known[v]) is_boundary(level.mesh, v);
-    }
-    for (std::uint64_t v = 0; v < vertices; ++v) {
-      if (known[v] && level.mesh.met_twice[v]) tell(reader.at(v).key);
-    }
+    for (const std::uint32_t v : damage.at_boundaries) open_ |= known[v];
     make_unique(deeper);
   }
 

@@ -70,12 +70,12 @@ std::vector<FaceVertices> faces_of(const ClusteredMesh& mesh) {
 void check_damage(Job& job, ClusteredMesh mesh) {
   const Sorted right = looked_at(faces_of(mesh));
   RefinedMesh whole{std::move(mesh), nullptr};
-  const Damage found = *find_damage(job, whole, UINT64_MAX, std::uint64_t{1} << 26);
+  const Damage found = *find_damage(job, whole, UINT64_MAX, 0, std::uint64_t{1} << 26);
   CHECK(std::vector(right.damaged.begin(), right.damaged.end()) == found.vertices);
   CHECK(std::vector(right.at_boundaries.begin(), right.at_boundaries.end()) == found.at_boundaries);
   const std::size_t told = found.vertices.size() + found.at_boundaries.size();
-  CHECK(find_damage(job, whole, told, std::uint64_t{1} << 26).has_value());
-  if (told > 0) CHECK_FALSE(find_damage(job, whole, told - 1, std::uint64_t{1} << 26).has_value());
+  CHECK(find_damage(job, whole, told, 0, std::uint64_t{1} << 26).has_value());
+  if (told > 0) CHECK_FALSE(find_damage(job, whole, told - 1, 0, std::uint64_t{1} << 26).has_value());
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ TEST_CASE("damage is found in several tiles") {
 TEST_CASE("a whale has no damage") {
   TestJob test;
   RefinedMesh whole{welded(test.job, whale()), nullptr};
-  const Damage damage = *find_damage(test.job, whole, 0, std::uint64_t{1} << 26);
+  const Damage damage = *find_damage(test.job, whole, 0, 0, std::uint64_t{1} << 26);
   CHECK(damage.vertices.empty());
   CHECK(damage.at_boundaries.empty());
 }

@@ -68,20 +68,37 @@ Triangle PlainMesh::triangle(std::size_t face) const {
   return {vertices.at(a).position, vertices.at(b).position, vertices.at(c).position};
 }
 
-PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& settings,
-                  const ClusterStyle& style) {
-  TestJob test({.threads = style.threads});
+namespace {
+
+// Of everything added, what `finish` makes.
+template <typename Finish>
+auto clustered_by(Job& job, const std::vector<Triangle>& faces, const ClusterSettings& settings,
+                  const ClusterStyle& style, const Finish& finish) {
   const std::vector<Batch> batches = batches_of(faces, style);
-  return in_arena(test.job, [&] {
-    const auto clusterer = Clusterer::make(test.job, settings, style.memory);
+  return in_arena(job, [&] {
+    const auto clusterer = Clusterer::make(job, settings, style.memory);
     constexpr std::size_t at_once = 16;
     for (std::size_t from = 0; from < batches.size(); from += at_once) {
       const std::size_t count = std::min(at_once, batches.size() - from);
       parallel_for(count, [&](std::size_t i) { clusterer->add(*batches[from + i]); });
       if (style.ask_to_spill && clusterer->wants_to_spill()) clusterer->spill();
     }
-    const ClusterCounts counts = clusterer->counts();
-    PlainMesh mesh = plain(clusterer->finish());
+    return finish(*clusterer);
+  });
+}
+
+}  // namespace
+
+ClusteredMesh clustered(Job& job, const std::vector<Triangle>& faces, const ClusterSettings& settings) {
+  return clustered_by(job, faces, settings, {}, [](Clusterer& clusterer) { return clusterer.finish(); });
+}
+
+PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& settings,
+                  const ClusterStyle& style) {
+  TestJob test({.threads = style.threads});
+  return clustered_by(test.job, faces, settings, style, [&](Clusterer& clusterer) {
+    const ClusterCounts counts = clusterer.counts();
+    PlainMesh mesh = plain(clusterer.finish());
     mesh.counts = counts;
     mesh.spilled = test.job.scratch.written();
     return mesh;

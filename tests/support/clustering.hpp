@@ -35,6 +35,9 @@ struct ClusterStyle {
 // Vertices and faces of a result; the counts are the caller's.
 PlainMesh plain(const ClusteredMesh& mesh);
 
+// As it leaves the clusterer.
+ClusteredMesh clustered(Job& job, const std::vector<Triangle>& faces, const ClusterSettings& settings);
+
 PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& settings,
                   const ClusterStyle& style = {});
 
