@@ -2,6 +2,8 @@
 
 #include <winnow/error.hpp>
 
+#include "base/text.hpp"
+#include "read/for_each_batch.hpp"
 #include "read/locality.hpp"
 #include "read/packed_records.hpp"
 #include "read/ply_scalar.hpp"
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace winnow {
 
@@ -117,11 +120,47 @@ bool IndexedReader::next_of_source(RawBatch& batch) {
     batch = std::move(held_.front());
     held_.pop_front();
   } else if (!next_indices(batch)) {
+    if (!std::exchange(faces_read_, true) && crossed_ > 0) {
+      job_.note(grouped(crossed_) + (crossed_ == 1 ? " polygon of '" : " polygons of '") + source_->name() +
+                "' cross themselves and could not be cut properly; they became fans of triangles");
+    }
     return false;
   }
+  cut_polygons(batch);
   batch.first = next_face_;
   next_face_ += batch.count;
   return true;
+}
+
+void IndexedReader::cut_polygons(RawBatch& batch) {
+  std::vector<std::uint32_t> corners;
+  std::vector<Point> positions;
+  for (const auto& [first, triangles] : std::exchange(batch.fans, {})) {
+    reserve_for_polygon(triangles + 2);
+    std::uint32_t* const fan = batch.indices.data() + 3 * first;
+    corners.assign({fan[0], fan[1]});
+    for (std::uint64_t i = 0; i < triangles; ++i) corners.push_back(fan[3 * i + 2]);
+    // One that has a corner too many is told of as a bad face.
+    if (*std::max_element(corners.begin(), corners.end()) >= vertices_.size()) continue;
+    vertices_.look_up(corners, positions);
+    const auto& cut = cutter_.cut(positions);
+    if (cut.size() != triangles) {
+      crossed_ += faces_read_ ? 0 : 1;
+      continue;
+    }
+    for (std::uint64_t i = 0; i < triangles; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) fan[3 * i + c] = corners[cut[i][c]];
+    }
+  }
+}
+
+// Batches are of whole polygons, so a large one makes them larger than the plan knows.
+void IndexedReader::reserve_for_polygon(std::uint64_t corners) {
+  if (corners <= std::max<std::uint64_t>(memory_.batch_faces, largest_polygon_)) return;
+  const std::uint64_t in_flight = 2 * batches_in_flight(job_.threads) * KeptFaces::bytes_a_face;
+  large_polygon_.release();
+  large_polygon_ = job_.budget.reserve(corners * (in_flight + PolygonCutter::memory(1)), "a large polygon");
+  largest_polygon_ = corners;
 }
 
 void IndexedReader::to_indices(RawBatch& batch) const {

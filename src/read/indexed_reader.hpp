@@ -4,6 +4,7 @@
 #include "read/corner_streams.hpp"
 #include "read/kept_faces.hpp"
 #include "read/mesh_reader.hpp"
+#include "read/polygon_cutter.hpp"
 #include "read/sorted_faces.hpp"
 #include "read/vertex_store.hpp"
 
@@ -74,10 +75,17 @@ class IndexedReader : public MeshReader {
   void bring_together(const CornerStreams::Plan& plan);
   void sort(const SortedFaces::Plan& plan);
   bool next_of_source(RawBatch& batch);
+  void cut_polygons(RawBatch& batch);
+  void reserve_for_polygon(std::uint64_t corners);
   void to_indices(RawBatch& batch) const;
 
   std::uint64_t next_position_ = 0;
   std::uint64_t next_face_ = 0;
+  PolygonCutter cutter_;
+  Reservation large_polygon_;
+  std::uint64_t largest_polygon_ = 0;  // corners
+  std::uint64_t crossed_ = 0;          // polygons that cannot be cut, in the first pass over the faces
+  bool faces_read_ = false;            // all of them, once
   bool sampled_ = false;
   std::deque<RawBatch> held_;               // read for the sample, and to be given out first
   std::unique_ptr<KeptFaces> kept_;         // those that do not come again

@@ -1,5 +1,7 @@
 #include "read/kept_faces.hpp"
 
+#include "io/spool_records.hpp"
+
 #include <algorithm>
 
 namespace winnow {
@@ -16,8 +18,51 @@ std::array<std::uint32_t, 3> KeptFaces::kept(const RawBatch& batch, std::size_t 
   return indices;
 }
 
+void KeptFaces::add_polygon(std::span<const std::uint32_t> corners) {
+  if (corners.size() == 3) return add(corners);
+  if (corners.size() < 3) return add_degenerate();
+  add_fan(size(), corners.size() - 2);
+  fan_.clear();
+  for (std::size_t i = 2; i < corners.size(); ++i)
+    fan_.insert(fan_.end(), {corners[0], corners[i - 1], corners[i]});
+  add(fan_);
+}
+
 void KeptFaces::add(const RawBatch& batch) {
+  for (const RawBatch::Fan& fan : batch.fans) add_fan(size() + fan.first, fan.triangles);
   for (std::size_t i = 0; i < batch.count; ++i) add(kept(batch, i));
+}
+
+void KeptFaces::add_fan(std::uint64_t first, std::uint64_t triangles) {
+  if (last_fans_.count > 0 && (last_fans_.triangles != triangles || last_fans_.end() != first)) {
+    append_records<Fans>(fans_, std::span(&last_fans_, 1));
+    last_fans_.count = 0;
+  }
+  if (last_fans_.count == 0) last_fans_ = {first, 0, triangles};
+  ++last_fans_.count;
+}
+
+void KeptFaces::finish() {
+  if (last_fans_.count > 0) append_records<Fans>(fans_, std::span(&last_fans_, 1));
+  fans_.finish();
+  spool_.finish();
+}
+
+std::uint64_t KeptFaces::fans_behind(std::uint64_t triangle) const {
+  std::uint64_t low = 0;
+  for (std::uint64_t high = record_count<Fans>(fans_); low < high;) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    (read_record<Fans>(fans_, middle).end() > triangle ? high : low) =
+        middle + (read_record<Fans>(fans_, middle).end() > triangle ? 0 : 1);
+  }
+  return low;
+}
+
+std::uint64_t KeptFaces::begin_of(std::uint64_t triangle) const {
+  const std::uint64_t at = fans_behind(triangle);
+  if (at == record_count<Fans>(fans_)) return triangle;
+  const Fans fans = read_record<Fans>(fans_, at);
+  return fans.first > triangle ? triangle : triangle - (triangle - fans.first) % fans.triangles;
 }
 
 void KeptFaces::restore_status(RawBatch& batch) {
@@ -32,6 +77,16 @@ void KeptFaces::restore_status(RawBatch& batch) {
 
 void KeptFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch) const {
   batch.count = std::min<std::uint64_t>(most, size() - first);
+  batch.fans.clear();
+  for (std::uint64_t i = fans_behind(first); i < record_count<Fans>(fans_); ++i) {
+    const Fans fans = read_record<Fans>(fans_, i);
+    if (fans.first >= first + batch.count) break;
+    for (std::uint64_t at = std::max(fans.first, first); at < std::min(fans.end(), first + batch.count);
+         at += fans.triangles) {
+      batch.fans.push_back({at - first, fans.triangles});
+      batch.count = std::max(batch.count, at + fans.triangles - first);
+    }
+  }
   batch.indices.resize(3 * batch.count);
   spool_.read(first * bytes_a_face, std::as_writable_bytes(std::span(batch.indices)));
   restore_status(batch);

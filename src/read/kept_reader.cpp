@@ -17,15 +17,6 @@ void KeptMesh::add_vertices(std::span<const double> xyz, bool single, std::span<
   single_ = single_ && single;
 }
 
-void KeptMesh::add_polygon(std::span<const std::uint32_t> corners) {
-  if (corners.size() == 3) return faces_.add(corners);
-  if (corners.size() < 3) return faces_.add_degenerate();
-  fan_.clear();
-  for (std::size_t i = 2; i < corners.size(); ++i)
-    fan_.insert(fan_.end(), {corners[0], corners[i - 1], corners[i]});
-  faces_.add(fan_);
-}
-
 void KeptMesh::pass_over(const std::string& what) {
   if (std::find(passed_over_.begin(), passed_over_.end(), what) == passed_over_.end())
     passed_over_.push_back(what);
@@ -77,7 +68,7 @@ bool KeptReader::next_indices(RawBatch& batch) {
 }
 
 bool KeptReader::sample_indices(double place, RawBatch& batch) {
-  return read_faces(sample_begin(place, faces_.size()), batch);
+  return read_faces(faces_.begin_of(sample_begin(place, faces_.size())), batch);
 }
 
 }  // namespace winnow

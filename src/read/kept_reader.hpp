@@ -38,8 +38,7 @@ class KeptMesh {
   void add_vertices(std::span<const double> xyz, bool single, std::span<const double> attributes = {});
   // By which the corners of faces name vertices, if at all; else they count them from 0.
   void add_numbers(std::span<const std::uint32_t> numbers) { numbers_.add(numbers); }
-  // A fan of triangles; of fewer than three corners, a degenerate one.
-  void add_polygon(std::span<const std::uint32_t> corners);
+  void add_polygon(std::span<const std::uint32_t> corners) { faces_.add_polygon(corners); }
   void add_triangles(std::span<const std::uint32_t> corners) { faces_.add(corners); }  // three each
 
   // What the parser comes across and does not read, in words, each once.
@@ -59,7 +58,6 @@ class KeptMesh {
   std::vector<bool> carried_;
   std::string name_;
   bool single_ = true;
-  std::vector<std::uint32_t> fan_;
   std::vector<std::string> passed_over_;
 };
 

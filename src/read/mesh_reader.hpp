@@ -37,6 +37,12 @@ struct RawBatch {
   std::vector<std::uint32_t> indices;  // three a face, or ...
   std::vector<double> corners;         // nine a face: already decoded, because finding the cuts took it
   std::vector<FaceStatus> status;      // of indices and corners
+  // Polygons of more than three corners among indices, which are fans so far: the first triangle of each in
+  // the batch, and how many it has.
+  struct Fan {
+    std::uint64_t first, triangles;
+  };
+  std::vector<Fan> fans;
   std::uint64_t first = 0;
   std::uint64_t count = 0;             // triangles, or positions
   std::vector<std::uint32_t> numbers;  // of faces in another order than the file's: low 32 bits

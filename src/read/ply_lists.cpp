@@ -25,6 +25,7 @@ void PlyLists::begin_record(RawBatch& batch) {
     left_ = 0;
     add(batch, 0, 0, 0, FaceStatus::degenerate);
   }
+  if (left_ > 3 && !strips_) batch.fans.push_back({batch.count, left_ - 2});
   if (left_ == 0) end_record();
 }
 
@@ -66,7 +67,7 @@ void PlyLists::next_index(RawBatch& batch) {
 void PlyLists::read(RawBatch& batch, std::uint64_t most, std::uint64_t most_records) {
   const std::uint64_t until =
       most_records > element_.count - records_ ? element_.count : records_ + most_records;
-  while (batch.count < most) {
+  while (batch.count < most || (left_ > 0 && !strips_)) {
     if (left_ > 0) {
       next_index(batch);
       if (left_ == 0) end_record();

@@ -17,8 +17,8 @@ class PlyLists {
   PlyLists(const PlyElement& element, const PlyProperty& list, PlyValues& values, bool strips)
       : element_(element), list_(list), values_(values), strips_(strips) {}
 
-  // Appends up to `most` triangles to indices, status and count of `batch`; fewer only at the end.
-  // `most_records` limits the records that are begun.
+  // Appends up to `most` triangles to indices, status, fans and count of `batch`; fewer only at the end, more
+  // where a polygon would be cut else. `most_records` limits the records that are begun.
   void read(RawBatch& batch, std::uint64_t most, std::uint64_t most_records = UINT64_MAX);
 
   [[nodiscard]] bool between_records() const { return left_ == 0; }

@@ -221,7 +221,8 @@ class PlyReader final : public IndexedReader {
   bool sample_indices(double place, RawBatch& batch) override {
     if (faces_.element == nullptr) return false;
     if (kept_faces_ != nullptr) {
-      kept_faces_->read(sample_begin(place, kept_faces_->size()), memory_.batch_faces, batch);
+      kept_faces_->read(kept_faces_->begin_of(sample_begin(place, kept_faces_->size())), memory_.batch_faces,
+                        batch);
       return true;
     }
     const std::size_t stride = triangle_stride();

@@ -201,6 +201,38 @@ void VertexStore::gather_records(const std::byte* records, const VertexLayout& l
   }
 }
 
+Point VertexStore::position_of(const std::byte* record) const {
+  Point position{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double value = load_real(record + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+    position[axis] = floats_ ? double{static_cast<float>(value)} : value;
+  }
+  return position;
+}
+
+void VertexStore::look_up(std::span<const std::uint32_t> vertices, std::vector<Point>& out) const {
+  out.resize(vertices.size());
+  const std::byte* records = window_ == nullptr ? kept_->data() : reservation_ ? window_->data() : nullptr;
+  const bool floats = is_plain<float>(layout_);
+  std::vector<std::byte> record(records == nullptr ? layout_.stride : 0);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::uint64_t at = std::uint64_t{vertices[i]} * layout_.stride;
+    if (records == nullptr) {
+      read_at(file_offset_ + at, record);
+      out[i] = position_of(record.data());
+      continue;
+    }
+    if (watched_) touch(at, at + layout_.stride);
+    if (floats) {
+      std::array<float, 3> xyz;
+      std::memcpy(xyz.data(), records + at + layout_.offset[0], sizeof xyz);
+      out[i] = {double{xyz[0]}, double{xyz[1]}, double{xyz[2]}};
+    } else {
+      out[i] = position_of(records + at);
+    }
+  }
+}
+
 void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
                                     FaceBatch& out) const {
   std::vector<std::byte> record(layout_.stride);
@@ -210,11 +242,8 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint64_t at = file_offset_ + std::uint64_t{index[corner][i]} * layout_.stride;
       read_at(at, record);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double value =
-            load_real(record.data() + layout_.offset[axis], layout_.type[axis], layout_.swapped);
-        out.position[corner][axis][i] = floats_ ? double{static_cast<float>(value)} : value;
-      }
+      const Point position = position_of(record.data());
+      for (std::size_t axis = 0; axis < 3; ++axis) out.position[corner][axis][i] = position[axis];
       load_attributes(record.data(), layout_, corner, i, out);
     }
   }

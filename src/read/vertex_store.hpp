@@ -1,6 +1,7 @@
 // Vertex positions by index: looked up in the mapped file, or kept in memory or scratch.
 #pragma once
 
+#include "base/vector.hpp"
 #include "io/job.hpp"
 #include "io/mapped_window.hpp"
 #include "io/read_ahead.hpp"
@@ -73,6 +74,9 @@ class VertexStore {
                       const std::array<const std::uint32_t*, 3>& index, std::size_t count,
                       FaceBatch& out) const;
 
+  // Positions of single vertices, all below size(); also between passes.
+  void look_up(std::span<const std::uint32_t> vertices, std::vector<Point>& out) const;
+
   // Positions in their order: `count` from `first` on, side by side into `out`.
   void read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const;
 
@@ -123,6 +127,7 @@ class VertexStore {
   void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;  // of the mapped file
   // Records that are read in order.
   const std::byte* stretch(std::uint64_t first, std::size_t count) const;
+  [[nodiscard]] Point position_of(const std::byte* record) const;
   void gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
                          FaceBatch& out) const;
 

@@ -70,7 +70,7 @@ TEST_CASE("indices of no vertex are out of range, negative ones too") {
     }
     // A polygon's triangles are told apart: of {0, 1, 2, 4} the first is good.
     check_counts(counts_of(ply_file(mesh, style)), 8 + more, {0, 0, 4 + more});
-    CHECK(test::difference(test::faces_of(ply_file(mesh, style)), as_fans(mesh)) == "");
+    CHECK(test::difference(test::faces_of(ply_file(mesh, style)), as_triangles(mesh)) == "");
   });
 }
 

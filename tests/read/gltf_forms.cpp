@@ -47,8 +47,8 @@ TEST_CASE("a glTF is the mesh that was written, as GLB, as JSON, from a pipe") {
     const test::Polygons mesh = triangles(random, vertices, 15'000);
     const GltfBuilder file = test::gltf_of(mesh, type);
     for (const std::string& content : {file.glb(), file.gltf()}) {
-      CHECK(difference(faces_of(content), as_fans(mesh)) == "");
-      CHECK(difference(test::faces_of_pipe(content), as_fans(mesh)) == "");
+      CHECK(difference(faces_of(content), as_triangles(mesh)) == "");
+      CHECK(difference(test::faces_of_pipe(content), as_triangles(mesh)) == "");
     }
   }
 }
@@ -64,7 +64,7 @@ TEST_CASE("strips, fans and triangles without indices of a glTF") {
     return faces_of(file.glb());
   };
   const auto faces = [&](const std::vector<std::vector<std::int64_t>>& polygons) {
-    return test::as_fans({points.vertices, polygons});
+    return test::as_triangles({points.vertices, polygons});
   };
   CHECK(difference(read(4, {}), faces({{0, 1, 2}, {3, 4, 5}, {6, 7, 8}})) == "");
   CHECK(difference(read(5, {0, 1, 2, 3, 4}), faces({{0, 1, 2}, {2, 1, 3}, {2, 3, 4}})) == "");
@@ -108,10 +108,10 @@ TEST_CASE("positions of a glTF between other attributes, and changed by a sparse
                     {"values", {{"bufferView", file.view(values)}}}};
   const Json attributes{{"POSITION", positions}};
   file.mesh(Json::array({{{"attributes", attributes}, {"indices", file.indices(corners_of(mesh), 5125)}}}));
-  CHECK(difference(faces_of(file.glb()), as_fans(mesh)) == "");
+  CHECK(difference(faces_of(file.glb()), as_triangles(mesh)) == "");
   file.json["accessors"][positions]["sparse"] = sparse;
-  CHECK(difference(faces_of(file.glb()), as_fans(changed)) == "");
-  CHECK(difference(faces_of(file.gltf()), as_fans(changed)) == "");
+  CHECK(difference(faces_of(file.glb()), as_triangles(changed)) == "");
+  CHECK(difference(faces_of(file.gltf()), as_triangles(changed)) == "");
 }
 
 TEST_CASE("nodes of a glTF move, turn, stretch and mirror") {
@@ -174,8 +174,8 @@ TEST_CASE("buffers beside a glTF, but no others") {
     test::TestJob test;
     return faces_of(test.job, open_source(test.job, directory.file("mesh.gltf")));
   };
-  CHECK(difference(read("the%20buffer.bin"), as_fans(mesh)) == "");
-  CHECK(difference(read("./the buffer.bin"), as_fans(mesh)) == "");
+  CHECK(difference(read("the%20buffer.bin"), as_triangles(mesh)) == "");
+  CHECK(difference(read("./the buffer.bin"), as_triangles(mesh)) == "");
   for (const std::string& uri :
        {std::string("../x.bin"), directory.file("the buffer.bin"), std::string("http://a.b/c.bin"),
         std::string("a/../../x"), std::string("%2e%2e/x"), std::string("missing.bin"),
@@ -234,7 +234,7 @@ TEST_CASE("more buffers beside a glTF than files may be open, whatever bytes the
   }
   ::setrlimit(RLIMIT_NOFILE, &before);
   CHECK(error == "");
-  CHECK(faces == buffers * as_fans(mesh).size());
+  CHECK(faces == buffers * as_triangles(mesh).size());
 }
 
 TEST_CASE("buffer views packed by EXT_meshopt_compression") {
@@ -269,7 +269,7 @@ TEST_CASE("buffer views packed by EXT_meshopt_compression") {
     const std::vector<test::SeenFace> seen = faces_of(file.glb());
     REQUIRE(seen.size() == 5000);
     // Triangles may begin with another corner.
-    const std::vector<test::SeenFace> wanted = as_fans(mesh);
+    const std::vector<test::SeenFace> wanted = as_triangles(mesh);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       auto corner = seen[i].corner;
       for (int turn = 0; turn < 2 && corner != wanted[i].corner; ++turn)

@@ -73,7 +73,7 @@ TEST_CASE("triangles that jump") {
       style.form = static_cast<PlyForm>(form);
       style.coordinate.fill(coordinate);
       CAPTURE(form);
-      check(ply_file(mesh, style), as_fans(as_stored(mesh, style)));
+      check(ply_file(mesh, style), as_triangles(as_stored(mesh, style)));
     }
   }
 }
@@ -84,7 +84,7 @@ TEST_CASE("triangles that jump in files of any style") {
     const test::Polygons mesh = jumping(random, 6000, 3);
     const test::PlyStyle style = random_ply_style(random, mesh);
     CAPTURE(round);
-    check(ply_file(mesh, style), as_fans(as_stored(mesh, style)));
+    check(ply_file(mesh, style), as_triangles(as_stored(mesh, style)));
   }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("polygons and strips that jump") {
     style.form = static_cast<PlyForm>(form);
     test::Polygons mesh = jumping(random, 6000, 6);
     CAPTURE(form);
-    check(ply_file(mesh, style), as_fans(as_stored(mesh, style)));
+    check(ply_file(mesh, style), as_triangles(as_stored(mesh, style)));
     style.count = PlyType::int32;
     style.faces = "tristrips";
     for (auto& strip : mesh.faces)
@@ -109,7 +109,7 @@ TEST_CASE("faces that jump before their vertices come") {
   const test::Polygons mesh = jumping(random, 6000, 5);
   test::PlyStyle style;
   style.faces_first = true;
-  check(ply_file(mesh, style), as_fans(as_stored(mesh, style)));
+  check(ply_file(mesh, style), as_triangles(as_stored(mesh, style)));
 }
 
 TEST_CASE("faces of a text that jump") {
@@ -127,7 +127,7 @@ TEST_CASE("whatever the memory, faces that jump are the same") {
   const test::Polygons mesh = jumping(random, 10'000, 3);
   const test::PlyStyle style;
   const std::string file = ply_file(mesh, style);
-  const std::vector<test::SeenFace> right = as_fans(as_stored(mesh, style));
+  const std::vector<test::SeenFace> right = as_triangles(as_stored(mesh, style));
   for (std::uint64_t memory = 0; memory < std::uint64_t{1} << 20; memory = memory * 5 / 2 + 100) {
     for (const std::size_t batch : {8, 100, 8192}) {
       CAPTURE(memory, batch);
@@ -155,7 +155,7 @@ TEST_CASE("faces that jump only somewhere in a file are noticed, and those that 
     auto source = std::make_unique<test::MemorySource>(ply_file(mesh, style));
     const auto seen = test::faces_of(test.job, std::move(source), {.memory = {std::uint64_t{1} << 16, 1000}});
     CAPTURE(jumping_from);
-    CHECK(difference(seen, as_fans(as_stored(mesh, style))) == "");
+    CHECK(difference(seen, as_triangles(as_stored(mesh, style))) == "");
     // The vertices themselves are kept there.
     CHECK((test.job.scratch.written() > 12 * vertex_count) == (jumping_from < 1));
   }

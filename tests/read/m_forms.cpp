@@ -21,8 +21,8 @@ TEST_CASE("a .m of any style is the mesh that was written") {
       const std::string file = m_file(mesh, {end, &random});
       for (const std::size_t batch : {8, 8192}) {
         const test::ReadStyle style{Format::automatic, Access::once, {test::usual_vertex_memory, batch}};
-        REQUIRE(difference(faces_of(file, style), as_fans(mesh)) == "");
-        REQUIRE(difference(test::faces_of_pipe(file, style), as_fans(mesh)) == "");
+        REQUIRE(difference(faces_of(file, style), as_triangles(mesh)) == "");
+        REQUIRE(difference(test::faces_of_pipe(file, style), as_triangles(mesh)) == "");
       }
     }
   }
@@ -36,7 +36,7 @@ TEST_CASE("numbers of vertices that do not fit into memory are found all the sam
     test::TestJob test;
     CHECK(difference(faces_of(test.job, std::make_unique<test::MemorySource>(file),
                               {Format::automatic, Access::once, {std::uint64_t{1} << 20, 2048}}),
-                     as_fans(mesh)) == "");
+                     as_triangles(mesh)) == "");
     CHECK(test.job.scratch.written() > 0);
   }
 }

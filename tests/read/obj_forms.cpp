@@ -31,8 +31,8 @@ TEST_CASE("an OBJ of any style is the mesh that was written") {
       // Blocks of a few lines, and of all.
       for (const std::size_t batch : {8, 64, 8192}) {
         const test::ReadStyle style{Format::automatic, Access::once, {test::usual_vertex_memory, batch}};
-        REQUIRE(difference(faces_of(file, style), as_fans(mesh)) == "");
-        REQUIRE(difference(test::faces_of_pipe(file, style), as_fans(mesh)) == "");
+        REQUIRE(difference(faces_of(file, style), as_triangles(mesh)) == "");
+        REQUIRE(difference(test::faces_of_pipe(file, style), as_triangles(mesh)) == "");
       }
     }
   }
@@ -45,12 +45,12 @@ TEST_CASE("corners of an OBJ: alone, with texture, with normal, counted from the
         "f -4 -3 -2\nf -4 -2 -1", "f 1 2 3 4", "f 1// 2// 3//\nf 1/ 3/ 4/", "f +1 +2 +3\nf 1 3 4\n",
         "f 1 \\\n 2 \\\r\n 3\nf 1\\\n 3 4 # 5", "\n\nf\t1  2\t3 \n# f 1 2 3\n  f 1 3 4  "}) {
     CAPTURE(faces);
-    CHECK(difference(both_ways(vertices + faces), as_fans(test::unit_square)) == "");
+    CHECK(difference(both_ways(vertices + faces), as_triangles(test::unit_square)) == "");
   }
   // Faces before all vertices, and between them.
-  CHECK(difference(both_ways("f 1 2 3 4\n" + vertices), as_fans(test::unit_square)) == "");
+  CHECK(difference(both_ways("f 1 2 3 4\n" + vertices), as_triangles(test::unit_square)) == "");
   CHECK(difference(both_ways("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nf 1 3 4\nv 0 1 0"),
-                   as_fans(test::unit_square)) == "");
+                   as_triangles(test::unit_square)) == "");
 }
 
 TEST_CASE("names in an OBJ are no vertices and no faces") {
@@ -58,7 +58,7 @@ TEST_CASE("names in an OBJ are no vertices and no faces") {
       "mtllib f 1 2 3\ng v 9 9 9\no f\nusemtl v\ns 1\nv 0 0 0 1.0\nv 1 0 0 0.5 0.5 0.5\nvn 1 2 3\nvt 5 5\n"
       "v 1 1 0 1 0.5 0.5 0.5\nv 0 1 0\ng An f Three Other Things\nusemtl \\\n f\nf 1 2 3\nl 1 2\np 1\nf 1 3 "
       "4\n";
-  CHECK(difference(both_ways(file), as_fans(test::unit_square)) == "");
+  CHECK(difference(both_ways(file), as_triangles(test::unit_square)) == "");
 }
 
 TEST_CASE("faces of an OBJ that are none are told apart") {

@@ -20,7 +20,7 @@ TEST_CASE("every count and index type in every form gives the same faces") {
         style.form = static_cast<PlyForm>(form);
         style.count = static_cast<PlyType>(count);
         style.index = static_cast<PlyType>(index);
-        const std::vector<test::SeenFace> right = as_fans(as_stored(mesh, style));
+        const std::vector<test::SeenFace> right = as_triangles(as_stored(mesh, style));
         for (const char* list : {"vertex_index", "vertex_indices"}) {
           style.list = list;
           style.new_names = !style.new_names;
@@ -47,7 +47,7 @@ TEST_CASE("every coordinate type in every form gives the same positions") {
         for (double& x : p) x = std::abs(x);  // some types are unsigned
       }
       const std::string file = ply_file(positive, style);
-      const std::vector<test::SeenFace> right = as_fans(as_stored(positive, style));
+      const std::vector<test::SeenFace> right = as_triangles(as_stored(positive, style));
       CAPTURE(form, type);
       REQUIRE(difference(test::faces_of(file), right) == "");
       REQUIRE(difference(test::faces_of_pipe(file), right) == "");
@@ -64,8 +64,8 @@ TEST_CASE("coordinates of different types each keep their own precision in every
     style.coordinate = {PlyType::float32, PlyType::float64, PlyType::int16};
     const std::string file = ply_file(mesh, style);
     CAPTURE(form);
-    CHECK(difference(test::faces_of(file), as_fans(as_stored(mesh, style))) == "");
-    CHECK(difference(test::faces_of_pipe(file), as_fans(as_stored(mesh, style))) == "");
+    CHECK(difference(test::faces_of(file), as_triangles(as_stored(mesh, style))) == "");
+    CHECK(difference(test::faces_of_pipe(file), as_triangles(as_stored(mesh, style))) == "");
   }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("random meshes in random styles are read as they were written") {
     // In ASCII next to a double, a float would keep the digits of its text: another test.
     if (style.form == PlyForm::ascii) style.coordinate.fill(style.coordinate[0]);
     const std::string file = ply_file(mesh, style);
-    const std::vector<test::SeenFace> right = as_fans(as_stored(mesh, style));
+    const std::vector<test::SeenFace> right = as_triangles(as_stored(mesh, style));
     const test::ReadStyle reading{
         Format::automatic,
         Access::once,
@@ -103,10 +103,10 @@ TEST_CASE("an element of faces may stand before the vertices") {
       style.faces_first = true;
       const std::string file = ply_file(mesh, style);
       CAPTURE(form, faces);
-      CHECK(difference(test::faces_of(file), as_fans(as_stored(mesh, style))) == "");
+      CHECK(difference(test::faces_of(file), as_triangles(as_stored(mesh, style))) == "");
       // No memory for faces: they wait in scratch.
       CHECK(difference(test::faces_of_pipe(file, {Format::automatic, Access::once, {0, 512}}),
-                       as_fans(as_stored(mesh, style))) == "");
+                       as_triangles(as_stored(mesh, style))) == "");
     }
   }
 }

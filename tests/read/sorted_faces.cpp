@@ -97,7 +97,7 @@ TEST_CASE("scattered faces of near vertices come sorted") {
         style.form = static_cast<PlyForm>(form);
         style.coordinate.fill(coordinate);
         CAPTURE(most, form);
-        check(ply_file(mesh, style), as_fans(as_stored(mesh, style)));
+        check(ply_file(mesh, style), as_triangles(as_stored(mesh, style)));
       }
     }
   }
@@ -127,7 +127,7 @@ TEST_CASE("whatever the memory, sorted faces are the same") {
   const test::Polygons mesh = scattered(random, 8'000, 4);
   const test::PlyStyle style;
   const std::string file = ply_file(mesh, style);
-  const std::vector<test::SeenFace> right = ordered(as_fans(as_stored(mesh, style)));
+  const std::vector<test::SeenFace> right = ordered(as_triangles(as_stored(mesh, style)));
   for (std::uint64_t memory = 0; memory < std::uint64_t{1} << 21; memory = memory * 5 / 2 + 100) {
     for (const std::size_t batch : {8, 100, 8192}) {
       CAPTURE(memory, batch);
@@ -141,7 +141,7 @@ TEST_CASE("faces that reach across the mesh keep their order, whether any will d
   const test::Polygons mesh = test::random_polygons(random, vertex_count, 30'000, 3);
   const test::PlyStyle style;
   const std::vector<test::SeenFace> seen = test::faces_of(ply_file(mesh, style), {.memory = any_order});
-  CHECK(difference(seen, as_fans(as_stored(mesh, style))) == "");
+  CHECK(difference(seen, as_triangles(as_stored(mesh, style))) == "");
 }
 
 TEST_CASE("sorting faces is cancelled", "[threads]") {

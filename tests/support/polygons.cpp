@@ -1,5 +1,7 @@
 #include "support/polygons.hpp"
 
+#include "read/polygon_cutter.hpp"
+
 #include <cmath>
 
 namespace winnow::test {
@@ -63,10 +65,22 @@ std::string difference(const std::vector<SeenFace>& a, const std::vector<SeenFac
   return "";
 }
 
-std::vector<SeenFace> as_fans(const Polygons& mesh) {
+std::vector<SeenFace> as_triangles(const Polygons& mesh) {
   std::vector<SeenFace> faces;
+  PolygonCutter cutter;
   for (const auto& polygon : mesh.faces) {
     if (polygon.size() < 3) faces.push_back({FaceStatus::degenerate, {}});
+    std::vector<Point> corners;
+    for (const std::int64_t index : polygon) {
+      if (index >= 0 && static_cast<std::size_t>(index) < mesh.vertices.size())
+        corners.push_back(mesh.vertices[static_cast<std::size_t>(index)]);
+    }
+    const bool whole = polygon.size() > 3 && corners.size() == polygon.size();
+    if (whole && cutter.cut(corners).size() + 2 == polygon.size()) {
+      for (const auto& [a, b, c] : cutter.cut(corners))
+        faces.push_back(face_of(mesh, {polygon[a], polygon[b], polygon[c]}));
+      continue;
+    }
     for (std::size_t i = 2; i < polygon.size(); ++i)
       faces.push_back(face_of(mesh, {polygon[0], polygon[i - 1], polygon[i]}));
   }

@@ -31,7 +31,7 @@ std::string difference(const std::vector<SeenFace>& a, const std::vector<SeenFac
 std::string difference(const std::vector<Point>& a, const std::vector<Point>& b);
 
 // Fans, by the definition.
-std::vector<SeenFace> as_fans(const Polygons& mesh);
+std::vector<SeenFace> as_triangles(const Polygons& mesh);
 
 // Strips, with -1 where a new one begins: every second triangle is mirrored, and none repeats an index.
 std::vector<SeenFace> as_strips(const Polygons& mesh);
