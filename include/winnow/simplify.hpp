@@ -73,6 +73,9 @@ struct SimplifyOptions {
   // other formats. PLY holds all, OBJ, OFF and GLB normals and colours, STL none. Of several inputs: what all
   // have, of one type.
   std::optional<std::vector<std::string>> attributes;
+  // A number that says of an attribute that it has none there: it takes no part in means. Not of colours and
+  // normals. Nothing: there is no such number.
+  std::optional<double> no_data;
   bool strict = false;  // the first bad face of the input is an error
 
   // Only the faces all of whose corners lie in this box (its sides included), in model units: its low and its

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "base/scalar_type.hpp"
+#include "base/vector.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,7 +20,8 @@ enum class AttributeKind {
   value,   // that of the numbers
   color,   // that of the light: a component as sRGB has it, whole numbers from 0 to the type's highest
   normal,  // that of the vectors, as long as 1: nx, ny and nz, all three
-  light    // that of the numbers, which are of light already, from 0 to the type's highest; a color elsewhere
+  light,   // that of the numbers, which are of light already, from 0 to the type's highest; a color elsewhere
+  label    // there is none: the heaviest value counts, of equally heavy ones the smallest
 };
 
 // One number a vertex, as the input has it and the output gets it.
@@ -26,6 +29,14 @@ struct Attribute {
   std::string name;
   ScalarType type = ScalarType::float32;
   AttributeKind kind = AttributeKind::value;
+  // What a colour's component has where all of it is there. 0: what the type has, see full_component().
+  double full = 0;
+  std::optional<double> no_data{};  // a number that says that there is none
+
+  [[nodiscard]] bool lacks(double stored) const {
+    if (!no_data) return false;
+    return stored == *no_data || (type == ScalarType::float32 && stored == nearest_float(*no_data));
+  }
 };
 
 // Bounds what a cell's sums take; enough for normals, colours, texture and a few measurements.
@@ -60,8 +71,17 @@ inline bool carries_normals(std::span<const Attribute> attributes) {
                      [](const Attribute& a) { return a.kind == AttributeKind::normal; });
 }
 
-// The number that stands for all of a colour's component.
+// The number that stands for all of a colour's component, or of its alpha.
 double full_component(ScalarType type);
+double full_component(const Attribute& attribute);
+
+// By the names that programs give them (red, diffuse_red or r, ...) which component a number is: 0 red,
+// 1 green, 2 blue, 3 alpha.
+std::optional<std::size_t> component_named(std::string_view name);
+// Whether numbers of this type can be one.
+inline bool may_be_component(ScalarType type) {
+  return !is_integer(type) || type == ScalarType::uint8 || type == ScalarType::uint16;
+}
 
 // Whether it is a component of one, in whatever form.
 inline bool is_color(const Attribute& attribute) {

@@ -7,6 +7,7 @@
 #include "cluster/cell_table.hpp"
 #include "cluster/front_cache.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace winnow {
@@ -35,16 +36,17 @@ class CursorOf final : public AttributeCursor {
     while (more_ && next_.key < key) more_ = sums_->next(next_);
     // Weights beyond 2^41 come as several records, of fewer than 2^64 in all.
     Sum whole{};
-    for (; more_ && next_.key == key; more_ = sums_->next(next_)) {
-      whole.weight += next_.weight;
-      for (std::size_t i = 0; i < scales_.size(); ++i) {
-        whole.absent[i] += next_.absent[i];
-        whole.sum[i] += next_.sum[i];
-      }
-    }
+    for (; more_ && next_.key == key; more_ = sums_->next(next_)) whole.add(next_);
     for (std::size_t i = 0; i < scales_.size(); ++i) {
+      const bool label = scales_[i].is_label();
       const std::uint64_t weight = whole.weight - whole.absent[i];
-      means[i] = weight == 0 ? 0 : scales_[i].mean(whole.sum[i], weight);
+      if (label ? whole.sum[i] == 0 : weight == 0) {
+        means[i] = scales_[i].nothing();
+      } else if (label) {
+        means[i] = static_cast<double>(label_of(whole.sum[i]));
+      } else {
+        means[i] = scales_[i].mean(whole.sum[i], weight);
+      }
     }
   }
 
@@ -121,6 +123,15 @@ class AttributeMeansOf final : public AttributeMeans {
     Sum& sum = worker.cache.entry(key, total, [&](const Sum& line) { give_way(worker, line); });
     sum.weight += total;
     for (std::size_t k = 0; k < scales_.size(); ++k) {
+      if (scales_[k].is_label()) {
+        sum.absent[k] = label_mark;
+        for (std::size_t c = from; c < to; ++c) {
+          const std::int64_t label = scales_[k].fixed(faces.attribute(k, c, face));
+          if (label != AttributeScale::none)
+            sum.sum[k] = std::max(sum.sum[k], weighed_label(weight[c], label));
+        }
+        continue;
+      }
       Int128 more = 0;
       for (std::size_t c = from; c < to; ++c) {
         const std::int64_t number = scales_[k].fixed(faces.attribute(k, c, face));

@@ -14,6 +14,11 @@ constexpr int mean_bits = 62;
 }  // namespace
 
 AttributeScale::AttributeScale(const Attribute& attribute, double largest) : attribute_(attribute) {
+  if (is_label()) {
+    up_.fill(1);
+    down_.fill(1);
+    return;
+  }
   int exponent = 0;
   std::frexp(std::min(mean_of_stored(attribute, largest), std::numeric_limits<double>::max()), &exponent);
   const int shift = mean_bits - exponent;

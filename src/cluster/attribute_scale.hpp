@@ -12,9 +12,9 @@
 
 namespace winnow {
 
-// Of one attribute: what its means are taken of, times a power of two at which the largest number of the
-// input takes 62 bits. So floats of 2^-38 of the largest are still exact, and what is lost of any number is
-// below 2^-61 of the largest.
+// Of one attribute: what its means are taken of (of labels the values themselves), times a power of two at
+// which the largest number of the input takes 62 bits. So floats of 2^-38 of the largest are still exact, and
+// what is lost of any number is below 2^-61 of the largest.
 class AttributeScale {
  public:
   // `largest`: the largest size of a number in the input; larger ones are none.
@@ -27,8 +27,13 @@ class AttributeScale {
       const bool there = stored >= 0 && stored < static_cast<double>(table_.size());
       return there ? table_[static_cast<std::size_t>(stored)] : none;
     }
+    if (attribute_.lacks(stored)) return none;
     return scaled(is_color(attribute_) ? mean_of_stored(attribute_, stored) : stored);
   }
+
+  [[nodiscard]] bool is_label() const { return attribute_.kind == AttributeKind::label; }
+  // Where nothing was added.
+  [[nodiscard]] double nothing() const { return attribute_.no_data.value_or(0); }
 
   // The mean of fixed numbers whose weighted sum this is; `weight` is not 0.
   [[nodiscard]] double mean(Int128 sum, std::uint64_t weight) const;

@@ -14,15 +14,25 @@ constexpr double middle = 0.5;
 }  // namespace
 
 void CarriedValues::collapsed(const Collapse& edge) {
-  if (attributes_ == 0 || edge.of_piece()) return;
+  if (attributes_.empty() || edge.of_piece()) return;
   const Point& from = position_[edge.kept];
   const Point along = position_[edge.removed] - from;
   const double square = dot(along, along);
   const double nearest = square > 0 ? std::clamp(dot(edge.position - from, along) / square, 0.0, 1.0) : 0.5;
   const double part = (1 - middle) * nearest + middle * 0.5;
-  double* kept = value_.data() + edge.kept * attributes_;
-  const double* removed = value_.data() + edge.removed * attributes_;
-  for (std::size_t i = 0; i < attributes_; ++i) kept[i] += part * (removed[i] - kept[i]);
+  double* kept = value_.data() + edge.kept * attributes_.size();
+  const double* removed = value_.data() + edge.removed * attributes_.size();
+  for (std::size_t i = 0; i < attributes_.size(); ++i) {
+    const Attribute& attribute = attributes_[i];
+    if (attribute.lacks(removed[i])) continue;
+    if (attribute.lacks(kept[i])) {
+      kept[i] = removed[i];
+    } else if (attribute.kind == AttributeKind::label) {
+      if (part > 0.5 || (part == 0.5 && removed[i] < kept[i])) kept[i] = removed[i];
+    } else {
+      kept[i] += part * (removed[i] - kept[i]);
+    }
+  }
   position_[edge.kept] = edge.position;
 }
 

@@ -1,6 +1,7 @@
 // The attributes of a tile's vertices while its edges are collapsed. What is collapsed never depends on them.
 #pragma once
 
+#include "base/attribute.hpp"
 #include "decimate/tile_mesh.hpp"
 
 #include <cstddef>
@@ -15,8 +16,9 @@ class CarriedValues {
  public:
   // Of no vertices: nothing is carried.
   CarriedValues() = default;
-  // `values`: so many of each vertex.
-  CarriedValues(std::size_t attributes, std::vector<Point> positions, std::vector<double> values)
+  // `values`: one of each attribute of each vertex. `attributes` live as long as this.
+  CarriedValues(std::span<const Attribute> attributes, std::vector<Point> positions,
+                std::vector<double> values)
       : attributes_(attributes), position_(std::move(positions)), value_(std::move(values)) {}
 
   static constexpr std::uint64_t memory(std::uint64_t vertices, std::size_t attributes) {
@@ -24,15 +26,16 @@ class CarriedValues {
   }
 
   // To be told of every collapse. The vertex that is kept gets what is interpolated along the edge, between
-  // its middle and the place nearest to where the vertex goes.
+  // its middle and the place nearest to where the vertex goes; of labels the nearer one. An end without data
+  // does not count.
   void collapsed(const Collapse& edge);
 
   [[nodiscard]] std::span<const double> of(VertexNumber v) const {
-    return std::span(value_).subspan(v * attributes_, attributes_);
+    return std::span(value_).subspan(v * attributes_.size(), attributes_.size());
   }
 
  private:
-  std::size_t attributes_ = 0;
+  std::span<const Attribute> attributes_;
   std::vector<Point> position_;
   std::vector<double> value_;
 };

@@ -2,6 +2,8 @@
 
 #include <winnow/error.hpp>
 
+#include "base/text.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -11,14 +13,8 @@ namespace winnow {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> component_names{"red",         "green",         "blue",
-                                                          "diffuse_red", "diffuse_green", "diffuse_blue"};
-// These only all three together.
+// These are colours only all three together.
 constexpr std::array<std::string_view, 3> short_names{"r", "g", "b"};
-// What "colors" stands for.
-constexpr std::array<std::string_view, 12> color_names{
-    "red",          "green",         "blue", "alpha", "diffuse_red", "diffuse_green",
-    "diffuse_blue", "diffuse_alpha", "r",    "g",     "b",           "a"};
 // Of both sides of a seam in a texture, whose mean is somewhere else in the picture.
 constexpr std::array<std::string_view, 10> texture_names{
     "s", "t", "u", "v", "texture_u", "texture_v", "texture_s", "texture_t", "tex_u", "tex_v"};
@@ -32,6 +28,15 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
+}
+
+// Whether whole numbers of this name tell things apart and have no mean.
+bool names_label(const std::string& property) {
+  std::string name = property;
+  std::transform(name.begin(), name.end(), name.begin(), small_letter);
+  constexpr std::array<std::string_view, 4> names{"id", "label", "labels", "flags"};
+  return among(names, name) || name.ends_with("_id") || name.ends_with("_label") ||
+         name.starts_with("class") || name.starts_with("segment");
 }
 
 // Kinds go by what programs call their properties.
@@ -48,12 +53,12 @@ AttributeKind kind_of(const Attribute& attribute, const std::vector<Attribute>& 
       std::all_of(normal_names.begin(), normal_names.end(), real)) {
     return AttributeKind::normal;
   }
-  const bool component =
-      among(component_names, attribute.name) ||
-      (among(short_names, attribute.name) && std::all_of(short_names.begin(), short_names.end(), offered));
-  const bool light = !is_integer(attribute.type) || attribute.type == ScalarType::uint8 ||
-                     attribute.type == ScalarType::uint16;
-  return component && light ? AttributeKind::color : AttributeKind::value;
+  if (is_integer(attribute.type) && names_label(attribute.name)) return AttributeKind::label;
+  const std::optional<std::size_t> component = component_named(attribute.name);
+  const bool color =
+      component && *component < 3 && may_be_component(attribute.type) &&
+      (!among(short_names, attribute.name) || std::all_of(short_names.begin(), short_names.end(), offered));
+  return color ? AttributeKind::color : AttributeKind::value;
 }
 
 // Names by reason, in the order of their first.
@@ -84,7 +89,7 @@ class Dropped {
   const bool differs =
       not_common(name) ||
       (name == "normals" && std::any_of(normal_names.begin(), normal_names.end(), not_common)) ||
-      (name == "colors" && std::any_of(color_names.begin(), color_names.end(), not_common));
+      (name == "colors" && std::any_of(offer.not_common.begin(), offer.not_common.end(), component_named));
   std::string message = "'" + input + "': '" + name + "' is ";
   if (among(offer.lists, name)) {
     message += "a list at each vertex, which cannot be averaged";
@@ -113,8 +118,11 @@ std::vector<std::string> wanted_names(const std::vector<std::string>& names, con
     add(name);
     if (wanted.size() == before && name == "normals")
       std::for_each(normal_names.begin(), normal_names.end(), add);
-    if (wanted.size() == before && name == "colors")
-      std::for_each(color_names.begin(), color_names.end(), add);
+    if (wanted.size() == before && name == "colors") {
+      for (const Attribute& attribute : offer.scalars) {
+        if (component_named(attribute.name)) wanted.push_back(attribute.name);
+      }
+    }
     if (wanted.size() == before) refuse_name(name, offer, input);
   }
   return wanted;
@@ -191,6 +199,8 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
       continue;
     }
     choice.carried.push_back(attribute);
+    if (attribute.kind == AttributeKind::value || attribute.kind == AttributeKind::label)
+      choice.carried.back().no_data = wish.no_data;
     choice.scalar.push_back(scalars[i]);
   }
   // Nor where one was too many.

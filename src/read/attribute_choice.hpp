@@ -21,6 +21,9 @@ struct AttributeWish {
   // empty where it can. May be unset.
   std::function<std::string(const Attribute&, std::span<const Attribute> wanted)> refusal;
 
+  // A number that says of an attribute that is no colour and no normal that there is none.
+  std::optional<double> no_data{};
+
   // Whether their means are taken; where not, texture coordinates are as good as others.
   bool averaged = true;
 

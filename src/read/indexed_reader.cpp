@@ -82,7 +82,9 @@ std::vector<MeshReader::AttributeRange> IndexedReader::attribute_ranges() {
     for (std::size_t i = 0; i < count; ++i, record += layout.stride) {
       for (const std::size_t k : real) {
         const auto [offset, type] = layout.attributes[k];
-        const double size = std::abs(load_real(record + offset, type, layout.swapped));
+        const double number = load_real(record + offset, type, layout.swapped);
+        if (attributes[k].lacks(number)) continue;
+        const double size = std::abs(number);
         if (stands_for_none(size)) {
           ++ranges[k].without;
         } else {

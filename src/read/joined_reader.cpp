@@ -67,6 +67,7 @@ class JoinedReader final : public MeshReader {
     facts_.offer = common_offer(offers);
     facts_.choice = choose_attributes(wish, facts_.offer, name_);
     carried_.names.emplace();
+    carried_.no_data = wish.no_data;
     for (const Attribute& attribute : facts_.choice.carried) carried_.names->push_back(attribute.name);
     for (const std::string& format_name : formats)
       facts_.format += (facts_.format.empty() ? "" : " and ") + format_name;

@@ -2,8 +2,10 @@
 
 #include "base/text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace winnow {
 
@@ -27,6 +29,7 @@ void take_normal(const MeshShape& shape, MeshVertex& vertex) {
 AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encoder) {
   AttributeWish wish;
   wish.names = options.attributes;
+  wish.no_data = options.no_data;
   wish.refusal = [&encoder, normals = options.normals](const Attribute& attribute,
                                                        std::span<const Attribute> wanted) -> std::string {
     if (normals && names_normal(attribute))
@@ -48,10 +51,41 @@ void note_dropped(Job& job, const AttributeChoice& choice) {
   if (!line.empty()) job.note(line);
 }
 
+void settle_colors(Job& job, std::vector<Attribute>& attributes,
+                   const std::vector<MeshReader::AttributeRange>& ranges) {
+  // Red, green and blue have one measure; alpha has its own.
+  std::array<double, 2> largest{};
+  const auto group_of = [&](const Attribute& attribute) -> std::optional<std::size_t> {
+    if (is_integer(attribute.type)) return {};
+    if (attribute.kind == AttributeKind::color) return 0;
+    return component_named(attribute.name) == 3 ? std::optional<std::size_t>(1) : std::nullopt;
+  };
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    const std::optional<std::size_t> group = group_of(attributes[i]);
+    if (group) largest[*group] = std::max(largest[*group], ranges[i].largest);
+  }
+  std::array<double, 2> full{};
+  for (std::size_t group = 0; group < full.size(); ++group) {
+    const std::string seen = shortest(std::round(1000 * largest[group]) / 1000);
+    const char* const what = group == 0 ? "colours" : "alpha";
+    full[group] = largest[group] <= 2 ? 1 : largest[group] <= 255 ? 255 : 65535;
+    if (full[group] > 1)
+      job.note(std::string(what) + " are reals up to " + seen + ": " + shortest(full[group]) +
+               " was taken for 1");
+    if (largest[group] > full[group])
+      job.note(std::string(what) + " above " + shortest(full[group]) + " (up to " + seen + ") were clipped");
+  }
+  for (Attribute& attribute : attributes) {
+    if (const std::optional<std::size_t> group = group_of(attribute)) attribute.full = full[*group];
+  }
+}
+
 CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report) {
   const AttributeChoice& choice = reader.facts().choice;
   CarriedAttributes carried{choice.carried, {}};
-  for (const MeshReader::AttributeRange& range : reader.attribute_ranges()) {
+  const std::vector<MeshReader::AttributeRange> ranges = reader.attribute_ranges();
+  settle_colors(job, carried.attributes, ranges);
+  for (const MeshReader::AttributeRange& range : ranges) {
     carried.largest.push_back(range.largest);
     report.attributes.ignored += range.without;
   }

@@ -19,6 +19,11 @@ std::vector<std::string> descriptions(const AttributeChoice& choice);
 // Notes what is not carried.
 void note_dropped(Job& job, const AttributeChoice& choice);
 
+// Of colours as reals what all of a component is, by the largest of them: 1, or 255 or 65535 where some are
+// above 2. Notes that, and where some are above that.
+void settle_colors(Job& job, std::vector<Attribute>& attributes,
+                   const std::vector<MeshReader::AttributeRange>& ranges);
+
 // What the reader carries; fills report.attributes and notes what is not carried. To be called before any
 // faces are read.
 CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report);

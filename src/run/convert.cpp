@@ -74,6 +74,10 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
 
   ConvertReport report;
   ClusterCounts counts;
+  // A PLY has them as they are.
+  std::vector<Attribute> attributes = facts.choice.carried;
+  if (!encoder->keeps_numbers() && !attributes.empty())
+    settle_colors(job, attributes, reader->attribute_ranges());
   const ClusteredMesh mesh = mesh_of(job, *reader, plan, counts);
   if (options.strict && counts.first_bad.face != UINT64_MAX)
     refuse_bad_face(reader->name(), counts.first_bad);
@@ -81,7 +85,6 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
     throw Error(ErrorKind::bad_input, "'" + reader->name() + "' has no face that could be written");
   reader->rest();
   report.seconds.read = watch.seconds();
-  const std::vector<Attribute>& attributes = facts.choice.carried;
   const bool normals = carries_normals(attributes) && encoder->normals_apart();
   MeshShape shape =
       shape_of(job, mesh, *encoder, normals, doubles, facts.double_positions, "converted by winnow");

@@ -134,7 +134,7 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
                       const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report) {
   RefineSettings settings;
   settings.faces = clustered.target;
-  settings.attributes = clustered.attributes.size();
+  settings.attributes = clustered.attributes;
   settings.decimation.cost = collapse_cost(cost_of(options));
   settings.decimation.single = !doubles;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);

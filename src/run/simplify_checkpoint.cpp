@@ -79,9 +79,13 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory, SimplifyRepor
   clustered.normals = manifest.number("clustered.normals") != 0;
   clustered.double_positions = manifest.number("clustered.double_positions") != 0;
   for (std::size_t i = 0; i < manifest.number(attribute_count); ++i) {
-    clustered.attributes.push_back({manifest.text(attribute_key(i, "name")),
-                                    static_cast<ScalarType>(manifest.number(attribute_key(i, "type"))),
-                                    static_cast<AttributeKind>(manifest.number(attribute_key(i, "kind")))});
+    Attribute& attribute = clustered.attributes.emplace_back();
+    attribute.name = manifest.text(attribute_key(i, "name"));
+    attribute.type = static_cast<ScalarType>(manifest.number(attribute_key(i, "type")));
+    attribute.kind = static_cast<AttributeKind>(manifest.number(attribute_key(i, "kind")));
+    attribute.full = manifest.real(attribute_key(i, "full"));
+    if (manifest.has(attribute_key(i, "no_data")))
+      attribute.no_data = manifest.real(attribute_key(i, "no_data"));
   }
   return clustered;
 }
@@ -102,6 +106,8 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered, SimplifyReport& re
     manifest.set(attribute_key(i, "name"), attribute.name);
     manifest.set(attribute_key(i, "type"), static_cast<std::uint64_t>(attribute.type));
     manifest.set(attribute_key(i, "kind"), static_cast<std::uint64_t>(attribute.kind));
+    manifest.set(attribute_key(i, "full"), attribute.full);
+    if (attribute.no_data) manifest.set(attribute_key(i, "no_data"), *attribute.no_data);
   }
   RefinedMesh whole{std::move(clustered.mesh), nullptr};
   whole.state = std::move(whole.mesh.quadrics);

@@ -97,7 +97,7 @@ class Get {
 // Every option: one that is missing here would be forgotten by resume().
 template <typename Visit, typename Options>
 void visit_options(Visit&& visit, Options& options) {
-  static_assert(sizeof(SimplifyOptions) == 304, "an option has come or gone: name it below");
+  static_assert(sizeof(SimplifyOptions) == 320, "an option has come or gone: name it below");
   visit("option.cell", options.cell);
   visit("option.grid", options.grid);
   visit("option.faces", options.faces);
@@ -113,6 +113,7 @@ void visit_options(Visit&& visit, Options& options) {
   visit("option.placement", options.placement);
   visit("option.normals", options.normals);
   visit("option.attributes", options.attributes);
+  visit("option.no_data", options.no_data);
   visit("option.strict", options.strict);
   visit("option.crop", options.crop);
   visit("option.weld", options.weld);

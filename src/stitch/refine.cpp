@@ -99,7 +99,7 @@ class Refiner {
         break;
       }
       const bool back = report_.rounds % 2 == 0;
-      whole = reorder(job_, std::move(whole), back, state_size(), settings_.attributes, memory_.lists,
+      whole = reorder(job_, std::move(whole), back, state_size(), settings_.attributes.size(), memory_.lists,
                       memory_.mesh);
       keep(whole, false);
     }
@@ -451,11 +451,12 @@ class Refiner {
   template <typename Shrink>
   RefinedMesh make_smaller(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                            const Shrink& shrink) {
-    SmallerMesh smaller(job_, state_size(), settings_.attributes, memory_.mesh);
+    SmallerMesh smaller(job_, state_size(), settings_.attributes.size(), memory_.mesh);
     for_each_tile<TileRest>(
         tiling, incoming, 0,
         [&](std::size_t number, TileRest& rest) {
-          Tile tile = load_tile(whole, tiling, incoming, number, known_state_size(), settings_.attributes);
+          Tile tile =
+              load_tile(whole, tiling, incoming, number, known_state_size(), settings_.attributes.size());
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
@@ -491,11 +492,11 @@ class Refiner {
 std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices, std::uint64_t faces) {
   const std::size_t state_size = Decimation::state_size(settings.decimation);
   const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
-  const std::size_t attributes = settings.attributes * sizeof(double);
+  const std::size_t attributes = settings.attributes.size() * sizeof(double);
   const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size + attributes);
-  const std::uint64_t collapsing = Tile::memory(vertices, faces, state_size) +
-                                   Decimation::memory(settings.decimation, vertices) +
-                                   CarriedValues::memory(vertices, settings.attributes) + std::max(log, rest);
+  const std::uint64_t collapsing =
+      Tile::memory(vertices, faces, state_size) + Decimation::memory(settings.decimation, vertices) +
+      CarriedValues::memory(vertices, settings.attributes.size()) + std::max(log, rest);
   return unfolds(settings) ? std::max(collapsing, unfolded_tile_memory(vertices, faces)) : collapsing;
 }
 

@@ -15,9 +15,9 @@ struct RefineSettings {
   DecimationSettings decimation;
   std::uint64_t faces = 0;  // wanted; 0: as few as there can be
   std::uint64_t tile_faces = std::uint64_t{1}
-                             << 16;  // changes the result a little: never derived from memory
-  std::uint64_t hub_faces = 512;     // a vertex with more faces across tiles is a hub: as tile_faces
-  std::size_t attributes = 0;        // that vertices carry
+                             << 16;     // changes the result a little: never derived from memory
+  std::uint64_t hub_faces = 512;        // a vertex with more faces across tiles is a hub: as tile_faces
+  std::vector<Attribute> attributes{};  // that vertices carry
 };
 
 // What a tile of so many vertices and faces takes while it is worked on.

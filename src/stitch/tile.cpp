@@ -244,8 +244,8 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
   return tile;
 }
 
-CarriedValues carried_values(Tile& tile, std::size_t attributes) {
-  if (attributes == 0) return {};
+CarriedValues carried_values(Tile& tile, std::span<const Attribute> attributes) {
+  if (attributes.empty()) return {};
   std::vector<Point> positions;
   positions.reserve(tile.vertices.size());
   for (const IndexedVertex& vertex : tile.vertices) positions.push_back(vertex.position);

@@ -102,6 +102,6 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
                std::size_t number, std::size_t state_size, std::size_t attributes);
 
 // What the tile's own vertices carry.
-CarriedValues carried_values(Tile& tile, std::size_t attributes);
+CarriedValues carried_values(Tile& tile, std::span<const Attribute> attributes);
 
 }  // namespace winnow

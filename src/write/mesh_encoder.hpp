@@ -93,6 +93,9 @@ class MeshEncoder {
   // Whether normals that are carried are written where others are, as MeshVertex::normal, not as attributes.
   [[nodiscard]] virtual bool normals_apart() const { return false; }
 
+  // Whether attributes are written as they are stored, whatever their numbers mean.
+  [[nodiscard]] virtual bool keeps_numbers() const { return false; }
+
   [[nodiscard]] virtual bool needs_corners() const { return false; }
   // Whether header() and vertices() look at the shape's box.
   [[nodiscard]] virtual bool needs_box() const { return false; }

@@ -107,6 +107,7 @@ class PlyEncoder final : public MeshEncoder {
                                               std::span<const Attribute> /*wanted*/) const override {
     return {};
   }
+  [[nodiscard]] bool keeps_numbers() const override { return true; }
 
  private:
   bool ascii_;

@@ -4,16 +4,9 @@ namespace winnow {
 
 namespace {
 
-constexpr std::array<const char*, 4> names{"red", "green", "blue", "alpha"};
-
 std::optional<std::size_t> component_of(const Attribute& attribute) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (attribute.name != names[i]) continue;
-    if (is_color(attribute)) return i;
-    if (i == 3 && (!is_integer(attribute.type) || attribute.type == ScalarType::uint8 ||
-                   attribute.type == ScalarType::uint16))
-      return i;
-  }
+  const std::optional<std::size_t> component = component_named(attribute.name);
+  if (is_color(attribute) || (component == 3 && may_be_component(attribute.type))) return component;
   return {};
 }
 
@@ -22,9 +15,9 @@ std::optional<std::size_t> component_of(const Attribute& attribute) {
 VertexColors::VertexColors(std::span<const Attribute> attributes) {
   for (std::size_t i = 0; i < attributes.size(); ++i) {
     const std::optional<std::size_t> component = component_of(attributes[i]);
-    if (!component) continue;
+    if (!component || place_.at(*component)) continue;
     place_.at(*component) = i;
-    full_.at(*component) = full_component(attributes[i].type);
+    full_.at(*component) = full_component(attributes[i]);
     bytes_ = bytes_ && attributes[i].type == ScalarType::uint8;
   }
 }

@@ -25,6 +25,7 @@ struct SimplifyArguments {
   std::string placement = "quadric", refine, detail, boundary = "weigh", topology = "keep",
               max_normal_deviation;
   std::string attributes = "auto";
+  std::string nodata;
   std::string from;
   std::string checkpoint;
   bool keep_checkpoint = false, keep_pieces = false;
@@ -72,6 +73,8 @@ SimplifyOptions options_of(const SimplifyArguments& arguments) {
       throw Error(ErrorKind::usage, "--attributes '" + arguments.attributes +
                                         "' has an empty name; put one comma between two names");
   }
+  if (!arguments.nodata.empty())
+    options.no_data = parse_number("--nodata", arguments.nodata, "a number like -9999");
   options.strict = arguments.strict;
   options.force = arguments.written.force;
   options.from = parse_input_format(arguments.from);
@@ -192,6 +195,11 @@ void add_simplify(CLI::App& app) {
           "What vertices carry along: auto (default: all numbers that have a mean and the output can hold), "
           "none, or a list: normals,colors,quality")
       ->type_name("LIST")
+      ->group(result);
+  command
+      ->add_option("--nodata", arguments->nodata,
+                   "This number says that an attribute has no value there: leave it out of means")
+      ->type_name("VALUE")
       ->group(result);
   command
       ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")
