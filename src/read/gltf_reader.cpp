@@ -154,15 +154,14 @@ class GltfParser {
 
 }  // namespace
 
-bool is_gltf(std::string_view head) {
-  if (head.starts_with("glTF")) return true;
+TextMatch match_gltf(std::string_view head) {
   const std::size_t first = head.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos || head[first] != '{') return false;
+  if (first == std::string_view::npos || head[first] != '{') return TextMatch::none;
   for (const char* key : {"\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"buffers\"", "\"meshes\"",
                           "\"nodes\"", "\"scenes\""}) {
-    if (head.find(key) != std::string_view::npos) return true;
+    if (head.find(key) != std::string_view::npos) return TextMatch::first;
   }
-  return false;
+  return TextMatch::none;
 }
 
 AttributeOffer offer_of_gltf(Job& job, ByteSource& source) {

@@ -121,6 +121,7 @@ class JoinedReader final : public MeshReader {
   }
 
   bool next_part() override {
+    if (reader_->next_part()) return true;
     if (current_ + 1 == names_.size()) return false;
     const std::uint64_t before = before_ + seen_;
     begin(current_ + 1);

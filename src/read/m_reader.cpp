@@ -46,15 +46,17 @@ void parse_m(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
 
 }  // namespace
 
-bool is_m(std::string_view head) {
+TextMatch match_m(std::string_view head) {
   TextLines each(head);
+  TextMatch match = TextMatch::first;
   for (std::string_view line; each.next(line);) {
     LineWords words(line);
     const std::string_view keyword = words.next();
     if (keyword.empty()) continue;
-    return (keyword == "Vertex" || keyword == "Face") && parse_integer(words.next());
+    if ((keyword == "Vertex" || keyword == "Face") && parse_integer(words.next())) return match;
+    match = TextMatch::later;
   }
-  return false;
+  return TextMatch::none;
 }
 
 std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,

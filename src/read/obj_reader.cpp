@@ -27,7 +27,7 @@ void add_corner(std::string_view word, ParsedLines& lines) {
 }
 
 // Numbers behind the position that are a colour.
-constexpr std::array<const char*, 3> components{"red", "green", "blue"};
+constexpr std::array<const char*, 4> components{"red", "green", "blue", "alpha"};
 
 void parse_obj_lines(const TextBlock& block, bool colors, ParsedLines& lines) {
   TextLines each(block.text());
@@ -50,8 +50,25 @@ void parse_obj_lines(const TextBlock& block, bool colors, ParsedLines& lines) {
       lines.pass_over("texture coordinates");
     } else if (keyword == "usemtl") {
       lines.pass_over("materials");
+    } else if (keyword.empty() && line.starts_with("#MRGB")) {
+      lines.pass_over("colours in #MRGB comments");
     }
   }
+}
+
+// What may stand before the first vertex or face.
+constexpr std::array<std::string_view, 14> prelude{"g",          "o",         "s",      "mtllib", "usemtl",
+                                                   "mg",         "usemap",    "maplib", "l",      "p",
+                                                   "shadow_obj", "trace_obj", "lod",    "bevel"};
+
+bool is_geometry(std::string_view keyword) {
+  return keyword == "v" || keyword == "vt" || keyword == "vn" || keyword == "vp" || keyword == "f";
+}
+
+// Also "7/1/3", and "1,5", of which the reader tells what is wrong.
+bool looks_like_number(std::string_view word) {
+  return parse_real(word) || has_decimal_comma(word) ||
+         (!word.empty() && word.front() != '/' && word.find('/') != std::string_view::npos);
 }
 
 void parse_obj(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
@@ -62,25 +79,24 @@ void parse_obj(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
              mesh);
 }
 
-// What may stand before the first vertex or face.
-constexpr std::array<std::string_view, 14> prelude{"g",          "o",         "s",      "mtllib", "usemtl",
-                                                   "mg",         "usemap",    "maplib", "l",      "p",
-                                                   "shadow_obj", "trace_obj", "lod",    "bevel"};
-
 }  // namespace
 
-bool is_obj(std::string_view head) {
+TextMatch match_obj(std::string_view head) {
   TextLines each(head);
+  TextMatch match = TextMatch::first;
   for (std::string_view line; each.next(line);) {
     LineWords words(line);
     const std::string_view keyword = words.next();
     if (keyword.empty() || std::find(prelude.begin(), prelude.end(), keyword) != prelude.end()) continue;
-    if (keyword != "v" && keyword != "vt" && keyword != "vn" && keyword != "vp" && keyword != "f")
-      return false;
-    const std::string_view first = words.next();
-    return !first.empty() && (parse_real(first) || first.find('/') != std::string_view::npos);
+    if (is_geometry(keyword)) {
+      // Prose may have a number behind a "v".
+      std::size_t numbers = 0;
+      while (looks_like_number(words.next())) ++numbers;
+      if (numbers >= (match == TextMatch::first ? 1 : 3)) return match;
+    }
+    match = TextMatch::later;
   }
-  return false;
+  return TextMatch::none;
 }
 
 AttributeOffer offer_of_obj(std::string_view head) {
@@ -91,8 +107,10 @@ AttributeOffer offer_of_obj(std::string_view head) {
     if (words.next() != "v") continue;
     std::size_t numbers = 0;
     while (!words.next().empty()) ++numbers;
-    for (std::size_t i = 0; i < components.size() && numbers == 6; ++i)
-      offer.scalars.push_back({components[i], ScalarType::float32});
+    if (numbers == 6 || numbers == 7) {
+      for (std::size_t i = 0; i < numbers - 3; ++i)
+        offer.scalars.push_back({components.at(i), ScalarType::float32});
+    }
     break;
   }
   return offer;

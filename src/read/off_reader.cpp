@@ -15,14 +15,18 @@ namespace winnow {
 
 namespace {
 
-// "OFF", "COFF", "STCNOFF" ...; `behind` is what follows without a blank. Nothing if it is no such word.
+// "OFF", "COFF", "STCNOFF" ...; `behind` is what follows without a blank. Small letters are taken for capital
+// ones, except an "n" before "OFF". Nothing if it is no such word.
 struct Keyword {
-  std::string_view prefix, behind;
+  std::string prefix;
+  std::string_view behind;
 };
 std::optional<Keyword> keyword_of(std::string_view word) {
-  const std::size_t at = word.find("OFF");
+  const bool small = word.find("off") != std::string_view::npos;
+  const std::size_t at = word.find(small ? "off" : "OFF");
   if (at == std::string_view::npos) return {};
-  const Keyword found{word.substr(0, at), word.substr(at + 3)};
+  Keyword found{std::string(word.substr(0, at)), word.substr(at + 3)};
+  if (small) std::transform(found.prefix.begin(), found.prefix.end(), found.prefix.begin(), capital_letter);
   std::string_view left = found.prefix;
   for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
     if (left.starts_with(part)) left.remove_prefix(part.size());
@@ -102,17 +106,6 @@ Colors colors_of(TextLines& lines, const Vertices& vertices) {
   return colors;
 }
 
-// The first word that is no comment.
-std::string_view first_word(std::string_view text) {
-  TextLines each(text);
-  for (std::string_view line; each.next(line);) {
-    LineWords words(line);
-    const std::string_view word = words.next();
-    if (!word.empty()) return word;
-  }
-  return {};
-}
-
 class OffParser {
  public:
   OffParser(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh)
@@ -160,7 +153,7 @@ class OffParser {
           if (!vertices) {
             const std::optional<Keyword> keyword = keyword_of(word);
             if (!keyword) fail(block, word, "expected 'OFF', not '" + std::string(word.substr(0, 40)) + "'");
-            check_prefix(block, *keyword);
+            check_prefix(block, word, *keyword);
             vertices = vertices_of(*keyword);
             if (keyword->behind.empty()) continue;
             word = keyword->behind;
@@ -197,10 +190,10 @@ class OffParser {
     }
   }
 
-  void check_prefix(const TextBlock& block, const Keyword& keyword) const {
+  void check_prefix(const TextBlock& block, std::string_view word, const Keyword& keyword) const {
     if (keyword.prefix.find('4') != std::string_view::npos ||
         keyword.prefix.find('n') != std::string_view::npos)
-      fail(block, keyword.prefix, "this OFF has vertices of other than three dimensions, which is not read");
+      fail(block, word, "this OFF has vertices of other than three dimensions, which is not read");
   }
 
   // A header that promises more than the file can hold: a vertex takes five characters and the end of its
@@ -279,8 +272,23 @@ void parse_off(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
 
 }  // namespace
 
-bool is_off(std::string_view head) {
-  return keyword_of(first_word(head)).has_value();
+TextMatch match_off(std::string_view head) {
+  TextLines each(head);
+  std::optional<Keyword> keyword;
+  for (std::string_view line; each.next(line);) {
+    LineWords words(line);
+    std::string_view word = words.next();
+    if (word.empty()) continue;
+    if (!keyword) {
+      keyword = keyword_of(word);
+      if (!keyword) return TextMatch::none;
+      word = keyword->behind.empty() ? words.next() : keyword->behind;
+      if (word.empty()) continue;
+    }
+    return word == "BINARY" || parse_integer(word) ? TextMatch::first : TextMatch::none;
+  }
+  // Cut behind its keyword, which the reader tells.
+  return keyword ? TextMatch::first : TextMatch::none;
 }
 
 AttributeOffer offer_of_off(std::string_view head) {

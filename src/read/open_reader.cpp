@@ -1,13 +1,15 @@
 // Which format it is, and whether it has to be copied first.
 #include <winnow/error.hpp>
 
+#include "base/text.hpp"
 #include "read/formats.hpp"
 #include "read/text_mesh.hpp"
 #include "read/text_tokens.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <string>
+#include <utility>
 
 namespace winnow {
 
@@ -17,17 +19,17 @@ namespace {
 struct KeptFormat {
   Format format;
   const char* name;
-  bool (*is)(std::string_view head);
+  TextMatch (*match)(std::string_view head);
   std::unique_ptr<MeshReader> (*open)(Job& job, std::unique_ptr<ByteSource> source,
                                       const ReaderMemory& memory, const AttributeWish& wish);
   // By the first bytes; none: it offers nothing.
   AttributeOffer (*offer)(Job& job, ByteSource& source) = nullptr;
 };
 constexpr std::array<KeptFormat, 4> kept_formats{
-    {{Format::gltf, "glTF", is_gltf, open_gltf, offer_of_gltf},
-     {Format::off, "OFF", is_off, open_off, offer_by_head<offer_of_off>},
-     {Format::m, "M", is_m, open_m},
-     {Format::obj, "OBJ", is_obj, open_obj, offer_by_head<offer_of_obj>}}};
+    {{Format::gltf, "glTF", match_gltf, open_gltf, offer_of_gltf},
+     {Format::off, "OFF", match_off, open_off, offer_by_head<offer_of_off>},
+     {Format::m, "M", match_m, open_m},
+     {Format::obj, "OBJ", match_obj, open_obj, offer_by_head<offer_of_obj>}}};
 
 const KeptFormat* kept_format(Format format) {
   const auto* found = std::find_if(kept_formats.begin(), kept_formats.end(),
@@ -39,20 +41,37 @@ std::string_view text_of(const Block& block) {
   return {reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size()};
 }
 
+// The best match; of several the one that the file is called by, else the first.
+Format format_of_text(std::string_view head, Format called) {
+  Format best = Format::stl;  // whose reader refuses what is none
+  TextMatch best_match = TextMatch::none;
+  const auto consider = [&](Format format, TextMatch match) {
+    if (match < best_match || match == TextMatch::none) return;
+    if (match == best_match && format != called) return;
+    best = format;
+    best_match = match;
+  };
+  for (const KeptFormat& format : kept_formats) consider(format.format, format.match(head));
+  consider(Format::stl, match_stl(head));
+  return best;
+}
+
+// By content, where `asked` says automatic.
 Format format_of(ByteSource& source, Format asked) {
   if (asked != Format::automatic) return asked;
-  const Block head = source.peek(1024);
-  const std::string_view text = text_of(head);
-  if (text.starts_with("glTF")) return Format::gltf;
-  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return Format::ply;
-  if (text.substr(0, 16).find("OFF BINARY") != std::string_view::npos) return Format::off;
-  if (!is_text(text)) return Format::stl;
+  const Block block = source.peek(1024);
+  const std::string_view head = without_byte_order_mark(text_of(block));
+  if (head.starts_with("glTF")) return Format::gltf;
+  if (match_ply(head)) return Format::ply;
+  if (head.substr(0, 16).find("OFF BINARY") != std::string_view::npos) return Format::off;
+  if (!is_text(head) || has_size_of_binary_stl(source)) return Format::stl;
   // Comments may come first, a licence say.
   const Block more = source.peek(text_head_bytes);
-  for (const KeptFormat& format : kept_formats) {
-    if (format.is(text_of(more))) return format.format;
-  }
-  return Format::stl;
+  return format_of_text(without_byte_order_mark(text_of(more)), format_called(source.name()));
+}
+
+bool is_asked_for(Format format, Format asked, const ByteSource& source) {
+  return asked == format || format_called(source.name()) == format;
 }
 
 // A PLY keeps its vertices anyway; only its faces cannot be had twice from a pipe. STL is all faces. Of a
@@ -65,19 +84,40 @@ bool needs_copy(const ByteSource& source, Format format, Access access) {
 
 }  // namespace
 
-std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format format,
+Format format_called(std::string_view name) {
+  std::string small(name);
+  std::transform(small.begin(), small.end(), small.begin(), small_letter);
+  std::string_view left = small;
+  for (const std::string_view compression : {".gz", ".zst"}) {
+    if (left.ends_with(compression)) left.remove_suffix(compression.size());
+  }
+  constexpr std::array<std::pair<std::string_view, Format>, 7> endings{{{".ply", Format::ply},
+                                                                        {".stl", Format::stl},
+                                                                        {".obj", Format::obj},
+                                                                        {".off", Format::off},
+                                                                        {".m", Format::m},
+                                                                        {".glb", Format::gltf},
+                                                                        {".gltf", Format::gltf}}};
+  for (const auto& [ending, format] : endings) {
+    if (left.ends_with(ending)) return format;
+  }
+  return Format::automatic;
+}
+
+std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format from,
                                         Access access, const ReaderMemory& memory,
                                         const AttributeWish& wish) {
-  format = format_of(*source, format);
+  const Format format = format_of(*source, from);
   if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
   if (format == Format::ply) return open_ply(job, std::move(source), memory, wish);
   if (const KeptFormat* kept = kept_format(format)) return kept->open(job, std::move(source), memory, wish);
   choose_attributes(wish, {}, source->name());  // for its checks: there are none
-  return open_stl(job, std::move(source), memory);
+  const bool asked = is_asked_for(Format::stl, from, *source);
+  return open_stl(job, std::move(source), memory, asked);
 }
 
-InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access, const AttributeWish& wish) {
-  format = format_of(source, format);
+InputOutlook look_at(Job& job, ByteSource& source, Format from, Access access, const AttributeWish& wish) {
+  const Format format = format_of(source, from);
   InputOutlook outlook;
   if (format == Format::ply) {
     outlook = look_at_ply(source, wish);
@@ -86,7 +126,7 @@ InputOutlook look_at(Job& job, ByteSource& source, Format format, Access access,
     if (kept->offer != nullptr) outlook.facts.offer = kept->offer(job, source);
     outlook.taken_in = true;
   } else {
-    outlook = look_at_stl(source);
+    outlook = look_at_stl(source, is_asked_for(Format::stl, from, source));
   }
   if (format != Format::ply)
     outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, source.name());

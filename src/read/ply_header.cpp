@@ -3,6 +3,8 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "read/formats.hpp"
+#include "read/text_tokens.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,12 +32,20 @@ constexpr std::array<TypeName, 8> type_names{{{"char", "int8", PlyType::int8},
 // No header that anybody writes is longer; without a limit a wrong file would be read to its end.
 constexpr std::size_t longest_header = std::size_t{1} << 20;
 
+std::string_view trimmed(std::string_view line) {
+  const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+  return line.substr(begin, line.find_last_not_of(" \t") + 1 - begin);
+}
+
 class HeaderParser {
  public:
   explicit HeaderParser(ByteSource& source) : source_(source) {}
 
   PlyHeader parse() {
-    if (next_line() != "ply") fail("does not begin with 'ply'");
+    pass_over_mark();
+    std::string_view first = next_line();
+    while (trimmed(first).empty()) first = next_line();
+    if (trimmed(first) != "ply") fail("does not begin with 'ply'");
     bool has_format = false;
     for (;;) {
       const std::string_view line = next_line();
@@ -86,6 +96,11 @@ class HeaderParser {
       at_ = scanned + 1;
       return std::string_view(text_).substr(begin, line.size());
     }
+  }
+
+  void pass_over_mark() {
+    more();
+    at_ = text_.size() - without_byte_order_mark(text_).size();
   }
 
   bool more() {
@@ -191,6 +206,13 @@ const PlyElement* PlyHeader::find(const std::string& element) const {
     if (candidate.name == element) return &candidate;
   }
   return nullptr;
+}
+
+bool match_ply(std::string_view head) {
+  const std::size_t begin = head.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return false;
+  const std::size_t end = head.find_first_of("\r\n", begin);
+  return end != std::string_view::npos && trimmed(head.substr(begin, end - begin)) == "ply";
 }
 
 PlyHeader read_ply_header(ByteSource& source) {

@@ -108,8 +108,7 @@ class AsciiValues final : public PlyValues {
 
   [[noreturn]] void fail(std::string_view word) const {
     throw Error(ErrorKind::bad_input, "'" + source_.name() + "', line " + grouped(tokens_.line()) + ", " +
-                                          record() + ": '" + std::string(word.substr(0, 40)) +
-                                          "' is not a number");
+                                          record() + ": " + not_a_number(word));
   }
 
   ByteSource& source_;

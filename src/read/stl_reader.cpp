@@ -4,10 +4,12 @@
 #include "base/text.hpp"
 #include "read/formats.hpp"
 #include "read/slices.hpp"
+#include "read/text_lines.hpp"
 #include "read/text_tokens.hpp"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -22,13 +24,20 @@ constexpr std::size_t face_bytes = 50;
 
 struct StlHead {
   bool ascii = false;
+  bool exact = false;                   // binary: the count must be right
   std::uint32_t declared = 0;           // binary only
   std::optional<std::uint64_t> stored;  // whole faces by the file's size, where that is known
 };
 
+constexpr auto equals_small = [](char a, char b) { return small_letter(a) == b; };
+
+// `word` in small letters.
 bool contains_word(std::string_view text, std::string_view word) {
-  const auto same = [](char a, char b) { return small_letter(a) == b; };
-  return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
+  return std::search(text.begin(), text.end(), word.begin(), word.end(), equals_small) != text.end();
+}
+
+bool is_word(std::string_view word, std::string_view small) {
+  return std::equal(word.begin(), word.end(), small.begin(), small.end(), equals_small);
 }
 
 // Any binary file could be an STL. Whether half of the faces that are looked at are of numbers that a model
@@ -47,27 +56,37 @@ bool looks_like_faces(std::string_view head) {
   return 2 * likely >= faces;
 }
 
-// What there is to decide by: whether it begins with "solid", whether it reads like text, whether the count
-// fits the size. Many binary files begin with "solid" all the same.
-StlHead look_at_head(ByteSource& source) {
+// The field has 32 bits.
+bool is_right_count(std::uint64_t declared, std::uint64_t faces) {
+  return declared == faces || (declared == UINT32_MAX && faces > declared);
+}
+
+[[noreturn]] void refuse_count(const std::string& name, std::uint64_t declared, std::uint64_t stored) {
+  throw Error(ErrorKind::bad_input, "'" + name + "' is no mesh in a format that winnow reads, or a damaged " +
+                                        "STL: its header would say " + grouped(declared) +
+                                        " faces, and it has room for " + grouped(stored) +
+                                        "; --from stl reads it all the same");
+}
+
+// What there is to decide by: whether the count fits the size, whether it reads like text. Many binary files
+// begin with "solid" all the same.
+StlHead look_at_head(ByteSource& source, bool asked) {
   const Block block = source.peek(1024);
   const std::string_view head(reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size());
   if (head.empty()) throw Error(ErrorKind::bad_input, "'" + source.name() + "' is empty");
   StlHead found;
   if (head.size() >= header_bytes) std::memcpy(&found.declared, head.data() + 80, sizeof found.declared);
-  if (source.size() && *source.size() >= header_bytes) {
+  if (source.size() && *source.size() >= header_bytes)
     found.stored = (*source.size() - header_bytes) / face_bytes;
-    if (*source.size() == header_bytes + face_bytes * std::uint64_t{found.declared}) return found;
-  }
-  const bool solid = contains_word(head.substr(0, head.find_first_not_of(" \t\r\n") + 5), "solid");
-  // A long name can fill what was looked at; text all through is then enough.
-  const bool facets = contains_word(head, "facet") || contains_word(head, "endsolid") || head.size() == 1024;
-  if (solid && is_text(head) && (facets || head.size() < header_bytes)) {
-    found.ascii = true;
-    return found;
-  }
+  if (has_size_of_binary_stl(source)) return found;
   const std::string wrong = "'" + source.name() + "' is no mesh in a format that winnow reads: ";
-  if (is_text(head)) throw Error(ErrorKind::bad_input, wrong + "it is some other text");
+  if (is_text(head)) {
+    const Block more = source.peek(text_head_bytes);
+    found.ascii = match_stl(without_byte_order_mark({reinterpret_cast<const char*>(more.bytes.data()),
+                                                     more.bytes.size()})) != TextMatch::none;
+    if (found.ascii) return found;
+    throw Error(ErrorKind::bad_input, wrong + "it is some other text");
+  }
   if (head.size() < header_bytes)
     throw Error(ErrorKind::bad_input, wrong + human_bytes(head.size()) + " are too short for an STL");
   // A random file would be read as a handful of wild faces. A damaged STL has a count that its size nearly
@@ -80,6 +99,9 @@ StlHead look_at_head(ByteSource& source) {
     throw Error(ErrorKind::bad_input, wrong + "as a binary STL it would have faces of wild numbers" +
                                           (found.stored ? ", and another size" : ""));
   }
+  found.exact = !asked;
+  if (found.exact && found.stored && !is_right_count(found.declared, *found.stored))
+    refuse_count(source.name(), found.declared, *found.stored);
   return found;
 }
 
@@ -120,6 +142,12 @@ class StlReader : public MeshReader {
   [[nodiscard]] std::uint64_t bytes() const override { return std::max(bytes_seen_, source_->position()); }
   [[nodiscard]] const std::string& name() const override { return source_->name(); }
   void check_whole() const override { source_->check_whole(); }
+
+  bool next_part() override {
+    if (colors_ && !colors_noted_) job_.note("not carried: colours of faces");
+    colors_noted_ = colors_noted_ || colors_;
+    return false;
+  }
 
  protected:
   // On a pipe the batches looked at are kept and given out again.
@@ -164,17 +192,23 @@ class StlReader : public MeshReader {
   std::vector<RawBatch> looked_at_;
   std::uint64_t next_face_ = 0;
   std::uint64_t bytes_seen_ = 0;
-  bool noted_ = false;  // the end was reached once and what is odd about it was said
+  bool noted_ = false;                        // the end was reached once and what is odd about it was said
+  mutable std::atomic<bool> colors_ = false;  // faces have some
+
+ private:
+  bool colors_noted_ = false;
 };
 
 class BinaryStlReader final : public StlReader {
  public:
   BinaryStlReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
                   const StlHead& head)
-      : StlReader(job, std::move(source), memory), declared_(head.declared) {
+      : StlReader(job, std::move(source), memory), declared_(head.declared), exact_(head.exact) {
     facts_ = facts_of(head);
     if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
-    source_->take(header_bytes);
+    const Block header = source_->take(header_bytes);
+    const std::string_view text(reinterpret_cast<const char*>(header.bytes.data()), header.bytes.size());
+    colors_ = text.substr(0, 80).find("COLOR=") != std::string_view::npos;
   }
 
   void begin_faces() override {
@@ -204,6 +238,7 @@ class BinaryStlReader final : public StlReader {
     slice.status.fill(FaceStatus::good);
     slice.all_good = true;
     slice.single = true;
+    std::uint16_t attributes = 0;
     for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
       slice.count = std::min<std::uint64_t>(FaceBatch::capacity, batch.count - from);
       slice.first = batch.first + from;
@@ -214,10 +249,14 @@ class BinaryStlReader final : public StlReader {
           for (std::size_t axis = 0; axis < 3; ++axis)
             slice.single_position[corner][axis][i] = corners[3 * corner + axis];
         }
+        std::uint16_t word = 0;
+        std::memcpy(&word, record + sizeof corners, sizeof word);
+        attributes |= word;
       }
       sink(slice);
     }
     batch.block.check_intact(source_->name());
+    if ((attributes & valid_color) != 0) colors_ = true;
   }
 
   // Without the detour over faces: passes over positions are bound by nothing but this.
@@ -247,14 +286,18 @@ class BinaryStlReader final : public StlReader {
     bytes_seen_ = source_->position();
     if (noted_) return;
     noted_ = true;
-    if (next_face_ != declared_ && !(declared_ == UINT32_MAX && next_face_ > declared_)) {
+    if (!is_right_count(declared_, next_face_)) {
+      if (exact_) refuse_count(source_->name(), declared_, next_face_);
       job_.note("the STL header says " + grouped(declared_) + " faces; there are " + grouped(next_face_));
     }
     if (rest > 0)
       job_.note("the last " + std::to_string(rest) + " bytes are no whole face and were left out");
   }
 
+  static constexpr std::uint16_t valid_color = 0x8000;
+
   std::uint64_t declared_;
+  bool exact_;
 };
 
 class AsciiStlReader final : public StlReader {
@@ -267,19 +310,19 @@ class AsciiStlReader final : public StlReader {
   }
 
   void begin_faces() override {
-    if (!source_->seekable()) {
-      if (tokens_ == nullptr) tokens_ = std::make_unique<TextTokens>(*source_);
-      return;
-    }
-    source_->seek(0);
+    if (!source_->seekable() && tokens_ != nullptr) return;
+    if (source_->seekable()) source_->seek(0);
+    skip_byte_order_mark(*source_);
     tokens_ = std::make_unique<TextTokens>(*source_);
     next_face_ = 0;
+    place_ = Place::before;
+    in_facet_ = in_loop_ = false;
   }
 
   bool read_faces(RawBatch& batch) override {
     batch = {};
     batch.first = next_face_;
-    while (batch.count < memory_.batch_faces && read_facet(batch)) {
+    while (batch.count < memory_.batch_faces && read_face(batch)) {
     }
     next_face_ += batch.count;
     if (batch.count == 0) bytes_seen_ = source_->position();
@@ -291,8 +334,59 @@ class AsciiStlReader final : public StlReader {
   }
 
  private:
-  static bool same(std::string_view word, std::string_view keyword) {
-    return word.size() == keyword.size() && contains_word(word, keyword);
+  // What a word says. "end facet" is "endfacet".
+  enum class Mark : std::uint8_t {
+    other,
+    comment,
+    color,
+    solid,
+    facet,
+    outer,
+    vertex,
+    end_solid,
+    end_facet,
+    end_loop,
+    end_of_file
+  };
+  enum class Place : std::uint8_t { before, inside, behind };  // of a solid
+
+  static Mark mark_of(std::string_view word) {
+    switch (small_letter(word.front())) {
+      case 'v':
+        return is_word(word, "vertex") ? Mark::vertex : Mark::other;
+      case 'f':
+        return is_word(word, "facet") ? Mark::facet : Mark::other;
+      case 'o':
+        return is_word(word, "outer") ? Mark::outer : Mark::other;
+      case 's':
+        return is_word(word, "solid") ? Mark::solid : Mark::other;
+      case 'c':
+        return is_word(word, "color") || is_word(word, "colour") ? Mark::color : Mark::other;
+      case '#':
+      case ';':
+        return Mark::comment;
+      case '/':
+        return word.starts_with("//") ? Mark::comment : Mark::other;
+      case 'e':
+        if (is_word(word.substr(0, 3), "end")) return mark_of_end(word.substr(3));
+        return Mark::other;
+      default:
+        return Mark::other;
+    }
+  }
+
+  static Mark mark_of_end(std::string_view what) {
+    if (is_word(what, "facet")) return Mark::end_facet;
+    if (is_word(what, "loop")) return Mark::end_loop;
+    return is_word(what, "solid") ? Mark::end_solid : Mark::other;
+  }
+
+  Mark next_mark() {
+    word_ = tokens_->next();
+    if (word_.empty()) return Mark::end_of_file;
+    if (!is_word(word_, "end")) return mark_of(word_);
+    word_ = tokens_->next_in_line();
+    return mark_of_end(word_);
   }
 
   [[noreturn]] void fail(const std::string& what) const {
@@ -300,50 +394,113 @@ class AsciiStlReader final : public StlReader {
                                           ", face " + grouped(next_face_ + found_) + ": " + what);
   }
 
-  // Everything between one "facet" and its "endfacet"; false at the end of the file. Names of solids may
-  // hold any words, so lines that begin or end a solid are skipped whole.
-  bool read_facet(RawBatch& batch) {
-    found_ = batch.count;
+  // The name of a solid may hold any words and ends with its line, or, where the whole file is one line,
+  // before "outer loop vertex". Whether that was there.
+  bool pass_over_name() {
+    std::size_t found = 0;
+    constexpr std::array<std::string_view, 3> begin{"outer", "loop", "vertex"};
+    for (std::string_view word = tokens_->next_in_line(); !word.empty(); word = tokens_->next_in_line()) {
+      found = is_word(word, begin.at(found)) ? found + 1 : is_word(word, begin[0]) ? 1 : 0;
+      if (found == begin.size()) return true;
+    }
+    return false;
+  }
+
+  void pass_over_color() {
+    for (int component = 0; component < 3; ++component) tokens_->next_in_line();
+    colors_ = true;
+  }
+
+  // Goes on to the next face: to its "facet", or where that is missing to its "outer" or its first "vertex",
+  // which is returned. At the end of the file, that.
+  Mark find_face() {
     for (;;) {
-      const std::string_view word = tokens_->next();
-      if (word.empty()) {
+      const Mark mark = next_mark();
+      if (mark == Mark::end_of_file) {
+        if (in_facet_) fail("the file ends inside a face: it was cut short");
         note_end();
-        return false;
+        return mark;
       }
-      if (same(word, "solid") || same(word, "endsolid")) {
-        in_solid_ = same(word, "solid");
+      if (mark == Mark::solid || mark == Mark::end_solid) {
+        place_ = mark == Mark::solid ? Place::inside : Place::behind;
+        in_facet_ = false;
+        if (!pass_over_name()) continue;
+        place_ = Place::inside;
+        in_loop_ = true;
+        return Mark::vertex;
+      }
+      if (mark == Mark::comment || place_ == Place::behind) {
         tokens_->skip_line();
-      } else if (same(word, "facet")) {
-        break;
-      } else {
-        fail("expected 'facet', not '" + std::string(word.substr(0, 40)) + "'");
+        continue;
+      }
+      switch (mark) {
+        case Mark::facet:
+          if (in_facet_) fail("a face begins inside another; 'endfacet' is missing");
+          [[fallthrough]];
+        case Mark::outer:
+        case Mark::vertex:
+          in_facet_ = in_facet_ || mark == Mark::facet;
+          in_loop_ = mark == Mark::outer;
+          place_ = Place::inside;
+          return mark;
+        case Mark::color:
+          pass_over_color();
+          break;
+        case Mark::end_facet:
+          in_facet_ = false;
+          break;
+        case Mark::end_loop:
+          break;
+        default:
+          if (place_ == Place::before) {
+            tokens_->skip_line();
+          } else if (!in_facet_) {
+            fail("expected 'facet', not '" + std::string(word_.substr(0, 40)) + "'");
+          }
       }
     }
+  }
+
+  // A face ends with its loop, or its facet, or, where there are neither, with its third corner.
+  bool read_face(RawBatch& batch) {
+    found_ = batch.count;
+    Mark mark = find_face();
+    if (mark == Mark::end_of_file) return false;
+    if (mark != Mark::vertex) mark = next_mark();
     std::array<double, 9> corners{};
     std::size_t vertices = 0;
-    for (;;) {
-      const std::string_view word = tokens_->next();
-      if (word.empty()) fail("the file ends inside a face: it was cut short");
-      if (same(word, "endfacet")) break;
-      if (same(word, "facet")) fail("a face begins inside another; 'endfacet' is missing");
-      if (!same(word, "vertex")) continue;  // the normal, "outer loop", "endloop"
-      std::array<double, 3> xyz{};
-      for (double& value : xyz) {
-        const std::string_view number = tokens_->next();
-        const std::optional<double> parsed = parse_real(number);
-        if (!parsed) fail("'" + std::string(number.substr(0, 40)) + "' is not a number");
-        // What binary STL would hold, so that both forms of a file are the same mesh.
-        value = static_cast<float>(*parsed);
-      }
+    for (; mark != Mark::end_loop && mark != Mark::end_facet; mark = next_mark()) {
+      if (mark == Mark::end_of_file) fail("the file ends inside a face: it was cut short");
+      if (mark == Mark::facet) fail("a face begins inside another; 'endfacet' is missing");
+      if (mark == Mark::comment) tokens_->skip_line();
+      if (mark == Mark::color) pass_over_color();
+      if (mark == Mark::outer) in_loop_ = true;
+      if (mark != Mark::vertex) continue;  // the normal, "loop"
+      const std::array<double, 3> xyz = read_position();
       if (vertices == most_corners) fail("it has more than 512 corners; this is no STL");
       add_vertex(batch, corners, vertices++, xyz);
+      if (vertices == 3 && !in_loop_ && !in_facet_) break;
     }
+    in_loop_ = false;
+    if (mark == Mark::end_facet) in_facet_ = false;
     if (vertices < 3) {
       // Nowhere: a corner that is not there must not widen the box.
       corners.fill(std::numeric_limits<double>::quiet_NaN());
       add_face(batch, corners, FaceStatus::degenerate);
     }
     return true;
+  }
+
+  std::array<double, 3> read_position() {
+    std::array<double, 3> xyz{};
+    for (double& value : xyz) {
+      const std::string_view number = tokens_->next();
+      const std::optional<double> parsed = parse_real(number);
+      if (!parsed) fail(not_a_number(number));
+      // What binary STL would hold, so that both forms of a file are the same mesh.
+      value = static_cast<float>(*parsed);
+    }
+    return xyz;
   }
 
   // A face should have three; of more, a fan is made.
@@ -362,29 +519,63 @@ class AsciiStlReader final : public StlReader {
   }
 
   void note_end() {
-    if (in_solid_ && !noted_) job_.note("the file ends without 'endsolid'; it may have been cut short");
+    if (place_ == Place::inside && !noted_)
+      job_.note("the file ends without 'endsolid'; it may have been cut short");
     noted_ = true;
   }
 
   static constexpr std::size_t most_corners = 512;
 
   std::unique_ptr<TextTokens> tokens_;
+  std::string_view word_;  // the last one
   std::uint64_t found_ = 0;
-  bool in_solid_ = false;
+  Place place_ = Place::before;
+  bool in_facet_ = false;
+  bool in_loop_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory) {
-  const StlHead head = look_at_head(*source);
+TextMatch match_stl(std::string_view head) {
+  TextMatch match = TextMatch::first;
+  TextLines each(head);
+  for (std::string_view line; each.next(line);) {
+    LineWords words(line);
+    const std::string_view word = words.next();
+    if (word.empty() || word.starts_with("//") || word.front() == ';') continue;
+    if ((is_word(word, "facet") && is_word(words.next(), "normal")) ||
+        (is_word(word, "outer") && is_word(words.next(), "loop"))) {
+      return match;
+    }
+    // A long name can fill what was looked at.
+    if (is_word(word, "solid") && (contains_word(head, "facet") || contains_word(head, "vertex") ||
+                                   contains_word(head, "endsolid") || contains_word(head, "end solid") ||
+                                   head.size() < header_bytes || head.size() + 3 >= text_head_bytes)) {
+      return match;
+    }
+    match = TextMatch::later;
+  }
+  return TextMatch::none;
+}
+
+bool has_size_of_binary_stl(ByteSource& source) {
+  if (!source.size() || *source.size() < header_bytes) return false;
+  const Block block = source.peek(header_bytes);
+  std::uint32_t declared = 0;
+  std::memcpy(&declared, block.bytes.data() + 80, sizeof declared);
+  return *source.size() == header_bytes + face_bytes * std::uint64_t{declared};
+}
+
+std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                                     bool asked) {
+  const StlHead head = look_at_head(*source, asked);
   if (head.ascii) return std::make_unique<AsciiStlReader>(job, std::move(source), memory, head);
   return std::make_unique<BinaryStlReader>(job, std::move(source), memory, head);
 }
 
-InputOutlook look_at_stl(ByteSource& source) {
+InputOutlook look_at_stl(ByteSource& source, bool asked) {
   InputOutlook outlook;
-  outlook.facts = facts_of(look_at_head(source));
+  outlook.facts = facts_of(look_at_head(source, asked));
   return outlook;
 }
 

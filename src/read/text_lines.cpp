@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "read/text_tokens.hpp"
 
 #include <algorithm>
 
@@ -11,6 +12,8 @@ namespace winnow {
 namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+constexpr std::string_view line_blanks = " \t\v\f";
 
 constexpr bool parts_words(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r') || c == '\\';
@@ -22,10 +25,24 @@ std::uint64_t line_ends(std::string_view text) {
   return static_cast<std::uint64_t>(feeds != 0 ? feeds : std::count(text.begin(), text.end(), '\r'));
 }
 
-// Just behind the last end of a line that is not joined to the next; 0 where there is none.
-std::size_t last_cut(std::string_view text) {
+// By its first characters, whether a backslash at the end of a line joins the next to it.
+bool may_be_continued(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(line_blanks);
+  if (first == std::string_view::npos || first + 1 == text.size()) return false;
+  return (text[first] == 'v' || text[first] == 'f') && parts_words(text[first + 1]);
+}
+
+// Blanks may follow. A backslash in a comment is none.
+bool ends_in_backslash(std::string_view line) {
+  const std::size_t last = line.find_last_not_of(line_blanks);
+  return last != std::string_view::npos && line[last] == '\\' && line.find('#') == std::string_view::npos;
+}
+
+// Just behind the last end of a line that has no backslash before it; 0 where there is none.
+std::size_t last_plain_cut(std::string_view text) {
   const auto joined = [&](std::size_t at) {
-    if (at > 0 && text[at] == '\n' && text[at - 1] == '\r') --at;
+    if (text[at] == '\n' && text[at - 1] == '\r') --at;
+    while (at > 0 && line_blanks.find(text[at - 1]) != std::string_view::npos) --at;
     return at > 0 && text[at - 1] == '\\';
   };
   for (std::size_t at = text.rfind('\n'); at != std::string_view::npos && at > 0;
@@ -41,6 +58,20 @@ std::size_t last_cut(std::string_view text) {
   return 0;
 }
 
+// Just behind the last end of a line that is not joined to the next; 0 where there is none.
+std::size_t last_cut(std::string_view text) {
+  const std::size_t plain = last_plain_cut(text);
+  if (plain > 0) return plain;
+  TextLines each(text);
+  std::size_t cut = 0;
+  for (std::string_view line; each.next(line);) {
+    // A "\n" may follow the last "\r".
+    const auto end = static_cast<std::size_t>(line.data() - text.data()) + line.size();
+    if (end + 1 < text.size() || (end + 1 == text.size() && text[end] == '\n')) cut = end + 1;
+  }
+  return cut;
+}
+
 }  // namespace
 
 std::uint64_t TextBlock::line_of(std::string_view place) const {
@@ -49,14 +80,13 @@ std::uint64_t TextBlock::line_of(std::string_view place) const {
 
 bool TextLines::next(std::string_view& line) {
   if (rest_.empty()) return false;
-  const bool comment = rest_.front() == '#';
+  const bool continued = may_be_continued(rest_);
   std::size_t end = 0;
-  for (;; ++end) {
-    while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
-    if (end >= rest_.size() || comment || end == 0 || rest_[end - 1] != '\\') break;
+  for (std::size_t begin = 0;; begin = end + 1) {
+    end = std::min(rest_.find_first_of("\r\n", begin), rest_.size());
+    if (end == rest_.size() || !continued || !ends_in_backslash(rest_.substr(begin, end - begin))) break;
     if (rest_[end] == '\r' && end + 1 < rest_.size() && rest_[end + 1] == '\n') ++end;
   }
-  end = std::min(end, rest_.size());
   line = rest_.substr(0, end);
   rest_.remove_prefix(std::min(end + 1, rest_.size()));
   return true;
@@ -71,6 +101,10 @@ std::string_view LineWords::next() {
   rest_.remove_prefix(end);
   if (word.empty()) rest_ = rest_.substr(rest_.size());
   return word;
+}
+
+TextBlocks::TextBlocks(ByteSource& source, std::size_t bytes) : source_(source), bytes_(bytes) {
+  skip_byte_order_mark(source_);
 }
 
 bool TextBlocks::next(TextBlock& block) {

@@ -8,6 +8,9 @@
 
 namespace winnow {
 
+// What a format and its attributes are told by.
+constexpr std::size_t text_head_bytes = std::size_t{1} << 16;
+
 // A stretch of whole lines.
 struct TextBlock {
   Block block;
@@ -20,8 +23,9 @@ struct TextBlock {
   [[nodiscard]] std::uint64_t line_of(std::string_view place) const;
 };
 
-// The lines of a block one after the other. They end at "\n", "\r" or both; a backslash before that joins the
-// next to it, except in a comment.
+// The lines of a block one after the other. They end at "\n", "\r" or both. A backslash before that joins the
+// next to it in statements "v" and "f" alone: what is passed over may end in a name, and a name in a
+// backslash.
 class TextLines {
  public:
   explicit TextLines(std::string_view text) : rest_(text) {}
@@ -48,7 +52,8 @@ class LineWords {
 class TextBlocks {
  public:
   // Blocks have about `bytes`; a longer line makes a longer one.
-  TextBlocks(ByteSource& source, std::size_t bytes) : source_(source), bytes_(bytes) {}
+  // Begins behind a byte order mark.
+  TextBlocks(ByteSource& source, std::size_t bytes);
 
   // False at the end. Throws Error(bad_input) where a line is longer than any mesh's.
   bool next(TextBlock& block);

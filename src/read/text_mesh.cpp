@@ -55,7 +55,7 @@ void ParsedLines::fail(std::string_view place, const std::string& what) const {
 
 void ParsedLines::fail_number(std::string_view word, std::string_view place) const {
   if (word.empty()) fail(place, "a number is missing; the file was cut short, or is damaged");
-  fail(word, "'" + std::string(word.substr(0, 40)) + "' is not a number");
+  fail(word, not_a_number(word));
 }
 
 void ParsedLines::hand_over(KeptMesh& mesh) const {
@@ -87,10 +87,10 @@ struct Item {
 
 std::string first_lines(ByteSource& source) {
   const Block head = source.peek(text_head_bytes);
-  std::string text(reinterpret_cast<const char*>(head.bytes.data()), head.bytes.size());
+  std::string_view text(reinterpret_cast<const char*>(head.bytes.data()), head.bytes.size());
   // The last line may be cut.
-  if (text.size() == text_head_bytes) text.resize(text.find_last_of("\r\n") + 1);
-  return text;
+  if (text.size() == text_head_bytes) text = text.substr(0, text.find_last_of("\r\n") + 1);
+  return std::string(without_byte_order_mark(text));
 }
 
 void parse_text(const TextParser& parser, KeptMesh& mesh) {

@@ -68,9 +68,6 @@ struct TextParser {
 };
 void parse_text(const TextParser& parser, KeptMesh& mesh);
 
-// What a format and its attributes are told by.
-constexpr std::size_t text_head_bytes = std::size_t{1} << 16;
-
 // The lines that stand whole in the first bytes.
 std::string first_lines(ByteSource& source);
 

@@ -16,10 +16,18 @@ constexpr std::size_t usual_block = std::size_t{1} << 16;
 // A longer word is no number in any mesh file; without a limit a file of zeros would be read into memory.
 constexpr std::size_t longest_word = std::size_t{1} << 16;
 
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+constexpr std::size_t longest_number = 40;  // in messages
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr bool is_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+constexpr bool ends_line(char c) {
+  return c == '\n' || c == '\r';
 }
 
 }  // namespace
@@ -45,6 +53,19 @@ std::string_view TextTokens::next() {
     if (at_ < text_.size()) break;
     if (!refill()) return {};
   }
+  return take_word();
+}
+
+std::string_view TextTokens::next_in_line() {
+  for (;;) {
+    while (at_ < text_.size() && is_blank(text_[at_]) && !ends_line(text_[at_])) ++at_;
+    if (at_ < text_.size()) break;
+    if (!refill()) return {};
+  }
+  return ends_line(text_[at_]) ? std::string_view() : take_word();
+}
+
+std::string_view TextTokens::take_word() {
   std::size_t end = at_;
   for (;;) {
     while (end < text_.size() && !is_blank(text_[end])) ++end;
@@ -66,7 +87,7 @@ std::string_view TextTokens::next() {
 void TextTokens::skip_line() {
   for (;;) {
     while (at_ < text_.size()) {
-      if (text_[at_] == '\n' || text_[at_] == '\r') return;
+      if (ends_line(text_[at_])) return;
       ++at_;
     }
     if (!refill()) return;
@@ -80,11 +101,35 @@ void TextTokens::sync() {
   ended_ = false;
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  return text;
+}
+
+void skip_byte_order_mark(ByteSource& source) {
+  const Block block = source.peek(byte_order_mark.size());
+  const std::string_view text(reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size());
+  if (text == byte_order_mark) source.take(text.size());
+}
+
 bool is_text(std::string_view bytes) {
   return std::none_of(bytes.begin(), bytes.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 && !is_blank(c);
   });
+}
+
+bool has_decimal_comma(std::string_view word) {
+  std::string other(word.substr(0, longest_number));
+  const std::size_t comma = other.find(',');
+  if (comma == std::string::npos) return false;
+  other[comma] = '.';
+  return parse_real(other).has_value();
+}
+
+std::string not_a_number(std::string_view word) {
+  return "'" + std::string(word.substr(0, longest_number)) + "' is not a number" +
+         (has_decimal_comma(word) ? ": the decimal sign must be a point, not a comma" : "");
 }
 
 std::optional<double> parse_real(std::string_view word) {

@@ -17,6 +17,9 @@ class TextTokens {
   // The next word, valid until the next call; empty at the end of the content.
   std::string_view next();
 
+  // The same, but empty at the end of the line, too.
+  std::string_view next_in_line();
+
   void skip_line();  // the rest of the line the last word stood in
   void sync();       // gives back to the source what was not used
 
@@ -24,6 +27,7 @@ class TextTokens {
   void start_line(std::uint64_t line) { line_ = line; }
 
  private:
+  std::string_view take_word();
   bool refill();  // keeps the bytes from at_ on; false at the end of the content
 
   ByteSource& source_;
@@ -34,8 +38,20 @@ class TextTokens {
   bool ended_ = false;
 };
 
+// The text without the UTF-8 byte order mark that it may begin with.
+std::string_view without_byte_order_mark(std::string_view text);
+
+// Passes over the mark if the next bytes are one.
+void skip_byte_order_mark(ByteSource& source);
+
 // Whether bytes look like text, in whatever encoding has blanks and line ends as ASCII has.
 bool is_text(std::string_view bytes);
+
+// Whether a word is a number but for its decimal sign: "1,5".
+bool has_decimal_comma(std::string_view word);
+
+// Why a word is no number, for messages: "'x' is not a number".
+std::string not_a_number(std::string_view word);
 
 // The whole word as a number; "nan" and "inf" in any spelling are numbers.
 std::optional<double> parse_real(std::string_view word);

@@ -56,9 +56,64 @@ TEST_CASE("corners of an OBJ: alone, with texture, with normal, counted from the
 TEST_CASE("names in an OBJ are no vertices and no faces") {
   const std::string file =
       "mtllib f 1 2 3\ng v 9 9 9\no f\nusemtl v\ns 1\nv 0 0 0 1.0\nv 1 0 0 0.5 0.5 0.5\nvn 1 2 3\nvt 5 5\n"
-      "v 1 1 0 1 0.5 0.5 0.5\nv 0 1 0\ng An f Three Other Things\nusemtl \\\n f\nf 1 2 3\nl 1 2\np 1\nf 1 3 "
+      "v 1 1 0 1 0.5 0.5 0.5\nv 0 1 0\ng An f Three Other Things\nusemtl f\nf 1 2 3\nl 1 2\np 1\nf 1 3 "
       "4\n";
   CHECK(difference(both_ways(file), as_triangles(test::unit_square)) == "");
+}
+
+TEST_CASE("what is passed over in an OBJ may end in a backslash") {
+  const std::vector<std::string> vertices{"v 0 0 0", "v 1 0 0", "v 1 1 0", "v 0 1 0"};
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    for (const std::string name : {"g D:\\parts\\", "o \\", "s 1 \\", "mtllib a\\b\\", "usemtl \\", "# C:\\",
+                                   "$ \\", "l 1 2 \\", "vn 0 0 1 \\", "vt 0 0\\", "call a\\", "\\"}) {
+      CAPTURE(name, end);
+      std::string file;
+      for (const std::string& vertex : vertices) file += name + end + vertex + end;
+      for (const std::string face : {"f 1 2 3", "f 1 3 4"}) file += name + end + face + end;
+      for (const std::size_t batch : {1, 4, 8192}) {
+        const test::ReadStyle style{Format::automatic, Access::once, {test::usual_vertex_memory, batch}};
+        CHECK(difference(faces_of(file, style), as_fans(test::unit_square)) == "");
+        CHECK(difference(test::faces_of_pipe(file, style), as_fans(test::unit_square)) == "");
+      }
+    }
+  }
+  // In a comment behind a statement, too.
+  CHECK(difference(both_ways("v 0 0 0 # \\\nv 1 0 0 # a \\\nv 1 1 0\nv 0 1 0\nf 1 2 3 4 # \\\n"),
+                   as_fans(test::unit_square)) == "");
+  // A statement that is read goes on, over any number of lines and blanks behind the backslash.
+  CHECK(difference(both_ways("v \\ \n0 0\\\n 0\nv 1 0 0\nv\\\n1 1 0\nv 0 1 0\nf \\\n\\\n1 2 \\\t\n3 4"),
+                   as_fans(test::unit_square)) == "");
+}
+
+TEST_CASE("an OBJ of lines that all end in a backslash is cut between them") {
+  std::string file;
+  for (int i = 0; i < 200'000; ++i) file += "# a comment \\\n";
+  file += "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  CHECK(difference(faces_of(file, {Format::obj}), as_fans(test::unit_square)) == "");
+}
+
+TEST_CASE("colours of an OBJ: three or four numbers behind the position") {
+  const auto carried = [](const std::string& numbers) {
+    std::string file;
+    for (const char* vertex : {"v 0 0 0", "v 1 0 0", "v 1 1 0"}) file += vertex + numbers + "\n";
+    return test::carried_by(std::make_unique<test::MemorySource>(file + "f 1 2 3\n"));
+  };
+  CHECK(carried(" 1 0.5 0.25").attributes ==
+        std::vector<std::string>{"red (float)", "green (float)", "blue (float)"});
+  const test::Carried with_alpha = carried(" 1 0.5 0.25 0.75");
+  CHECK(with_alpha.attributes ==
+        std::vector<std::string>{"red (float)", "green (float)", "blue (float)", "alpha (float)"});
+  CHECK(with_alpha.numbers ==
+        std::vector<double>{1, 1, 1, 0.5, 0.5, 0.5, 0.25, 0.25, 0.25, 0.75, 0.75, 0.75});
+}
+
+TEST_CASE("colours in comments of an OBJ are named as not carried") {
+  test::TestJob test;
+  const auto reader = open_reader(
+      test.job,
+      std::make_unique<test::MemorySource>("v 0 0 0\nv 1 0 0\nv 1 1 0\n#MRGB ffffffffff00ff00\nf 1 2 3\n"),
+      Format::automatic, Access::once, {test::usual_vertex_memory, 512});
+  CHECK(reader->facts().offer.unread == std::vector<std::string>{"colours in #MRGB comments"});
 }
 
 TEST_CASE("faces of an OBJ that are none are told apart") {

@@ -67,7 +67,7 @@ std::vector<std::string> example_files() {
   faces[0][1][2] = INFINITY;
   files.push_back(test::binary_stl(faces));
   faces.resize(12'000);
-  files.push_back(test::binary_stl(faces, {"solid", 5, "tail"}));
+  files.push_back(test::binary_stl(faces, {"solid", -1, "tail"}));
   files.push_back(test::ascii_stl(faces));
   return files;
 }

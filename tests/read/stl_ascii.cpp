@@ -189,6 +189,58 @@ TEST_CASE("one facet of very many corners does not fill the memory") {
   }
 }
 
+TEST_CASE("an ASCII STL is read as other programs take it") {
+  const std::string plain = test::ascii_stl(some_faces());
+  const auto check = [](const std::string& file) { check_same(file, some_faces()); };
+  check("\xef\xbb\xbf" + plain);
+  // Words apart, words that miss.
+  check(replaced(replaced(replaced(plain, "endsolid", "end solid"), "endfacet", "end facet"), "endloop",
+                 "END Loop"));
+  check(replaced(replaced(plain, "  facet normal 0 0 1\n", ""), "  endfacet\n", ""));
+  check(replaced(replaced(plain, "  outer loop\n", ""), "  endloop\n", ""));
+  check(replaced(replaced(replaced(replaced(plain, "  facet normal 0 0 1\n", ""), "  endfacet\n", ""),
+                          "  outer loop\n", ""),
+                 "  endloop\n", ""));
+  // Lines that are no part of a face.
+  for (const std::string line : {"# facet", "// solid vertex 1 2 3", "; endsolid", "  # a comment", "#"}) {
+    CAPTURE(line);
+    check(line + "\n" + plain);
+    check(replaced(plain, "  facet", line + "\n  facet"));
+    check(replaced(plain, "  endloop\n", "  endloop\n" + line + "\n"));
+    check(replaced(plain, "  outer loop\n", "  outer loop\n" + line + "\n"));
+    check(plain + line);
+  }
+  check("made by a program, facet by facet\n\n" + plain);
+  check(plain + "\n  \nfacet count: 40\nvertex count: 120\nendsolid is above\n");
+  check(plain + "solid b\nendsolid b\nand some text\n");
+}
+
+TEST_CASE("an ASCII STL may stand on one line") {
+  const auto one_line = [](const std::string& text) { return replaced(text, "\n", " "); };
+  const std::string plain = test::ascii_stl(some_faces());
+  check_same(one_line(plain), some_faces());
+  check_same(one_line(test::ascii_stl(some_faces(), {.name = ""})), some_faces());
+  check_same(one_line(test::ascii_stl(some_faces(), {.upper_case = true, .end = false})), some_faces());
+  std::vector<test::Triangle> twice = some_faces();
+  twice.insert(twice.end(), some_faces().begin(), some_faces().end());
+  check_same(one_line(plain + plain), twice);
+  check_same(one_line(plain) + "\n" + one_line(plain) + "\n", twice);
+}
+
+TEST_CASE("colours in an ASCII STL are named as not carried") {
+  const std::string plain = test::ascii_stl(some_faces());
+  for (const std::string& file :
+       {replaced(plain, "  facet", "  color 0.5 0.5 1\n  facet"),
+        replaced(plain, "  endloop", "  COLOR 0.5 0.5 1\n  endloop"),
+        replaced(replaced(plain, "  endfacet", "  color 0.5 0.5 1\n  endfacet"), "\n", " ")}) {
+    CAPTURE(file.substr(0, 300));
+    check_same(file, some_faces());
+    test::TestJob test;
+    test::faces_of(test.job, std::make_unique<test::MemorySource>(file));
+    CHECK(test.job.notes == std::vector<std::string>{"not carried: colours of faces"});
+  }
+}
+
 TEST_CASE("what does not belong into a facet is an error with its line") {
   const std::string good = test::ascii_stl(some_faces());
   struct Wrong {

@@ -18,10 +18,11 @@ struct Read {
   std::vector<std::string> notes;
 };
 
-Read read(const std::string& file, test::MemorySource::Kind kind) {
+Read read(const std::string& file, test::MemorySource::Kind kind, const std::string& name = "test.stl",
+          Format format = Format::automatic) {
   test::TestJob test;
-  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file, kind),
-                                  Format::automatic, Access::once, {test::usual_vertex_memory, 256});
+  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file, kind, name), format,
+                                  Access::once, {test::usual_vertex_memory, 256});
   Read out;
   out.format = reader->facts().format;
   out.faces = test::read_faces(test.job, *reader);
@@ -108,6 +109,40 @@ TEST_CASE("bytes that are no mesh are not taken for a binary STL") {
   std::string file = test::binary_stl(faces);
   file[82] = 1;
   for (const auto kind : both_kinds) CHECK(difference(read(file, kind).faces, test::as_seen(faces)) == "");
+}
+
+TEST_CASE("what no name or option calls an STL is one only where its count fits") {
+  test::Random random(276);
+  const std::vector<test::Triangle> faces = test::random_triangles(random, 1000);
+  for (const std::int64_t count : {0, 1, 999, 1001, 65536}) {
+    const std::string file = test::binary_stl(faces, {"x", count, ""});
+    for (const auto kind : both_kinds) {
+      CAPTURE(count, static_cast<int>(kind));
+      const Error error = test::error_of([&] { read(file, kind, "mesh.bin"); });
+      CHECK(error.kind() == ErrorKind::bad_input);
+      CHECK(std::string(error.what()).find("--from stl") != std::string::npos);
+      CHECK(difference(read(file, kind, "mesh.bin", Format::stl).faces, test::as_seen(faces)) == "");
+      for (const char* name : {"A.STL", "a.stl.gz", "a.stl.zst"})
+        CHECK(difference(read(file, kind, name).faces, test::as_seen(faces)) == "");
+    }
+  }
+  for (const auto kind : both_kinds)
+    CHECK(read(test::binary_stl(faces), kind, "mesh.bin").faces.size() == 1000);
+}
+
+TEST_CASE("colours of an STL's faces are named as not carried, once") {
+  test::Random random(277);
+  const std::vector<test::Triangle> faces = test::random_triangles(random, 700);
+  const std::vector<std::string> note{"not carried: colours of faces"};
+  for (const auto kind : both_kinds) {
+    CHECK(read(test::binary_stl(faces, {.attribute = 0x8000}), kind).notes == note);
+    CHECK(read(test::binary_stl(faces, {"COLOR=\x10\x20\x30\xff", -1, "", 0}), kind).notes == note);
+    CHECK(read(test::binary_stl(faces, {.attribute = 0x7fff}), kind).notes.empty());
+    // Of one face in the middle, too.
+    std::string file = test::binary_stl(faces);
+    file[84 + 50 * 333 + 49] = '\x80';
+    CHECK(read(file, kind).notes == note);
+  }
 }
 
 TEST_CASE("an STL of no faces is one of no faces") {

@@ -16,6 +16,7 @@ struct BinaryStlStyle {
   std::string header = "made for a test";
   std::int64_t count = -1;  // below 0: the right one
   std::string trailing = "";
+  std::uint16_t attribute = 0x3eef;  // of each face
 };
 
 inline std::string binary_stl(const std::vector<Triangle>& faces, const BinaryStlStyle& style = {}) {
@@ -30,7 +31,7 @@ inline std::string binary_stl(const std::vector<Triangle>& faces, const BinarySt
     for (const Point& corner : face) {
       for (const double x : corner) put(static_cast<float>(x));
     }
-    put(std::uint16_t{0xbeef});
+    put(style.attribute);
   }
   return text + style.trailing;
 }

@@ -66,7 +66,8 @@ std::string obj_corner(std::int64_t index, std::int64_t written, Random* random)
 
 std::string obj_file(const Polygons& mesh, const TextStyle& style) {
   Random* random = style.random;
-  const LineWriter writer(style, true);
+  const LineWriter writer(style);
+  const LineWriter joining(style, true);
   std::string text = writer.line({"# made for a test"});
   std::size_t vertex = 0;
   std::size_t face = 0;
@@ -91,12 +92,12 @@ std::string obj_file(const Polygons& mesh, const TextStyle& style) {
       if (random != nullptr && random->chance(0.3)) words.emplace_back("1.0");
       if (random != nullptr && words.size() == 4 && random->chance(0.3))
         words.insert(words.end(), {"0.25", "0.5", "nan"});
-      text += writer.line(words, "# a vertex");
+      text += joining.line(words, "# a vertex");
     } else if (face < mesh.faces.size()) {
       std::vector<std::string> words{"f"};
       for (const std::int64_t index : mesh.faces[face++])
         words.push_back(obj_corner(index, static_cast<std::int64_t>(vertex), random));
-      text += writer.line(words, "# a face");
+      text += joining.line(words, "# a face");
     }
   }
   return text;
