@@ -17,7 +17,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${PROJECT_DESCRIPTION}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libwinnow-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libtbb-dev, libboost-iostreams-dev, libembree-dev, libmeshoptimizer-dev, libpng-dev, libzstd-dev")
+    "libtbb-dev, libboost-iostreams-dev, libembree-dev, libmeshoptimizer-dev, libpng-dev, libzstd-dev, zlib1g-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${PROJECT_DESCRIPTION} - library and headers")
 
 foreach(component_package program/winnow development/libwinnow-dev)

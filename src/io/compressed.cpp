@@ -4,19 +4,16 @@
 
 #include "base/text.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cstring>
-#include <exception>
 #include <utility>
+#include <vector>
 
-#include <boost/iostreams/filter/gzip.hpp>
-#include <boost/iostreams/filtering_streambuf.hpp>
+#include <zlib.h>
 #define ZSTD_STATIC_LINKING_ONLY  // for ZSTD_getFrameHeader
 #include <zstd.h>
 
 namespace winnow {
-
-namespace bio = boost::iostreams;
 
 std::string compression_of(std::span<const std::byte> head) {
   const auto starts = [&](std::initializer_list<unsigned char> magic) {
@@ -24,144 +21,196 @@ std::string compression_of(std::span<const std::byte> head) {
   };
   if (starts({0x1f, 0x8b})) return "gzip";
   if (starts({0x28, 0xb5, 0x2f, 0xfd})) return "zstd";
+  // A frame that is skipped comes first in all that pzstd writes; its number is free.
+  if (head.size() >= 4 && (head[0] & std::byte{0xf0}) == std::byte{0x50} &&
+      std::memcmp(head.data() + 1, "\x2a\x4d\x18", 3) == 0) {
+    return "zstd";
+  }
   return "";
 }
 
 namespace {
 
-// Hands a ByteStream to Boost. Errors are kept aside: on their way through a streambuf they would be lost.
-class StreamDevice {
+// What is packed, as it is read.
+class PackedBytes {
  public:
-  using char_type = char;
-  using category = bio::source_tag;
+  explicit PackedBytes(std::unique_ptr<ByteStream> stream) : stream_(std::move(stream)) {}
 
-  StreamDevice(ByteStream* stream, std::exception_ptr* failure) : stream_(stream), failure_(failure) {}
-
-  std::streamsize read(char* into, std::streamsize length) {
-    try {
-      const std::size_t got =
-          stream_->read(std::as_writable_bytes(std::span(into, static_cast<std::size_t>(length))));
-      return got == 0 ? -1 : static_cast<std::streamsize>(got);
-    } catch (...) {
-      *failure_ = std::current_exception();
-      throw;
+  // Makes at least so many bytes available, unless the content ends.
+  void fill(std::size_t wanted) {
+    if (left().size() >= wanted) return;
+    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    end_ -= std::exchange(begin_, 0);
+    while (end_ < wanted) {
+      const std::size_t got = stream_->read(std::span(buffer_).subspan(end_));
+      if (got == 0) return;
+      end_ += got;
+      read_ += got;
     }
   }
 
+  [[nodiscard]] std::span<std::byte> left() { return {buffer_.data() + begin_, end_ - begin_}; }
+  void pass_over(std::size_t bytes) { begin_ += bytes; }
+
+  // Of the first byte that is left.
+  [[nodiscard]] std::uint64_t offset() const { return read_ - (end_ - begin_); }
+
+  void check_whole() const { stream_->check_whole(); }
+
  private:
-  ByteStream* stream_;
-  std::exception_ptr* failure_;
+  std::unique_ptr<ByteStream> stream_;
+  std::vector<std::byte> buffer_ = std::vector<std::byte>(std::size_t{1} << 17);
+  std::size_t begin_ = 0, end_ = 0;
+  std::uint64_t read_ = 0;
 };
 
-[[noreturn]] void damaged(const std::string& name, const char* compression, std::uint64_t at) {
-  throw Error(ErrorKind::bad_input, "'" + name + "' is damaged or cut short: its " + compression +
-                                        " content ends or breaks after " + grouped(at) +
-                                        " bytes of plain content");
-}
-
-class GzipStream final : public ByteStream {
+class PackedStream : public ByteStream {
  public:
-  GzipStream(std::string name, std::unique_ptr<ByteStream> stream)
-      : name_(std::move(name)), stream_(std::move(stream)) {
-    plain_.push(bio::gzip_decompressor(bio::zlib::default_window_bits, 1 << 16));
-    plain_.push(StreamDevice(stream_.get(), &failure_), 1 << 16);
+  PackedStream(Job& job, std::string name, std::string compression, std::unique_ptr<ByteStream> stream)
+      : job_(job), name_(std::move(name)), packed_(std::move(stream)), compression_(std::move(compression)) {}
+
+  std::size_t read(std::span<std::byte> into) final {
+    const std::size_t got = unpack(into);
+    position_ += got;
+    return got;
   }
 
-  std::size_t read(std::span<std::byte> into) override {
-    std::streamsize got = 0;
-    try {
-      got = plain_.sgetn(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(into.size()));
-    } catch (const bio::gzip_error&) {
-      fail();
-    } catch (const std::ios_base::failure&) {
-      fail();
-    }
-    if (failure_) std::rethrow_exception(failure_);
-    position_ += static_cast<std::uint64_t>(got);
-    return static_cast<std::size_t>(got);
+  void check_whole() const final { packed_.check_whole(); }
+
+ protected:
+  virtual std::size_t unpack(std::span<std::byte> into) = 0;
+
+  // `how` it is: "ends" or "breaks"; `unpacked`: in this call.
+  [[noreturn]] void damaged(const std::string& how, std::size_t unpacked) {
+    throw Error(ErrorKind::bad_input, "'" + name_ + "' is damaged or cut short: its " + compression_ +
+                                          " content " + how + " at byte " + grouped(packed_.offset()) +
+                                          ", after " + grouped(position_ + unpacked) +
+                                          " bytes of plain content");
   }
+
+  Job& job_;
+  std::string name_;
+  PackedBytes packed_;
 
  private:
-  [[noreturn]] void fail() {
-    if (failure_) std::rethrow_exception(failure_);
-    damaged(name_, "gzip", position_);
+  std::string compression_;
+  std::uint64_t position_ = 0;
+};
+
+// As the program gzip has it: members follow each other, and what follows them is ignored; zeros, which pad
+// tapes and blocks, in silence. zlib itself passes over the names and comments in headers.
+class GzipStream final : public PackedStream {
+ public:
+  GzipStream(Job& job, std::string name, std::unique_ptr<ByteStream> stream)
+      : PackedStream(job, std::move(name), "gzip", std::move(stream)) {
+    constexpr int gzip_header = 16;
+    if (::inflateInit2(&state_, MAX_WBITS + gzip_header) != Z_OK)
+      throw Error(ErrorKind::resources, "no memory for a gzip decoder");
+  }
+  ~GzipStream() override { ::inflateEnd(&state_); }
+  GzipStream(const GzipStream&) = delete;
+  GzipStream& operator=(const GzipStream&) = delete;
+
+ private:
+  std::size_t unpack(std::span<std::byte> into) override {
+    std::size_t unpacked = 0;
+    while (unpacked == 0 && !ended_) {
+      job_.progress.check_cancelled();
+      if (at_member_begin_ && !begin_member()) break;
+      packed_.fill(1);
+      const std::span<std::byte> left = packed_.left();
+      if (left.empty()) damaged("ends", 0);
+      state_.next_in = reinterpret_cast<Bytef*>(left.data());
+      state_.avail_in = static_cast<uInt>(left.size());
+      state_.next_out = reinterpret_cast<Bytef*>(into.data());
+      const auto room = static_cast<uInt>(std::min<std::size_t>(into.size(), std::size_t{1} << 30));
+      state_.avail_out = room;
+      const int result = ::inflate(&state_, Z_NO_FLUSH);
+      packed_.pass_over(left.size() - state_.avail_in);
+      unpacked = room - state_.avail_out;
+      if (result == Z_STREAM_END) {
+        at_member_begin_ = true;
+      } else if (result != Z_OK) {
+        damaged("breaks", unpacked);
+      }
+    }
+    return unpacked;
   }
 
-  std::string name_;
-  std::unique_ptr<ByteStream> stream_;
-  std::exception_ptr failure_;
-  bio::filtering_streambuf<bio::input> plain_;
-  std::uint64_t position_ = 0;
+  // False where there is none, and nothing more is to be read.
+  bool begin_member() {
+    packed_.fill(2);
+    const std::span<std::byte> left = packed_.left();
+    if (left.size() == 1 && left[0] == std::byte{0x1f}) damaged("ends", 0);  // the first of a member
+    at_member_begin_ = compression_of(left) != "gzip";
+    if (!at_member_begin_) return ::inflateReset(&state_) == Z_OK;
+    ended_ = true;
+    bool zeros = true;
+    for (; !packed_.left().empty(); packed_.fill(1)) {
+      const std::span<std::byte> part = packed_.left();
+      zeros = zeros && std::all_of(part.begin(), part.end(), [](std::byte b) { return b == std::byte{}; });
+      packed_.pass_over(part.size());
+      job_.progress.check_cancelled();
+    }
+    if (!zeros) job_.note("what stands behind the gzip content of '" + name_ + "' was ignored");
+    return false;
+  }
+
+  z_stream state_{};
+  bool at_member_begin_ = true;
+  bool ended_ = false;
 };
 
 // Boost's zstd filter takes the end of a cut file for the end of its content, and stops after the first of
 // several frames; so the library is asked directly.
-class ZstdStream final : public ByteStream {
+class ZstdStream final : public PackedStream {
  public:
   ZstdStream(Job& job, std::string name, std::unique_ptr<ByteStream> stream)
-      : job_(job),
-        name_(std::move(name)),
-        stream_(std::move(stream)),
+      : PackedStream(job, std::move(name), "zstd", std::move(stream)),
         decoder_(ZSTD_createDCtx(), ZSTD_freeDCtx) {
     if (decoder_ == nullptr) throw Error(ErrorKind::resources, "no memory for a zstd decoder");
     ZSTD_DCtx_setParameter(decoder_.get(), ZSTD_d_windowLogMax, ZSTD_WINDOWLOG_LIMIT_DEFAULT);
   }
 
-  std::size_t read(std::span<std::byte> into) override {
+ private:
+  std::size_t unpack(std::span<std::byte> into) override {
     ZSTD_outBuffer out{into.data(), into.size(), 0};
     while (out.pos == 0) {
-      if (packed_.pos == packed_.size) {
-        packed_ = {buffer_.data(), stream_->read(buffer_), 0};
-        if (packed_.size == 0) {
-          if (!at_frame_end_) damaged(name_, "zstd", position_);
-          return 0;
-        }
+      job_.progress.check_cancelled();
+      // A frame's header may be spread over several reads.
+      packed_.fill(at_frame_end_ ? ZSTD_FRAMEHEADERSIZE_MAX : 1);
+      if (packed_.left().empty()) {
+        if (at_frame_end_) return 0;
+        damaged("ends", 0);
       }
       if (at_frame_end_) {
-        fill_header();
         reserve_window();
+        wanted_ = ZSTD_FRAMEHEADERSIZE_MAX;
       }
-      const std::size_t state = ZSTD_decompressStream(decoder_.get(), &out, &packed_);
-      if (ZSTD_isError(state) != 0) damaged(name_, "zstd", position_);
+      // No more than the decoder asks for, which is a block: where one is damaged, that tells its place.
+      ZSTD_inBuffer in{packed_.left().data(), std::min(packed_.left().size(), wanted_), 0};
+      const std::size_t state = ZSTD_decompressStream(decoder_.get(), &out, &in);
+      if (ZSTD_isError(state) != 0) damaged("breaks", out.pos);
+      packed_.pass_over(in.pos);
       at_frame_end_ = state == 0;
+      wanted_ = state;
     }
-    position_ += out.pos;
     return out.pos;
   }
 
- private:
   // The decoder keeps as much history as the frame's header asks for (8 MiB at zstd's highest usual level,
   // 128 MiB with its --long): the budget has to know.
   void reserve_window() {
     ZSTD_frameHeader header{};
-    const auto* at = static_cast<const std::byte*>(packed_.src) + packed_.pos;
-    if (ZSTD_getFrameHeader(&header, at, packed_.size - packed_.pos) != 0) return;
+    if (ZSTD_getFrameHeader(&header, packed_.left().data(), packed_.left().size()) != 0) return;
     if (header.windowSize <= window_.bytes()) return;
     window_ = {};
     window_ = job_.budget.reserve(header.windowSize, "decompressing this zstd content");
   }
 
-  // A frame's header may be spread over several reads.
-  void fill_header() {
-    std::size_t rest = packed_.size - packed_.pos;
-    if (rest >= ZSTD_FRAMEHEADERSIZE_MAX) return;
-    std::memmove(buffer_.data(), static_cast<const std::byte*>(packed_.src) + packed_.pos, rest);
-    while (rest < ZSTD_FRAMEHEADERSIZE_MAX) {
-      const std::size_t got = stream_->read(std::span(buffer_).subspan(rest));
-      if (got == 0) break;
-      rest += got;
-    }
-    packed_ = {buffer_.data(), rest, 0};
-  }
-
-  Job& job_;
-  std::string name_;
   Reservation window_;
-  std::unique_ptr<ByteStream> stream_;
   std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> decoder_;
-  std::vector<std::byte> buffer_ = std::vector<std::byte>(std::size_t{1} << 17);
-  ZSTD_inBuffer packed_{nullptr, 0, 0};
-  std::uint64_t position_ = 0;
+  std::size_t wanted_ = 0;
   bool at_frame_end_ = true;
 };
 
@@ -169,7 +218,7 @@ class ZstdStream final : public ByteStream {
 
 std::unique_ptr<ByteStream> decompress(Job& job, const std::string& name, const std::string& compression,
                                        std::unique_ptr<ByteStream> stream) {
-  if (compression == "gzip") return std::make_unique<GzipStream>(name, std::move(stream));
+  if (compression == "gzip") return std::make_unique<GzipStream>(job, name, std::move(stream));
   return std::make_unique<ZstdStream>(job, name, std::move(stream));
 }
 

@@ -63,6 +63,7 @@ class PrefixedStream final : public ByteStream {
   PrefixedStream(std::vector<std::byte> prefix, std::unique_ptr<ByteStream> rest)
       : prefix_(std::move(prefix)), rest_(std::move(rest)) {}
   std::size_t read(std::span<std::byte> into) override;
+  void check_whole() const override { rest_->check_whole(); }
 
  private:
   std::vector<std::byte> prefix_;

@@ -9,6 +9,7 @@
 #include "base/progress.hpp"
 #include "io/scratch.hpp"
 
+#include <algorithm>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct Job {
   // Remembers one line about the run for its report, and tells it at once where somebody listens.
   void note(const std::string& line) {
     const std::scoped_lock lock(noting);
+    if (std::find(notes.begin(), notes.end(), line) != notes.end()) return;  // of an earlier pass
     notes.push_back(line);
     if (context.notice) context.notice(line);
   }

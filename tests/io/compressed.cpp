@@ -1,11 +1,14 @@
 // Looking through gzip and zstd: all of the content, or an error; never a part of it in silence.
+#include "base/process.hpp"
 #include "io/byte_source.hpp"
 #include "support/files.hpp"
 #include "support/job.hpp"
 #include "support/random.hpp"
+#include "support/sanitized.hpp"
 #include "support/sources.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include <boost/iostreams/copy.hpp>
 #include <boost/iostreams/device/array.hpp>
@@ -180,6 +183,91 @@ TEST_CASE("a zstd content that was cut is an error") {
     check_cuts(both, {first.size()}, small);
     const std::vector<std::string> large{random.bytes(200'000) + regular(300'000)};
     check_cuts(zstd(large[0], {checksum, true, 0}), {}, large);
+  }
+}
+
+TEST_CASE("what follows a gzip content is ignored, zeros in silence") {
+  test::Random random(95);
+  const test::Directory directory;
+  const std::string plain = regular(3000);
+  const auto notes_of = [&](const std::string& behind) {
+    test::write_file(directory.file("packed"), gzip(plain) + gzip(plain) + behind);
+    test::TestJob test;
+    const auto source = open_source(test.job, directory.file("packed"));
+    CHECK(test::text_of(source->take(100'000).bytes) == plain + plain);
+    CHECK(source->take(1).bytes.empty());
+    return test.job.notes.size();
+  };
+  for (const std::size_t length : {1, 2, 500, 10'000, 1'000'000}) {
+    CAPTURE(length);
+    CHECK(notes_of(std::string(length, '\0')) == 0);
+    CHECK(notes_of(std::string(length, 'x')) == 1);
+    CHECK(notes_of(std::string(length, '\0') + "x") == 1);
+  }
+  CHECK(notes_of(std::string(3, '\0') + gzip(plain)) == 1);
+}
+
+TEST_CASE("a gzip header of any length takes no memory") {
+  const std::string plain = regular(3000);
+  std::string packed = gzip(plain);
+  packed[3] = 0x18;  // a name and a comment follow
+  packed.insert(10, std::string(200'000'000, 'n') + '\0' + std::string(1'000'000, 'c') + '\0');
+  const test::Directory directory;
+  test::write_file(directory.file("packed"), packed);
+  test::TestJob test;
+  const std::uint64_t before = peak_resident_bytes();
+  CHECK(test::text_of(open_source(test.job, directory.file("packed"))->take(100'000).bytes) == plain);
+  if (!test::sanitized) CHECK(peak_resident_bytes() - before < std::uint64_t{16} << 20);
+}
+
+TEST_CASE("a zstd content may begin with frames that are skipped") {
+  const Unpacker unpack;
+  const std::string plain = regular(300'000);
+  for (char number = 0x50; number < 0x60; ++number) {
+    std::string frame = skippable_frame(4);
+    frame[0] = number;
+    CHECK(unpack(frame + zstd(plain)) == plain);
+  }
+  CHECK(unpack(skippable_frame(1'000'000) + skippable_frame(0) + zstd(plain)) == plain);
+}
+
+TEST_CASE("the place where a compressed content breaks is told, in the file and in the content") {
+  test::Random random(96);
+  const Unpacker unpack;
+  const auto numbers_of = [](const std::string& message) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t at = message.find(" at byte "); at != std::string::npos;
+         at = message.find_first_of("0123456789", at)) {
+      at = message.find_first_of("0123456789", at);
+      std::string digits;
+      for (; std::isdigit(message[at]) != 0 || message[at] == ','; ++at) {
+        if (message[at] != ',') digits += message[at];
+      }
+      numbers.push_back(std::stoul(digits));
+    }
+    return numbers;
+  };
+  // As random as this, the packed content is as long in every part.
+  const std::string plain = random.bytes(5'000'000);
+  constexpr std::size_t block = 128 * 1024;
+  for (const std::string& whole : {gzip(plain), zstd(plain)}) {
+    for (const std::size_t place : {std::size_t{700'000}, std::size_t{2'500'000}, whole.size() - 9}) {
+      CAPTURE(whole.size(), place);
+      const Error cut = test::error_of([&] { unpack(whole.substr(0, place)); });
+      CAPTURE(cut.what());
+      const std::vector<std::size_t> ends = numbers_of(cut.what());
+      REQUIRE(ends.size() == 2);
+      CHECK(ends[0] == place);
+      const std::size_t even = plain.size() / 1000 * place / (whole.size() / 1000);
+      CHECK(ends[1] + block + even / 100 >= even);
+      CHECK(ends[1] <= even + even / 100);
+    }
+    std::string damaged = whole;
+    damaged.back() = static_cast<char>(damaged.back() ^ 1);
+    const std::vector<std::size_t> last = numbers_of(test::error_of([&] { unpack(damaged); }).what());
+    REQUIRE(last.size() == 2);
+    CHECK(last[0] + 16 >= whole.size());
+    CHECK(last[1] == plain.size());
   }
 }
 
