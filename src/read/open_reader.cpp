@@ -2,6 +2,7 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "read/foreign_formats.hpp"
 #include "read/formats.hpp"
 #include "read/text_mesh.hpp"
 #include "read/text_tokens.hpp"
@@ -58,13 +59,15 @@ Format format_of_text(std::string_view head, Format called) {
 
 // By content, where `asked` says automatic.
 Format format_of(ByteSource& source, Format asked) {
+  const bool fits_stl = has_size_of_binary_stl(source);  // whose header may hold anything
+  if (!fits_stl) refuse_foreign(source);
   if (asked != Format::automatic) return asked;
   const Block block = source.peek(1024);
   const std::string_view head = without_byte_order_mark(text_of(block));
   if (head.starts_with("glTF")) return Format::gltf;
   if (match_ply(head)) return Format::ply;
   if (head.substr(0, 16).find("OFF BINARY") != std::string_view::npos) return Format::off;
-  if (!is_text(head) || has_size_of_binary_stl(source)) return Format::stl;
+  if (!is_text(head) || fits_stl) return Format::stl;
   // Comments may come first, a licence say.
   const Block more = source.peek(text_head_bytes);
   return format_of_text(without_byte_order_mark(text_of(more)), format_called(source.name()));

@@ -2,6 +2,7 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "read/foreign_formats.hpp"
 #include "read/formats.hpp"
 #include "read/slices.hpp"
 #include "read/text_lines.hpp"
@@ -82,10 +83,11 @@ StlHead look_at_head(ByteSource& source, bool asked) {
   const std::string wrong = "'" + source.name() + "' is no mesh in a format that winnow reads: ";
   if (is_text(head)) {
     const Block more = source.peek(text_head_bytes);
-    found.ascii = match_stl(without_byte_order_mark({reinterpret_cast<const char*>(more.bytes.data()),
-                                                     more.bytes.size()})) != TextMatch::none;
+    const std::string_view text =
+        without_byte_order_mark({reinterpret_cast<const char*>(more.bytes.data()), more.bytes.size()});
+    found.ascii = match_stl(text) != TextMatch::none;
     if (found.ascii) return found;
-    throw Error(ErrorKind::bad_input, wrong + "it is some other text");
+    throw Error(ErrorKind::bad_input, wrong + kind_of_text(text));
   }
   if (head.size() < header_bytes)
     throw Error(ErrorKind::bad_input, wrong + human_bytes(head.size()) + " are too short for an STL");

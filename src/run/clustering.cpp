@@ -7,6 +7,7 @@
 #include "cluster/welder.hpp"
 #include "measure/result_surface.hpp"
 #include "read/for_each_batch.hpp"
+#include "run/input.hpp"
 #include "run/safe_clustering.hpp"
 #include "run/simplify_options.hpp"
 #include "run/write_mesh.hpp"
@@ -325,6 +326,8 @@ void Clustering::take_counts(const ClusterCounts& counts) {
 }
 
 void Clustering::refuse_empty() const {
+  if (!options_.crop && reader_.facts().faces == std::uint64_t{0})
+    refuse_without_faces(reader_, "simplified");
   throw Error(ErrorKind::bad_input,
               "'" + reader_.name() + "' has no face that could be simplified" +
                   (options_.crop ? " in the box of --crop; winnow info tells where the mesh is" : "") +

@@ -20,6 +20,7 @@
 #include "read/for_each_batch.hpp"
 #include "read/good_faces.hpp"
 #include "read/mesh_reader.hpp"
+#include "run/input.hpp"
 #include "write/colored_ply.hpp"
 
 #include <algorithm>
@@ -127,8 +128,7 @@ class Comparison {
     intake.finish();
     intake.report(report_.simplified);
     check_size(intake.totals(), name);
-    if (simplified_->size() == 0)
-      throw Error(ErrorKind::bad_input, "'" + name + "' has no face that could be compared");
+    if (simplified_->size() == 0) refuse_without_faces(*reader, "compared");
     check_room(simplified_->size());
     simplified_->sort(job_);
   }
@@ -201,8 +201,7 @@ class Comparison {
     intake.report(report_.original);
     check_size(intake.totals(), name);
     report_.diagonal = intake.totals().box().diagonal();
-    if (report_.original.faces == 0)
-      throw Error(ErrorKind::bad_input, "'" + name + "' has no face that could be compared");
+    if (report_.original.faces == 0) refuse_without_faces(*reader, "compared");
     if (picture_ != nullptr) views_ = std::make_unique<SideBySide>(intake.totals().box());
     if (chunk.size() > 0) points.approach(chunk.span());
     chunk.clear();

@@ -8,6 +8,7 @@
 #include "read/for_each_batch.hpp"
 #include "read/good_faces.hpp"
 #include "run/attributes.hpp"
+#include "run/input.hpp"
 #include "run/plain_mesh.hpp"
 #include "run/plan.hpp"
 #include "run/write_blocks.hpp"
@@ -81,8 +82,7 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   const ClusteredMesh mesh = mesh_of(job, *reader, plan, counts);
   if (options.strict && counts.first_bad.face != UINT64_MAX)
     refuse_bad_face(reader->name(), counts.first_bad);
-  if (mesh.face_count == 0)
-    throw Error(ErrorKind::bad_input, "'" + reader->name() + "' has no face that could be written");
+  if (mesh.face_count == 0) refuse_without_faces(*reader, "written");
   reader->rest();
   report.seconds.read = watch.seconds();
   const bool normals = carries_normals(attributes) && encoder->normals_apart();

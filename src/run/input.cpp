@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/text.hpp"
 #include "read/cropped_reader.hpp"
 #include "read/joined_reader.hpp"
 #include "run/simplify_options.hpp"
@@ -42,6 +43,16 @@ InputOutlook Input::outlook(const SimplifyOptions& options, const AttributeWish&
                                             : look_at_files(job_, names_, options.from, wish);
   if (options.crop) outlook.facts.faces.reset();
   return outlook;
+}
+
+void refuse_without_faces(const MeshReader& reader, const std::string& purpose) {
+  const InputFacts& facts = reader.facts();
+  const std::uint64_t points = facts.vertices.value_or(0);
+  if (points == 0 || facts.faces != std::uint64_t{0})
+    throw Error(ErrorKind::bad_input, "'" + reader.name() + "' has no face that could be " + purpose);
+  throw Error(ErrorKind::bad_input,
+              "'" + reader.name() + "' has " + grouped(points) + (points == 1 ? " point" : " points") +
+                  " and no faces; make a surface of a point cloud first, by Poisson reconstruction say");
 }
 
 }  // namespace winnow

@@ -38,4 +38,7 @@ class Input {
   std::uint64_t memory_ = 0;
 };
 
+// For an input in which no face was found: "could be" what. Throws Error(bad_input).
+[[noreturn]] void refuse_without_faces(const MeshReader& reader, const std::string& purpose);
+
 }  // namespace winnow
