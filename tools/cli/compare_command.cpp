@@ -146,31 +146,34 @@ void run_compare(const CompareArguments& arguments) {
 void add_compare(CLI::App& app) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", "Measure how far a simplified mesh is from its original");
-  command->add_option("original", arguments->original, "Of any size: it is streamed; - is standard input")
+  command
+      ->add_option("original", arguments->original,
+                   "The original mesh, of any size: it is streamed; - is standard input")
       ->required()
       ->type_name("ORIGINAL");
-  command->add_option("simplified", arguments->simplified, "Must fit into --memory, with 500 bytes a face")
+  command
+      ->add_option("simplified", arguments->simplified,
+                   "The simplified mesh; it must fit into --memory, with 500 bytes a face")
       ->required()
       ->type_name("SIMPLIFIED");
   command
       ->add_option("--samples", arguments->samples,
-                   "Points on each surface, evenly by area; all vertices count for the maximum besides")
-      ->capture_default_str()
+                   "Number of points on each surface, spread evenly by area (default 1M). The maximum also "
+                   "counts all vertices.")
       ->type_name("N");
   command
       ->add_option("--colored", arguments->colored,
-                   "Write the simplified mesh, coloured by its distance and with it as 'quality'")
+                   "Write the simplified mesh, coloured by its distance, which is also stored as 'quality'")
       ->type_name("FILE.ply");
   command
       ->add_option("--picture", arguments->picture,
-                   "Draw the original (left) and the simplified mesh side by side, coloured by distance")
+                   "Draw the original and the simplified mesh side by side, coloured by distance")
       ->type_name("FILE.png");
   command->add_flag("--force", arguments->force, "Replace existing files");
   arguments->common.add_to(*command, true);
   command->footer(
-      "Distances are from points of one surface to the nearest of the other: forward from the original to "
-      "the\n"
-      "simplified mesh, backward the other way.\n"
+      "A distance is that of a point on one surface to the nearest point of the other: forward from the\n"
+      "original to the simplified mesh, backward the other way.\n"
       "Examples:\n"
       "  winnow compare scan.ply small.ply\n"
       "  winnow compare scan.ply small.ply --json --samples 10M\n"

@@ -55,8 +55,8 @@ void show(const ConvertReport& report, std::ostream& out) {
 
 void run_convert(const ConvertArguments& arguments) {
   ConvertOptions options;
-  options.from = parse_input_format(arguments.from);
-  options.to = parse_output_format(arguments.written.to);
+  options.from = format_called(arguments.from);
+  options.to = format_called(arguments.written.to);
   options.encoding = arguments.written.encoding();
   options.strict = arguments.strict;
   options.force = arguments.written.force;
@@ -85,14 +85,15 @@ void add_convert(CLI::App& app) {
   command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
   const std::string result = "What the result is";
   command
-      ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")
+      ->add_flag("--strict", arguments->strict,
+                 "Stop at the first bad face; by default bad faces are left out and counted")
       ->group(result);
   add_from(*command, arguments->from)->group(result);
   arguments->written.add_to(*command, result);
   arguments->common.add_to(*command, true);
   command->footer(
-      "Vertices and faces stay as they are, in their order, without the bad faces. Of an STL, which has no\n"
-      "vertices, equal positions become one, and no face comes twice.\n"
+      "Vertices and faces keep their order; bad faces are left out. An STL stores no vertices: equal\n"
+      "positions become one vertex, and no face comes twice.\n"
       "Examples:\n"
       "  winnow convert scan.ply -o scan.glb\n"
       "  winnow convert scan.stl -o scan.ply.zst\n"

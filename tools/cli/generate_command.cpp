@@ -3,6 +3,7 @@
 
 #include "numbers.hpp"
 #include "program.hpp"
+#include "usage_errors.hpp"
 
 #include <iostream>
 #include <memory>
@@ -29,7 +30,7 @@ void run_generate(const GenerateArguments& arguments) {
                                                      : Surface::part;
   options.faces = parse_count("--faces", arguments.faces);
   options.seed = arguments.seed;
-  options.to = parse_output_format(arguments.to);
+  options.to = format_called(arguments.to);
   options.shuffle = arguments.shuffle;
   options.force = arguments.force;
   for (std::size_t axis = 0; axis < arguments.offset.size(); ++axis)
@@ -63,9 +64,9 @@ void add_generate(CLI::App& app) {
   CLI::App* command = app.add_subcommand("generate", "Make a surface of any size, for tests and benches");
   command
       ->add_option("surface", arguments->surface,
-                   "scan (closed, curved, noisy), terrain (with a boundary), part (like CAD)")
+                   "What to make: scan (closed, curved, noisy), terrain (with a boundary) or part (like CAD)")
       ->required()
-      ->check(CLI::IsMember({"scan", "terrain", "part"}))
+      ->check(one_of({"scan", "terrain", "part"}))
       ->type_name("SURFACE");
   command
       ->add_option("-o,--output", arguments->output,
@@ -73,24 +74,25 @@ void add_generate(CLI::App& app) {
       ->required()
       ->type_name("OUT");
   const std::string result = "What the result is";
-  command->add_option("--faces", arguments->faces, "About this many faces: 500k, 20M, 1G (default 1M)")
+  command->add_option("--faces", arguments->faces, "Make about this many faces: 500k, 20M, 1G (default 1M)")
       ->type_name("N")
       ->group(result);
   command
       ->add_option("--seed", arguments->seed,
                    "Another number makes another surface of the same kind (default 1)")
+      ->check(whole_number())
       ->type_name("N")
       ->group(result);
-  command->add_flag("--shuffle", arguments->shuffle, "Faces in a scattered order")->group(result);
+  command->add_flag("--shuffle", arguments->shuffle, "Write the faces in a scattered order")->group(result);
   command
       ->add_option("--offset", arguments->offset,
-                   "Added to every position, as in georeferenced scans; PLY then holds doubles")
+                   "Add this to every position, as in georeferenced scans; PLY then holds doubles")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z")
       ->group(result);
-  command
-      ->add_option("--to", arguments->to, "Output format, where the name does not tell: ply, stl, obj, off")
+  command->add_option("--to", arguments->to, "Output format, where the name's ending does not tell")
+      ->check(one_of({"auto", "ply", "stl", "obj", "off"}))
       ->type_name("FORMAT")
       ->group(result);
   command->add_flag("--force", arguments->force, "Replace the output if it exists")->group(result);

@@ -83,7 +83,7 @@ void run_info(const InfoArguments& arguments) {
   InfoReport report;
   {
     const ProgressBar bar(context, arguments.common);
-    report = info(context, arguments.input, parse_input_format(arguments.from));
+    report = info(context, arguments.input, format_called(arguments.from));
   }
   if (arguments.common.json) {
     std::cout << text_of(json_of(report)) << "\n";

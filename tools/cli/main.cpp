@@ -2,17 +2,26 @@
 #include <winnow/error.hpp>
 #include <winnow/mapped_guard.hpp>
 
+#include "numbers.hpp"
 #include "program.hpp"
+#include "usage_errors.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 namespace {
+
+using winnow::ErrorKind;
 
 // A standard stream that is closed would be replaced by the next file that is opened, and messages would end
 // up in the mesh. Opened for reading only, so that a mesh written to one of them is an error.
@@ -24,11 +33,39 @@ void open_standard_streams() {
   }
 }
 
+// Whether who read standard output has seen enough of it, as `head` has.
+bool reader_left() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+}
+
+// The command line without the program's name; "help COMMAND" is "COMMAND --help".
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.resize(std::min<std::size_t>(words.size(), 1));
+    words.emplace_back("--help");
+  }
+  return words;
+}
+
+// Runs what the command line asks for.
+void run(CLI::App& app, std::vector<std::string> words) {
+  winnow::guard_mapped_files();
+  winnow::cli::refuse_empty_values(words);
+  if (!words.empty()) winnow::cli::refuse_unknown_command(app, words.front());
+  std::reverse(words.begin(), words.end());  // as parse() takes them
+  try {
+    app.parse(std::move(words));
+  } catch (const CLI::Success& asked_for_text) {
+    app.exit(asked_for_text);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  using winnow::ErrorKind;
-
   // Who closes it wants no report; but one that is wanted must not be lost.
   const bool heard = ::fcntl(STDOUT_FILENO, F_GETFD) >= 0;
   open_standard_streams();
@@ -38,24 +75,19 @@ int main(int argc, char** argv) {
   // A reader that goes away, and a file-size limit, are write errors like any other.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  const auto fail = [](const char* message, ErrorKind kind) {
-    std::cerr << "winnow: " << message << "\n";
+  const std::vector<std::string> words = words_of(argc, argv);
+  const auto fail = [](const std::string& message, ErrorKind kind, const char* help = "") {
+    std::cerr << "winnow: " + winnow::cli::clean(message) + "\n" + help;
     return static_cast<int>(kind);
   };
   try {
-    winnow::guard_mapped_files();
-    winnow::cli::refuse_empty_values({argv, static_cast<std::size_t>(argc)});
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::Success& asked_for_text) {
-      app.exit(asked_for_text);
-    }
-    if (!std::cout.flush() && heard)
+    run(app, words);
+    if (!std::cout.flush() && heard && !reader_left())
       return fail("cannot write to standard output; what it was to get is not whole", ErrorKind::resources);
     return 0;
   } catch (const CLI::ParseError& error) {
-    return fail((std::string(error.what()) + "\nTry 'winnow --help' or 'winnow COMMAND --help'.").c_str(),
-                ErrorKind::usage);
+    return fail(winnow::cli::explain(app, error), ErrorKind::usage,
+                "Try 'winnow --help' or 'winnow COMMAND --help'.\n");
   } catch (const winnow::Error& error) {
     return fail(error.what(), error.kind());
   } catch (const std::bad_alloc&) {

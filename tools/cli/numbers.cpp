@@ -40,7 +40,7 @@ std::uint64_t parse_scaled(const std::string& option, const std::string& text, c
     if (unit == std::string_view::npos) refuse(option, text, examples);
     rest.remove_prefix(1);
     for (std::size_t i = 0; i <= unit; ++i) value *= step;
-    if (step == 1024 && rest == "iB") rest = {};
+    if (step == 1024 && (rest == "iB" || rest == "ib" || rest == "B" || rest == "b")) rest = {};
     if (!rest.empty()) refuse(option, text, examples);
   }
   if (!(value >= 0 && value < 0x1p63)) refuse(option, text, examples);
@@ -54,6 +54,16 @@ std::string format(const char* pattern, Values... values) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), pattern, values...);
   return text.data();
+}
+
+// Without its middle where it is longer; UTF-8 stays whole.
+std::string shortened(const std::string& text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  const auto inside = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80; };
+  std::size_t head = longest / 2, tail = text.size() - longest / 4;
+  while (head > 0 && inside(head)) --head;
+  while (tail < text.size() && inside(tail)) ++tail;
+  return text.substr(0, head) + "..." + text.substr(tail);
 }
 
 }  // namespace
@@ -76,7 +86,17 @@ double parse_ratio(const std::string& option, const std::string& text) {
 }
 
 double parse_length(const std::string& option, const std::string& text) {
-  return parse_number(option, text, "a length like 2.5, in the units of the model");
+  return parse_number(option, text, "a length like 2.5, a bare number in the units of the model");
+}
+
+Distance parse_distance(const std::string& option, const std::string& text) {
+  constexpr const char* examples =
+      "a distance like 0.5, a bare number in the units of the model, or 0.1%, a part of its diagonal";
+  std::string_view rest;
+  const double value = parse_front(option, text, examples, rest);
+  if (rest == "%") return {value / 100, true};
+  if (!rest.empty()) refuse(option, text, examples);
+  return {value, false};
 }
 
 double parse_number(const std::string& option, const std::string& text, const char* examples) {
@@ -97,6 +117,26 @@ std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const 
     at = end + 1;
   }
   return box;
+}
+
+std::string clean(const std::string& text) {
+  constexpr std::size_t longest_word = 300;
+  constexpr std::size_t longest_text = 1500;
+  std::string out, word;
+  const auto end_word = [&] {
+    out += shortened(word, longest_word);
+    word.clear();
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool second_set = byte == 0xC2 && i + 1 < text.size() &&
+                            static_cast<unsigned char>(text[i + 1]) < 0xA0;  // U+0080 to U+009F
+    if (second_set) ++i;
+    if (byte == ' ') end_word();
+    word += second_set || byte < 0x20 || byte == 0x7F ? '?' : text[i];
+  }
+  end_word();
+  return shortened(out, longest_text);
 }
 
 std::string show_list(const std::vector<std::string>& words) {

@@ -3,7 +3,9 @@
 #include <winnow/error.hpp>
 #include <winnow/version.hpp>
 
+#include "help_formatter.hpp"
 #include "numbers.hpp"
+#include "usage_errors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,27 +63,30 @@ void refuse_empty_values(const CLI::App& command) {
 }  // namespace
 
 void CommonOptions::add_to(CLI::App& command, bool with_scratch) {
-  command.add_option("--memory", memory, "Memory to use, tables and mapped pages together (default 512M)")
+  command.add_option("--memory", memory, "Memory to use, mapped input pages included (default 512M)")
       ->type_name("SIZE")
       ->group("Speed and memory (never change the result)");
-  command.add_option("--threads", threads, "Threads to use (default: all processors)")
+  command.add_option("--threads", threads, "Number of threads (default: one for each processor)")
+      ->check(whole_number())
       ->type_name("N")
       ->group("Speed and memory (never change the result)");
   if (with_scratch) {
     command
         .add_option("--scratch", scratch,
-                    "Directory for what does not fit into memory (default: that of the output)")
+                    "Directory for what does not fit into memory (default: the output's)")
         ->type_name("DIR")
         ->group("Speed and memory (never change the result)");
   }
   command
-      .add_option("--progress", progress,
-                  "auto (on a terminal), always, never, or json (a line of JSON each)")
-      ->check(CLI::IsMember({"auto", "always", "never", "json"}))
+      .add_option(
+          "--progress", progress,
+          "When to show progress: auto (on a terminal), always, never, or json (one JSON object a line)")
+      ->check(one_of({"auto", "always", "never", "json"}))
       ->type_name("WHEN")
       ->group("Messages");
-  command.add_flag("--json", json, "One machine-readable report instead of the summary")->group("Messages");
-  command.add_flag("-q,--quiet", quiet, "No summary and no progress")->group("Messages");
+  command.add_flag("--json", json, "Print a JSON report instead of the summary, also of an error")
+      ->group("Messages");
+  command.add_flag("-q,--quiet", quiet, "Print no summary and no progress")->group("Messages");
 }
 
 void prepare(Context& context, const CommonOptions& options, const std::string& output) {
@@ -115,48 +120,45 @@ constexpr std::array<std::pair<std::string_view, Format>, 7> formats{{{"ply", Fo
                                                                       {"gltf", Format::gltf},
                                                                       {"m", Format::m}}};
 constexpr std::size_t written_formats = 5;
-constexpr const char* input_formats = "ply, stl, obj, off, m, gltf";
 
-Format format_called(const std::string& text, std::size_t known, const std::string& refusal) {
-  if (text.empty() || text == "auto") return Format::automatic;
-  for (const auto& [name, format] : std::span(formats).first(known)) {
-    if (text == name) return format;
-  }
-  throw Error(ErrorKind::usage, refusal + ", not '" + text + "'");
+// The first so many, by name.
+std::vector<std::string> names_of(std::size_t count) {
+  std::vector<std::string> names{"auto"};
+  for (const auto& [name, format] : std::span(formats).first(count)) names.emplace_back(name);
+  return names;
 }
 
 }  // namespace
 
 CLI::Option* add_from(CLI::App& command, std::string& from) {
-  return command
-      .add_option("--from", from,
-                  std::string("Read the input as this, whatever its content looks like: ") + input_formats)
+  return command.add_option("--from", from, "Read the input as this format, whatever its content looks like")
+      ->check(one_of(names_of(formats.size())))
       ->type_name("FORMAT");
 }
 
-Format parse_input_format(const std::string& text) {
-  return format_called(text, formats.size(), std::string("--from takes one of ") + input_formats);
-}
-
-Format parse_output_format(const std::string& text) {
-  return format_called(text, written_formats, "--to takes one of ply, stl, obj, off, glb");
+Format format_called(const std::string& text) {
+  for (const auto& [name, format] : formats) {
+    if (text == name) return format;
+  }
+  return Format::automatic;
 }
 
 void OutputOptions::add_to(CLI::App& command, const std::string& group) {
-  command.add_option("--to", to, "Output format, where the name does not tell: ply, stl, obj, off, glb")
+  command.add_option("--to", to, "Output format, where the name's ending does not tell")
+      ->check(one_of(names_of(written_formats)))
       ->type_name("FORMAT")
       ->group(group);
-  command.add_flag("--ascii", ascii, "PLY and STL as text")->group(group);
+  command.add_flag("--ascii", ascii, "Write PLY and STL as text")->group(group);
   command
       .add_option("--positions", positions,
-                  "Type of positions: float or double (default: the input's; STL and GLB hold floats)")
-      ->check(CLI::IsMember({"float", "double"}))
+                  "Type of positions (default: the input's; STL and GLB hold floats)")
+      ->check(one_of({"float", "double"}))
       ->type_name("TYPE")
       ->group(group);
   command
       .add_option("--compress", compress,
-                  "How a GLB is packed: none (default) or meshopt (EXT_meshopt_compression, without loss)")
-      ->check(CLI::IsMember({"none", "meshopt"}))
+                  "How to pack a GLB: none (default) or meshopt (EXT_meshopt_compression, without loss)")
+      ->check(one_of({"none", "meshopt"}))
       ->type_name("HOW")
       ->group(group);
   command.add_flag("--force", force, "Replace the output if it exists")->group(group);
@@ -171,21 +173,23 @@ Encoding OutputOptions::encoding() const {
   return encoding;
 }
 
-void refuse_empty_values(std::span<char* const> arguments) {
-  for (const std::string_view argument : arguments) {
+void refuse_empty_values(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
     if (argument.starts_with("--") && argument.ends_with('='))
-      refuse_empty_value(std::string(argument.substr(0, argument.size() - 1)));
+      refuse_empty_value(argument.substr(0, argument.size() - 1));
   }
 }
 
 void add_commands(CLI::App& app) {
   app.name("winnow");
   app.description("winnow makes huge triangle meshes small, in bounded memory.");
-  app.set_version_flag("--version", "winnow " WINNOW_VERSION);
+  app.set_version_flag("-V,--version", "winnow " WINNOW_VERSION);
+  app.formatter(std::make_shared<HelpFormatter>());  // that of the commands as well
   app.require_subcommand(1);
   app.footer(
-      "Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow COMMAND --help' shows the "
-      "options of a command and examples.");
+      "Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow help COMMAND' or 'winnow "
+      "COMMAND --help' "
+      "shows the options of a command and\nexamples.");
   add_simplify(app);
   add_resume(app);
   add_convert(app);

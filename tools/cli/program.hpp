@@ -5,8 +5,8 @@
 #include <winnow/simplify.hpp>
 
 #include <memory>
-#include <span>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -48,9 +48,8 @@ inline constexpr const char* input_help =
 // The option --from.
 CLI::Option* add_from(CLI::App& command, std::string& from);
 
-// Of a format that is read, or is written.
-Format parse_input_format(const std::string& text);
-Format parse_output_format(const std::string& text);
+// The format by a name that --from or --to has let pass.
+Format format_called(const std::string& text);
 
 // How the output is written: the same options wherever a mesh is.
 struct OutputOptions {
@@ -81,6 +80,6 @@ void add_commands(CLI::App& app);
 
 // Throws Error(usage) for "--option=", which the parser would give the next word: an input could become the
 // output.
-void refuse_empty_values(std::span<char* const> arguments);
+void refuse_empty_values(const std::vector<std::string>& arguments);
 
 }  // namespace winnow::cli

@@ -11,7 +11,8 @@ Json json_of_bad_faces(const BadFaces& bad) {
 }
 
 void Lines::operator()(const std::string& name, const std::string& text) const {
-  out_ << "  " << name << std::string(column_ - std::min(column_ - 1, name.size()), ' ') << text << "\n";
+  out_ << "  " << name << std::string(column_ - std::min(column_ - 1, name.size()), ' ') << clean(text)
+       << "\n";
 }
 
 void Lines::notes(const std::vector<std::string>& notes) const {

@@ -32,7 +32,7 @@ void add_resume(CLI::App& app) {
   auto arguments = std::make_shared<ResumeArguments>();
   CLI::App* command =
       app.add_subcommand("resume", "Go on with a run of simplify --checkpoint that was killed");
-  command->add_option("directory", arguments->checkpoint.directory, "What --checkpoint named")
+  command->add_option("directory", arguments->checkpoint.directory, "The directory that --checkpoint named")
       ->required()
       ->type_name("DIR");
   command->add_flag("--keep-checkpoint", arguments->checkpoint.keep,
@@ -40,21 +40,19 @@ void add_resume(CLI::App& app) {
   arguments->common.add_to(*command, false);
   command
       ->add_option("--scratch", arguments->common.scratch,
-                   "Directory for what does not fit into memory (default: that of the checkpoint)")
+                   "Directory for what does not fit into memory (default: the checkpoint's)")
       ->type_name("DIR")
       ->group("Speed and memory (never change the result)");
   command->footer(
-      "Input, output and all that changes the result are those of the run; the bytes are those it would have "
-      "written.\nIt goes on from the last stage that was done: the input read and clustered, each round of "
-      "refinement,\neach tile in a round. Before the input was read it begins anew, which takes a file: a "
-      "pipe "
-      "cannot be read\nagain.\n"
+      "Input, output and options are those of the run, and the output gets the same bytes.\n"
+      "The run goes on after the last stage that was done: the input read and clustered, each round of\n"
+      "refinement, each tile in a round. If the input was not read to its end, the run starts again; a\n"
+      "pipe cannot be read again.\n"
       "\nExamples:\n"
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept\n"
       "  winnow resume kept\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input or checkpoint, 4 memory or disk or in "
-      "use,"
-      "\n130 interrupted.");
+      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input or checkpoint, 4 memory, disk or\n"
+      "checkpoint in use, 130 interrupted.");
   command->callback([arguments] { run_resume(*arguments); });
 }
 

@@ -5,6 +5,7 @@
 #include "numbers.hpp"
 #include "program.hpp"
 #include "simplify_report.hpp"
+#include "usage_errors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,10 +41,9 @@ SimplifyOptions options_of(const SimplifyArguments& arguments) {
   if (!arguments.grid.empty()) options.grid = parse_count("--grid", arguments.grid);
   if (!arguments.faces.empty()) options.faces = parse_count("--faces", arguments.faces);
   if (!arguments.ratio.empty()) options.ratio = parse_ratio("--ratio", arguments.ratio);
-  if (arguments.error.ends_with('%')) {
-    options.relative_error = parse_ratio("--error", arguments.error);
-  } else if (!arguments.error.empty()) {
-    options.error = parse_length("--error", arguments.error);
+  if (!arguments.error.empty()) {
+    const Distance error = parse_distance("--error", arguments.error);
+    (error.relative ? options.relative_error : options.error) = error.value;
   }
   if (!arguments.refine.empty()) options.refine = refine_called(arguments.refine);
   if (arguments.detail == "full") {
@@ -58,10 +58,9 @@ SimplifyOptions options_of(const SimplifyArguments& arguments) {
     options.max_normal_deviation = parse_number("--max-normal-deviation", arguments.max_normal_deviation,
                                                 "an angle like 60, in degrees");
   options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
-  if (arguments.weld.ends_with('%')) {
-    options.relative_weld = parse_ratio("--weld", arguments.weld);
-  } else if (!arguments.weld.empty()) {
-    options.weld = parse_length("--weld", arguments.weld);
+  if (!arguments.weld.empty()) {
+    const Distance weld = parse_distance("--weld", arguments.weld);
+    (weld.relative ? options.relative_weld : options.weld) = weld.value;
   }
   if (!arguments.crop.empty()) options.crop = parse_box("--crop", arguments.crop);
   options.normals = arguments.normals;
@@ -77,8 +76,8 @@ SimplifyOptions options_of(const SimplifyArguments& arguments) {
     options.no_data = parse_number("--nodata", arguments.nodata, "a number like -9999");
   options.strict = arguments.strict;
   options.force = arguments.written.force;
-  options.from = parse_input_format(arguments.from);
-  options.to = parse_output_format(arguments.written.to);
+  options.from = format_called(arguments.from);
+  options.to = format_called(arguments.written.to);
   options.encoding = arguments.written.encoding();
   return options;
 }
@@ -118,26 +117,25 @@ void add_simplify(CLI::App& app) {
   const std::string fineness = "How fine (exactly one)";
   command
       ->add_option("--faces", arguments->faces,
-                   "So many faces: 500k, 1.5M (about so many without refinement)")
+                   "Stop at this many faces: 500k, 1.5M (only about that many with --refine none)")
       ->type_name("N")
       ->group(fineness);
-  command->add_option("--ratio", arguments->ratio, "This part of the faces: 0.01 or 1%")
+  command->add_option("--ratio", arguments->ratio, "Keep this part of the faces: 0.01 or 1%")
       ->type_name("R")
       ->group(fineness);
   command
       ->add_option("--cell", arguments->cell,
-                   "Edge of a grid cell in model units; the only one that reads a pipe just once")
+                   "Size of a grid cell in model units; the only choice that reads a pipe just once")
       ->type_name("LENGTH")
       ->group(fineness);
-  command->add_option("--grid", arguments->grid, "Grid cells along the longest side")
+  command->add_option("--grid", arguments->grid, "Number of grid cells along the longest side")
       ->type_name("N")
       ->group(fineness);
 
   command
-      ->add_option(
-          "--error", arguments->error,
-          "Stop at this RMS distance: 0.5 (model units) or 0.1% (of the diagonal); boundaries stay within "
-          "1.5 times it")
+      ->add_option("--error", arguments->error,
+                   "Stop at this error: 0.5 (model units) or 0.1% (of the diagonal). It is the RMS distance; "
+                   "boundaries stay within 1.5 times it.")
       ->type_name("E")
       ->group(fineness);
 
@@ -145,74 +143,75 @@ void add_simplify(CLI::App& app) {
   command
       ->add_option(
           "--refine", arguments->refine,
-          "By the cost quadric (default with --faces, --ratio, --error), volume, importance, or none")
-      ->check(CLI::IsMember({"none", "quadric", "volume", "importance"}))
+          "What an edge costs to collapse (default: quadric with --faces, --ratio and --error, else none)")
+      ->check(one_of({"none", "quadric", "volume", "importance"}))
       ->type_name("COST")
       ->group(refinement);
   command
       ->add_option("--detail", arguments->detail,
-                   "Faces that clustering leaves for each that is wanted (default 6), or full: no clustering")
+                   "Cluster to D times the target first (default 6); 'full' skips clustering")
       ->type_name("D")
       ->group(refinement);
   command
       ->add_option("--boundary", arguments->boundary,
-                   "Open borders: weigh (default: they resist being moved) or keep (their vertices stay)")
-      ->check(CLI::IsMember({"weigh", "keep"}))
+                   "Open borders: 'weigh' moves them at a price (default), 'keep' fixes their vertices")
+      ->check(one_of({"weigh", "keep"}))
       ->type_name("HOW")
       ->group(refinement);
   command
       ->add_option("--topology", arguments->topology,
-                   "Handles and holes: keep (default: the count may be missed) or free (they may close, and "
-                   "the count is met)")
-      ->check(CLI::IsMember({"keep", "free"}))
+                   "Handles and holes: 'keep' them, even if the count is missed (default), or be 'free' "
+                   "to close them and meet it")
+      ->check(one_of({"keep", "free"}))
       ->type_name("HOW")
       ->group(refinement);
   command
       ->add_flag("--keep-pieces", arguments->keep_pieces,
-                 "Keep every connected piece; by default small ones go where that costs least")
+                 "Keep every connected piece; by default small ones are removed where that costs least")
       ->group(refinement);
   command
       ->add_option("--max-normal-deviation", arguments->max_normal_deviation,
-                   "By how many degrees one collapse may turn a face (default 45)")
+                   "Let one collapse turn a face by at most this many degrees (default 45)")
       ->type_name("ANGLE")
       ->group(refinement);
 
   const std::string result = "What the result is";
   command
       ->add_option("--placement", arguments->placement,
-                   "Where in its cell a vertex goes: quadric (default, the closest to the surface) or mean "
-                   "(a quarter faster)")
-      ->check(CLI::IsMember({"mean", "quadric"}))
+                   "Where a vertex goes in its cell: 'quadric' is closest to the surface (default), "
+                   "'mean' is a quarter faster")
+      ->check(one_of({"mean", "quadric"}))
       ->type_name("HOW")
       ->group(result);
   command
       ->add_flag("--normals", arguments->normals,
-                 "Write vertex normals computed from the result, instead of those of the input")
+                 "Write vertex normals computed from the result instead of the input's")
       ->group(result);
   command
       ->add_option(
           "--attributes", arguments->attributes,
-          "What vertices carry along: auto (default: all numbers that have a mean and the output can hold), "
-          "none, or a list: normals,colors,quality")
+          "Vertex attributes to carry: auto (default: all numbers that the output can hold), none, or a "
+          "list such as normals,colors,quality")
       ->type_name("LIST")
       ->group(result);
   command
       ->add_option("--nodata", arguments->nodata,
-                   "This number says that an attribute has no value there: leave it out of means")
+                   "Leave this number out of means: it says that there is no value")
       ->type_name("VALUE")
       ->group(result);
   command
-      ->add_flag("--strict", arguments->strict, "The first bad face is an error, not a number in the report")
+      ->add_flag("--strict", arguments->strict,
+                 "Stop at the first bad face; by default bad faces are left out and counted")
       ->group(result);
   command
       ->add_option("--crop", arguments->crop,
-                   "Only faces that lie wholly in this box, in model units: xmin,ymin,zmin,xmax,ymax,zmax")
+                   "Keep only faces wholly inside this box (model units): xmin,ymin,zmin,xmax,ymax,zmax")
       ->type_name("BOX")
       ->group(result);
   command
       ->add_option("--weld", arguments->weld,
-                   "Join vertices nearer than this, and chains of them: 0.01 (model units) or 0.001% (of "
-                   "the diagonal)")
+                   "Join vertices closer than this: 0.01 (model units) or 0.001% (of the diagonal). Chains "
+                   "of such vertices are joined too.")
       ->type_name("DISTANCE")
       ->group(result);
   add_from(*command, arguments->from)->group(result);
@@ -221,14 +220,15 @@ void add_simplify(CLI::App& app) {
   command
       ->add_option(
           "--checkpoint", arguments->checkpoint,
-          "A new or empty directory, for scratch too; 'winnow resume DIR' goes on if the run is killed")
+          "Save the run's state in this new or empty directory; if it is killed, 'winnow resume DIR' "
+          "goes on")
       ->type_name("DIR")
       ->group(killed);
   command
       ->add_flag("--keep-checkpoint", arguments->keep_checkpoint,
                  "Leave the files in DIR when the run is done (default: they are removed)")
       ->group(killed);
-  command->add_flag("--dry-run", arguments->dry_run, "Show passes, memory and scratch; do nothing")
+  command->add_flag("--dry-run", arguments->dry_run, "Show passes, memory and scratch, and write nothing")
       ->group("Messages");
   arguments->common.add_to(*command, true);
   command->footer(
@@ -240,8 +240,7 @@ void add_simplify(CLI::App& app) {
       "  winnow simplify scan.stl -o small.ply --faces 1M --refine none\n"
       "  winnow simplify soup.stl -o small.ply --faces 50k --weld 0.01\n"
       "  winnow simplify bone.ply -o small.ply --ratio 2% --topology free\n"
-      "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept    # if killed: winnow resume "
-      "kept\n"
+      "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept\n"
       "  winnow simplify part-*.ply -o all.ply --faces 5M --crop 0,0,-10,500,500,90\n"
       "  zstdcat scan.ply.zst | winnow simplify - -o - --cell 2.5 | next-stage\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");

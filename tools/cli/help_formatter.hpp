@@ -1,0 +1,16 @@
+// The help of the program and of its commands: no line is longer than 100 columns.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace winnow::cli {
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option(const CLI::Option* option, bool positional) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+};
+
+}  // namespace winnow::cli
