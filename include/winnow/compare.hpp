@@ -28,6 +28,7 @@ struct Distances {
 
 struct CompareReport {
   struct Mesh {
+    std::string format;            // as in InfoReport
     std::uint64_t faces = 0;       // good ones
     BadFaces bad_faces;            // left out of everything else
     double area = 0;               // model units squared

@@ -29,6 +29,7 @@ struct ConvertReport {
   } input;
   struct {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
+    std::string format;                                // as in SimplifyReport
   } output;
   struct {
     std::vector<std::string> carried;  // "red (uchar)", in the order of the output

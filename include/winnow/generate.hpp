@@ -28,6 +28,7 @@ struct GenerateOptions {
 
 struct GenerateReport {
   std::uint64_t faces = 0, vertices = 0, bytes = 0;
+  std::string format;  // as in SimplifyReport
   double seconds = 0;
 };
 

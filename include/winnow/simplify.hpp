@@ -133,10 +133,13 @@ struct SimplifyReport {
     std::uint64_t bytes = 0;     // after decompression
     BadFaces bad_faces;
     std::uint64_t cropped_faces = 0;  // left out for SimplifyOptions::crop; the others are `faces` less these
+    std::string format;               // as in InfoReport; of several inputs joined by "and"
+    std::vector<std::string> names;   // as they were given
   } input;
   struct {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
     std::string name;                                  // as it was given
+    std::string format;                                // "PLY binary little-endian", "GLB", ...
   } output;
   struct {
     double distance = 0;         // of SimplifyOptions::weld, in model units; 0 without
@@ -219,6 +222,7 @@ struct SimplifyReport {
 
 // What a run would do, found from the input's header and size alone.
 struct SimplifyPlan {
+  std::string input_format, output_format;  // as in SimplifyReport
   struct Part {
     std::string name;
     std::uint64_t bytes = 0;

@@ -70,6 +70,7 @@ GenerateReport generate(Context& context, const std::string& output, const Gener
   report.faces = shape.faces;
   report.vertices = shape.vertices;
   report.bytes = sink.written();
+  report.format = format_written(options.to, output);
   report.seconds = clock.seconds();
   return report;
 }

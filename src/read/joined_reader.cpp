@@ -31,6 +31,15 @@ std::string joint_name(const std::vector<std::string>& names) {
   return names.front() + " and " + grouped(names.size() - 1) + " more";
 }
 
+// Each once, in the order in which they come.
+std::string joined_formats(const std::vector<std::string>& formats) {
+  std::string text;
+  for (auto one = formats.begin(); one != formats.end(); ++one) {
+    if (std::find(formats.begin(), one, *one) == one) text += (text.empty() ? "" : " and ") + *one;
+  }
+  return text;
+}
+
 // As its type can have it.
 double color_of_light(ScalarType type, double stored) {
   const Attribute light{{}, type, AttributeKind::light};
@@ -55,8 +64,7 @@ class JoinedReader final : public MeshReader {
     for (std::size_t i = 0; i < names.size(); ++i) {
       open(i);
       const InputFacts& facts = reader_->facts();
-      if (std::find(formats.begin(), formats.end(), facts.format) == formats.end())
-        formats.push_back(facts.format);
+      formats.push_back(facts.format);
       add(facts_.faces, facts.faces);
       add(facts_.vertices, facts.vertices);
       facts_.polygons |= facts.polygons;
@@ -69,8 +77,7 @@ class JoinedReader final : public MeshReader {
     carried_.names.emplace();
     carried_.no_data = wish.no_data;
     for (const Attribute& attribute : facts_.choice.carried) carried_.names->push_back(attribute.name);
-    for (const std::string& format_name : formats)
-      facts_.format += (facts_.format.empty() ? "" : " and ") + format_name;
+    facts_.format = joined_formats(formats);
   }
 
   void begin_positions(PassCorners corners) override {
@@ -250,12 +257,14 @@ InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Form
   InputOutlook outlook;
   std::vector<AttributeOffer> offers;
   outlook.facts.faces = outlook.facts.vertices = 0;
+  std::vector<std::string> formats;
   outlook.bytes = 0;
   for (const std::string& name : names) {
     const std::unique_ptr<ByteSource> source = open_source(job, name);
     const InputOutlook one = look_at(job, *source, format, Access::once);
     add(outlook.facts.faces, one.facts.faces);
     add(outlook.facts.vertices, one.facts.vertices);
+    formats.push_back(one.facts.format);
     add(outlook.bytes, one.bytes);
     outlook.facts.polygons |= one.facts.polygons;
     outlook.facts.double_positions |= one.facts.double_positions;
@@ -265,6 +274,7 @@ InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Form
     outlook.taken_in |= one.taken_in;
     if (!is_bare(one)) offers.push_back(one.facts.offer);
   }
+  outlook.facts.format = joined_formats(formats);
   outlook.facts.offer = common_offer(offers);
   outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, joint_name(names));
   return outlook;

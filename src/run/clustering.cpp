@@ -95,6 +95,7 @@ Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::
   const double wanted = options.detail.value_or(usual_detail) * static_cast<double>(target);
   const auto all = static_cast<double>(available);
   const auto clustered = static_cast<std::uint64_t>(wanted);
+  if (target >= available && wanted >= all) return {true, available, grouped(available) + " faces already"};
   if (options.borders == Borders::keep) return {true, available, keeps_boundaries};
   if (options.detail && wanted >= all)
     return {true, available, std::isinf(*options.detail) ? detail_full : "--detail asks for all faces"};
@@ -133,6 +134,7 @@ Clustered Clustering::run() {
   report_.cell_size = settings_.grid.cell;
   report_.input.vertices = reader_.facts().vertices.value_or(0);
   report_.input.bytes = reader_.bytes();
+  report_.input.format = reader_.facts().format;
   return out;
 }
 

@@ -113,6 +113,7 @@ class Comparison {
     const std::unique_ptr<MeshReader> reader =
         open_reader(job_, open_source(job_, name), options_.from_simplified, Access::once,
                     {job_.budget.left() / 8, batch_faces});
+    report_.simplified.format = reader->facts().format;
     if (reader->facts().faces) check_room(*reader->facts().faces);
     simplified_ = std::make_unique<FaceStore>(job_.budget, job_.budget.left() / sizeof(NumberedFace));
     FaceIntake intake(job_, reader->first_finite_position().value_or(Point{}));
@@ -175,6 +176,7 @@ class Comparison {
     const std::uint64_t left = job_.budget.left();
     const std::unique_ptr<MeshReader> reader = open_reader(
         job_, open_source(job_, name), options_.from_original, Access::repeatedly, {left / 4, batch_faces});
+    report_.original.format = reader->facts().format;
     const std::uint64_t capacity =
         std::min(SurfaceTree::most_faces,
                  (job_.budget.left() - std::min(job_.budget.left(), left / 4)) / bytes_a_chunk_face);

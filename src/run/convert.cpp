@@ -94,7 +94,8 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   sink.finish();
 
   report.input = {facts.format, counts.faces, facts.vertices.value_or(0), reader->bytes(), counts.bad};
-  report.output = {mesh.face_count, mesh.vertices->size(), sink.written()};
+  report.output = {mesh.face_count, mesh.vertices->size(), sink.written(),
+                   format_written(options.to, output, options.encoding)};
   report.attributes = {descriptions(facts.choice), facts.choice.dropped};
   report.welded = !facts.vertices;
   report.doubled_faces = counts.faces - counts.bad.total() - mesh.face_count;

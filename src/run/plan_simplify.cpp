@@ -108,6 +108,8 @@ void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const Cell
   out.seconds_expected = seconds / threads;
 }
 
+constexpr const char* shows_later = "whether faces are clustered first shows once they are counted";
+
 }  // namespace
 
 SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
@@ -121,11 +123,14 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   const CellNeeds needs = needs_of(options, outlook.facts.choice);
   const MemoryPlan plan = MemoryPlan::divide(context.memory, input.memory(), job.threads, needs);
   SimplifyPlan out;
+  out.input_format = outlook.facts.format;
+  out.output_format = format_written(options.to, output, options.encoding);
   out.memory = plan.parts();
   out.smallest_memory = plan.smallest + input.memory();
   out.passes = passes_of(outlook, options);
   out.faces = outlook.facts.faces;
   out.vertices = outlook.facts.vertices;
+  out.clustered_reason = shows_later;
   if (cost_of(options) == Refine::none) {
     out.clustered = true;
     out.clustered_reason = clustering_alone;
@@ -141,7 +146,7 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
       const Detail detail = target ? detail_for(options, *out.faces, std::min(*out.faces, *target))
                                    : detail_for_error(options, *out.faces);
       if (!detail.reason.empty()) out.clustered = !detail.welded;
-      out.clustered_reason = detail.reason;
+      out.clustered_reason = detail.reason.empty() ? shows_later : detail.reason;
     }
     foretell(options, plan, needs, context.memory - input.memory(), job.threads, out);
     if (out.scratch_expected) *out.scratch_expected += kept;

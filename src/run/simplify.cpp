@@ -150,7 +150,9 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
   write_mesh(job, mesh, shape, encoder, sink);
   sink.settle();
 
-  report.output = {mesh.face_count, mesh.vertices->size(), sink.written(), request.output};
+  report.output = {mesh.face_count, mesh.vertices->size(), sink.written(), request.output,
+                   format_written(options.to, request.output, options.encoding)};
+  report.input.names = request.inputs;
   report.cells = mesh.cells;
   report.turned_faces = mesh.turned;
   report.fused_faces = mesh.fused;
@@ -241,6 +243,7 @@ SimplifyReport resume(Context& context, const Checkpoint& settings) {
     return simplify_with(job, request, std::move(checkpoint));
   }
   report.resumed.emplace().written = true;
+  report.input.names = request.inputs;
   checkpoint.finish(job);
   report.peak_memory_bytes = peak_resident_bytes();
   report.seconds.total = watch.seconds();

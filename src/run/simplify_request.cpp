@@ -131,6 +131,7 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.faces", report.input.faces);
   visit("report.vertices", report.input.vertices);
   visit("report.bytes", report.input.bytes);
+  visit("report.format", report.input.format);
   visit("report.cropped_faces", report.input.cropped_faces);
   visit("report.degenerate", report.input.bad_faces.degenerate);
   visit("report.non_finite", report.input.bad_faces.non_finite);
@@ -139,6 +140,7 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.output_vertices", report.output.vertices);
   visit("report.output_bytes", report.output.bytes);
   visit("report.output_name", report.output.name);
+  visit("report.output_format", report.output.format);
   visit("report.weld_distance", report.weld.distance);
   visit("report.weld_vertices", report.weld.vertices);
   visit("report.weld_faces", report.weld.faces);

@@ -70,4 +70,38 @@ std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path
   }
 }
 
+bool writes_text(Format format, const std::string& path, const Encoding& encoding) {
+  if (format == Format::automatic) format = format_called(path);
+  const bool text =
+      encoding.ascii || (format != Format::ply && format != Format::stl && format != Format::gltf);
+  return text && without_compression(path) == path;
+}
+
+std::string format_written(Format format, const std::string& path, const Encoding& encoding) {
+  if (format == Format::automatic) format = format_called(path);
+  std::string name;
+  switch (format) {
+    case Format::stl:
+      name = encoding.ascii ? "STL ASCII" : "STL binary";
+      break;
+    case Format::obj:
+      name = "OBJ";
+      break;
+    case Format::off:
+      name = "OFF";
+      break;
+    case Format::gltf:
+      name = encoding.compression == Compression::meshopt ? "GLB, meshopt" : "GLB";
+      break;
+    case Format::m:
+      name = ".m";
+      break;
+    default:
+      name = encoding.ascii ? "PLY ASCII" : "PLY binary little-endian";
+  }
+  const std::string plain = without_compression(path);
+  if (plain != path) name += path.ends_with("zst") ? ", zstd" : ", gzip";
+  return name;
+}
+
 }  // namespace winnow

@@ -110,6 +110,12 @@ class MeshEncoder {
 std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path,
                                           const Encoding& encoding = {});
 
+// What the encoder of the same arguments writes, for people: "PLY ASCII, gzip".
+std::string format_written(Format format, const std::string& path, const Encoding& encoding = {});
+
+// Whether that is text, which a terminal can show.
+bool writes_text(Format format, const std::string& path, const Encoding& encoding = {});
+
 // One function a format; a new one is a new file and a line in make_encoder.
 std::unique_ptr<MeshEncoder> make_ply_encoder(bool ascii = false);
 std::unique_ptr<MeshEncoder> make_stl_encoder(bool ascii = false);

@@ -10,6 +10,11 @@ const std::vector<Words> all_resolutions{{"--cell", "0.02"},
                                          {"--faces", "5000", "--refine", "none"},
                                          {"--ratio", "20%", "--refine", "none"}};
 
+nlohmann::json without_names(nlohmann::json part) {
+  if (part.is_object()) part.erase("file"), part.erase("files");
+  return part;
+}
+
 void compare_routes(const std::string& surface, const std::string& format) {
   const Directory directory;
   const std::string input = directory.file(surface + "." + format);
@@ -29,7 +34,7 @@ void compare_routes(const std::string& surface, const std::string& format) {
     for (const char* count : {"input", "output", "cells", "turned_faces", "fused_faces", "clamped_faces",
                               "cell_size", "runs", "notes"}) {
       INFO(count);
-      CHECK(piped.report[count] == file.report[count]);
+      CHECK(without_names(piped.report[count]) == without_names(file.report[count]));
     }
   }
 }

@@ -19,11 +19,10 @@ struct CompareArguments {
   CommonOptions common;
 };
 
-Json json_of(const CompareReport::Mesh& mesh) {
-  return {{"faces", mesh.faces},
-          {"bad_faces", json_of_bad_faces(mesh.bad_faces)},
-          {"area", mesh.area},
-          {"volume", mesh.volume ? Json(*mesh.volume) : Json(nullptr)},
+Json json_of(const CompareReport::Mesh& mesh, const std::string& name) {
+  return {{"file", name},           {"format", mesh.format},
+          {"faces", mesh.faces},    {"bad_faces", json_of_bad_faces(mesh.bad_faces)},
+          {"area", mesh.area},      {"volume", mesh.volume ? Json(*mesh.volume) : Json(nullptr)},
           {"samples", mesh.samples}};
 }
 
@@ -31,7 +30,7 @@ double percent(double length, const CompareReport& report) {
   return report.diagonal > 0 ? 100 * length / report.diagonal : 0;
 }
 
-Json json_of(const CompareReport& report) {
+Json json_of(const CompareReport& report, const CompareArguments& arguments) {
   const auto distances = [&](const Distances& d) {
     return Json{{"mean", d.mean},
                 {"rms", d.rms},
@@ -42,8 +41,8 @@ Json json_of(const CompareReport& report) {
   };
   const auto& topology = report.topology;
   return {
-      {"original", json_of(report.original)},
-      {"simplified", json_of(report.simplified)},
+      {"original", json_of(report.original, arguments.original)},
+      {"simplified", json_of(report.simplified, arguments.simplified)},
       {"diagonal", report.diagonal},
       {"distance",
        {{"forward", distances(report.forward)},
@@ -135,7 +134,7 @@ void run_compare(const CompareArguments& arguments) {
   const bool mesh_on_output = arguments.colored == "-" || arguments.picture == "-";
   std::ostream& out = report_stream(mesh_on_output ? "-" : "");
   if (arguments.common.json) {
-    out << json_of(report).dump(2) << "\n";
+    print(json_of(report, arguments), arguments.common, out);
   } else if (!arguments.common.quiet) {
     show(report, out);
   }

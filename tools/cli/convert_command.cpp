@@ -19,22 +19,23 @@ struct ConvertArguments {
   CommonOptions common;
 };
 
-Json json_of(const ConvertReport& report) {
+Json json_of(const ConvertReport& report, const ConvertArguments& arguments) {
   return {{"input",
-           {{"format", report.input.format},
+           {{"files", {arguments.input}},
+            {"format", report.input.format},
             {"faces", report.input.faces},
             {"vertices", report.input.vertices},
             {"bytes", report.input.bytes},
             {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
-          {"output", json_of_output(report.output)},
+          {"output", json_of_output(report.output, arguments.output)},
           {"attributes", {{"carried", report.attributes.carried}, {"dropped", report.attributes.dropped}}},
           {"welded", report.welded},
           {"doubled_faces", report.doubled_faces},
           {"spilled_bytes", report.spilled_bytes},
           {"peak_scratch_bytes", report.peak_scratch_bytes},
           {"peak_memory_bytes", report.peak_memory_bytes},
-          {"seconds",
-           {{"total", report.seconds.total}, {"read", report.seconds.read}, {"write", report.seconds.write}}},
+          {"seconds", report.seconds.total},
+          {"stage_seconds", {{"read", report.seconds.read}, {"write", report.seconds.write}}},
           {"notes", report.notes}};
 }
 
@@ -69,7 +70,7 @@ void run_convert(const ConvertArguments& arguments) {
   }
   std::ostream& out = report_stream(arguments.output);
   if (arguments.common.json) {
-    out << text_of(json_of(report)) << "\n";
+    print(json_of(report, arguments), arguments.common, out);
   } else if (!arguments.common.quiet) {
     show(report, out);
   }

@@ -3,12 +3,11 @@
 
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_text.hpp"
 #include "usage_errors.hpp"
 
 #include <iostream>
 #include <memory>
-
-#include <nlohmann/json.hpp>
 
 namespace winnow::cli {
 
@@ -45,11 +44,9 @@ void run_generate(const GenerateArguments& arguments) {
   }
   std::ostream& out = report_stream(arguments.output);
   if (arguments.common.json) {
-    const nlohmann::ordered_json json{{"faces", report.faces},
-                                      {"vertices", report.vertices},
-                                      {"bytes", report.bytes},
-                                      {"seconds", report.seconds}};
-    out << json.dump(2) << "\n";
+    Json json = json_of_output(report, arguments.output);
+    json["seconds"] = report.seconds;
+    print(json, arguments.common, out);
   } else if (!arguments.common.quiet) {
     out << "  made      " << show_count(report.faces) << " faces, " << show_count(report.vertices)
         << " vertices, " << show_bytes(report.bytes) << "\n  time      " << show_seconds(report.seconds)

@@ -18,8 +18,9 @@ struct InfoArguments {
   CommonOptions common;
 };
 
-Json json_of(const InfoReport& report) {
-  Json json{{"format", report.format},
+Json json_of(const InfoReport& report, const std::string& name) {
+  Json json{{"file", name},
+            {"format", report.format},
             {"bytes", report.bytes},
             {"faces", report.faces},
             {"vertices", report.vertices},
@@ -86,7 +87,7 @@ void run_info(const InfoArguments& arguments) {
     report = info(context, arguments.input, format_called(arguments.from));
   }
   if (arguments.common.json) {
-    std::cout << text_of(json_of(report)) << "\n";
+    print(json_of(report, arguments.input), arguments.common, std::cout);
   } else if (!arguments.common.quiet) {
     show(report, std::cout);
   }

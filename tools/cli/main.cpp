@@ -4,6 +4,7 @@
 
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_text.hpp"
 #include "usage_errors.hpp"
 
 #include <algorithm>
@@ -76,8 +77,11 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   const std::vector<std::string> words = words_of(argc, argv);
-  const auto fail = [](const std::string& message, ErrorKind kind, const char* help = "") {
+  const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
+  const auto fail = [&](const std::string& message, ErrorKind kind, const char* help = "") {
+    if (json) winnow::cli::print_failure(app, message, kind);
     std::cerr << "winnow: " + winnow::cli::clean(message) + "\n" + help;
+    std::cout.flush();
     return static_cast<int>(kind);
   };
   try {

@@ -48,6 +48,8 @@ std::string output_name(const std::string& name) {
   return std::find(standard.begin(), standard.end(), name) != standard.end() ? "-" : name;
 }
 
+constexpr std::array<const char*, 3> output_options{"--output", "--colored", "--picture"};
+
 [[noreturn]] void refuse_empty_value(const std::string& name) {
   throw Error(ErrorKind::usage, name + " is empty; give it a value, or leave it out");
 }
@@ -63,6 +65,7 @@ void refuse_empty_values(const CLI::App& command) {
 }  // namespace
 
 void CommonOptions::add_to(CLI::App& command, bool with_scratch) {
+  this->command = &command;
   command.add_option("--memory", memory, "Memory to use, mapped input pages included (default 512M)")
       ->type_name("SIZE")
       ->group("Speed and memory (never change the result)");
@@ -198,10 +201,17 @@ void add_commands(CLI::App& app) {
   add_generate(app);
   for (CLI::App* command : app.get_subcommands({})) {
     command->parse_complete_callback([command] { refuse_empty_values(*command); });
-    for (const char* name : {"--output", "--colored", "--picture"}) {
+    for (const char* name : output_options) {
       if (CLI::Option* option = command->get_option_no_throw(name)) option->transform(output_name);
     }
   }
+}
+
+bool writes_to_standard_output(const CLI::App& command) {
+  return std::any_of(output_options.begin(), output_options.end(), [&](const char* name) {
+    const CLI::Option* option = command.get_option_no_throw(name);
+    return option != nullptr && option->count() > 0 && output_name(option->results().front()) == "-";
+  });
 }
 
 std::ostream& report_stream(const std::string& output) {

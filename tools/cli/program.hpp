@@ -14,6 +14,7 @@ namespace winnow::cli {
 
 // Texts of options that mean the same in every command; turned into a Context by prepare().
 struct CommonOptions {
+  const CLI::App* command = nullptr;  // that has them
   std::string memory = "512M";
   unsigned threads = 0;
   std::string scratch;
@@ -66,6 +67,9 @@ inline constexpr const char* output_help =
 
 // For reports: standard output, or standard error where standard output carries the mesh.
 std::ostream& report_stream(const std::string& output);
+
+// Whether an output of `command`, as far as its options were read, is standard output.
+bool writes_to_standard_output(const CLI::App& command);
 
 // One file a command.
 void add_simplify(CLI::App& app);

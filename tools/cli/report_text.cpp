@@ -1,10 +1,61 @@
 #include "report_text.hpp"
 
+#include <winnow/version.hpp>
+
 #include "numbers.hpp"
 
 #include <algorithm>
 
 namespace winnow::cli {
+
+namespace {
+
+const char* kind_name(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage:
+      return "usage";
+    case ErrorKind::bad_input:
+      return "bad_input";
+    case ErrorKind::resources:
+      return "resources";
+    case ErrorKind::cancelled:
+      return "cancelled";
+    case ErrorKind::failed:
+      break;
+  }
+  return "failed";
+}
+
+Json head_of(const CLI::App& command) {
+  Json options = Json::object();
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_positional() || option->get_lnames().empty()) continue;
+    const bool flag = option->get_items_expected_max() == 0;
+    options[option->get_lnames().front()] =
+        flag ? Json(true) : Json(CLI::detail::join(option->results(), ","));
+  }
+  const bool named = command.get_parent() != nullptr;
+  return {{"version", WINNOW_VERSION},
+          {"command", named ? Json(command.get_name()) : Json(nullptr)},
+          {"options", options}};
+}
+
+}  // namespace
+
+void print(const Json& body, const CommonOptions& common, std::ostream& out) {
+  Json report = head_of(*common.command);
+  report.update(body);
+  out << text_of(report) << "\n";
+}
+
+void print_failure(const CLI::App& app, const std::string& message, ErrorKind kind) {
+  const std::vector<const CLI::App*> parsed =
+      app.get_subcommands([](const CLI::App* command) { return command->parsed(); });
+  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  Json report = head_of(command);
+  report["error"] = {{"kind", kind_name(kind)}, {"exit_code", static_cast<int>(kind)}, {"message", message}};
+  report_stream(writes_to_standard_output(command) ? "-" : "") << text_of(report) << "\n";
+}
 
 Json json_of_bad_faces(const BadFaces& bad) {
   return {{"degenerate", bad.degenerate}, {"non_finite", bad.non_finite}, {"out_of_range", bad.out_of_range}};

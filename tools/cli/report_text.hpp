@@ -1,7 +1,10 @@
 // What the reports of several commands say alike, as JSON and as lines for people.
 #pragma once
 
+#include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
+
+#include "program.hpp"
 
 #include <cstddef>
 #include <ostream>
@@ -19,12 +22,23 @@ inline std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
+// A report is what every one begins with, and `body`: the version, the command, the options as they were
+// given.
+void print(const Json& body, const CommonOptions& common, std::ostream& out);
+
+// The report of a command that failed; to standard output, unless that was to get a mesh.
+void print_failure(const CLI::App& app, const std::string& message, ErrorKind kind);
+
 Json json_of_bad_faces(const BadFaces& bad);
 
 // How large a written mesh is.
 template <typename Output>
-Json json_of_output(const Output& output) {
-  return {{"faces", output.faces}, {"vertices", output.vertices}, {"bytes", output.bytes}};
+Json json_of_output(const Output& output, const std::string& name) {
+  return {{"file", name},
+          {"format", output.format},
+          {"faces", output.faces},
+          {"vertices", output.vertices},
+          {"bytes", output.bytes}};
 }
 
 // Lines of a name and what is said of it, which begins in the same column.

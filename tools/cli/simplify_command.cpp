@@ -87,7 +87,8 @@ void run_simplify(const SimplifyArguments& arguments) {
   Context context;
   prepare(context, arguments.common, arguments.output);
   if (arguments.dry_run) {
-    tell(plan_simplify(context, arguments.inputs, arguments.output, options), arguments.common);
+    tell(plan_simplify(context, arguments.inputs, arguments.output, options), arguments.inputs,
+         arguments.output, arguments.common);
     return;
   }
   SimplifyReport report;

@@ -55,12 +55,14 @@ Json json_of(const SimplifyReport::Topology::Edges& edges) {
 Json json_of(const SimplifyReport& report) {
   return {
       {"input",
-       {{"faces", report.input.faces},
+       {{"files", report.input.names},
+        {"format", report.input.format},
+        {"faces", report.input.faces},
         {"vertices", report.input.vertices},
         {"bytes", report.input.bytes},
         {"cropped_faces", report.input.cropped_faces},
         {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
-      {"output", json_of_output(report.output)},
+      {"output", json_of_output(report.output, report.output.name)},
       {"weld",
        {{"distance", report.weld.distance},
         {"vertices", report.weld.vertices},
@@ -100,9 +102,9 @@ Json json_of(const SimplifyReport& report) {
       {"spilled_bytes", report.spilled_bytes},
       {"peak_scratch_bytes", report.peak_scratch_bytes},
       {"peak_memory_bytes", report.peak_memory_bytes},
-      {"seconds",
-       {{"total", report.seconds.total},
-        {"read", report.seconds.read},
+      {"seconds", report.seconds.total},
+      {"stage_seconds",
+       {{"read", report.seconds.read},
         {"cluster", report.seconds.cluster},
         {"refine", report.seconds.refine},
         {"write", report.seconds.write}}},
@@ -209,11 +211,13 @@ void show(const SimplifyReport& report, std::ostream& out) {
   line.notes(report.notes);
 }
 
-Json json_of(const SimplifyPlan& plan) {
+Json json_of(const SimplifyPlan& plan, const std::vector<std::string>& inputs, const std::string& output) {
   const auto optional = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
   Json memory = Json::object();
   for (const SimplifyPlan::Part& part : plan.memory) memory[part.name] = part.bytes;
-  return {{"memory", memory},
+  return {{"input", {{"files", inputs}, {"format", plan.input_format}}},
+          {"output", {{"file", output}, {"format", plan.output_format}}},
+          {"memory", memory},
           {"smallest_memory", plan.smallest_memory},
           {"passes", plan.passes},
           {"clustered", {{"first", optional(plan.clustered)}, {"reason", plan.clustered_reason}}},
@@ -230,9 +234,11 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
   if (plan.vertices) out << "  vertices  " << show_count(*plan.vertices) << "\n";
   out << "passes\n";
   for (std::size_t i = 0; i < plan.passes.size(); ++i) out << "  " << i + 1 << ". " << plan.passes[i] << "\n";
-  if (plan.clustered) {
-    out << "clustered\n  " << (*plan.clustered ? "yes: " : "no: ") << plan.clustered_reason << "\n";
-  }
+  out << "clustered\n  "
+      << (!plan.clustered   ? ""
+          : *plan.clustered ? "yes: "
+                            : "no: ")
+      << plan.clustered_reason << "\n";
   out << "memory\n";
   for (const SimplifyPlan::Part& part : plan.memory) {
     const std::string size = show_bytes(part.bytes);
@@ -255,15 +261,16 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
 void tell(const SimplifyReport& report, const CommonOptions& options) {
   std::ostream& out = report_stream(report.output.name);
   if (options.json) {
-    out << text_of(json_of(report)) << "\n";
+    print(json_of(report), options, out);
   } else if (!options.quiet) {
     show(report, out);
   }
 }
 
-void tell(const SimplifyPlan& plan, const CommonOptions& options) {
+void tell(const SimplifyPlan& plan, const std::vector<std::string>& inputs, const std::string& output,
+          const CommonOptions& options) {
   if (options.json) {
-    std::cout << text_of(json_of(plan)) << "\n";
+    print(json_of(plan, inputs, output), options, std::cout);
   } else {
     show(plan, std::cout);
   }

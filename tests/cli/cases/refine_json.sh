@@ -3,8 +3,8 @@
 report() {
   echo "# $*"
   "$WINNOW" simplify scan.ply -o small.ply --force --json "$@" >report.json
-  tr -d '\n' <report.json | grep -oE '"(output|target|refine)": *\{ *("faces"|"cost")[^}]*\}' |
-    sed -E 's/ +/ /g; s/"(vertices|bytes|max_error)": [0-9.e-]+/"\1": N/g'
+  tr -d '\n' <report.json | grep -oE '"(output|target|refine)": *\{ *("faces"|"cost"|"file")[^}]*\}' |
+    sed -E 's/ +/ /g; s/"file": "[^"]*", "format": "[^"]*", //; s/"(vertices|bytes|max_error)": [0-9.e-]+/"\1": N/g'
 }
 report --faces 2000
 report --ratio 5.005%
