@@ -62,6 +62,7 @@ GenerateReport generate(Context& context, const std::string& output, const Gener
   if (!encoder->holds_doubles()) note_coarse_floats(job, box_about(options.offset), shape.faces);
 
   ByteSink sink(job, output, options.force);
+  if (!writes_text(options.to, output)) sink.refuse_terminal();
   sink.write(std::as_bytes(std::span(header)));
   stream_surface(job, {*surface, *encoder, options, shape}, sink);
   sink.finish();

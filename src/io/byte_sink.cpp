@@ -38,9 +38,16 @@ std::string behind_links(const std::string& path) {
   return target.string();
 }
 
-}  // namespace
-
-namespace {
+// Of a file's name what the name of the file beside it begins with. That is not longer than a long name, so
+// that whatever the file system allows for the one it allows for the other.
+std::string kept_part(const std::string& name) {
+  constexpr std::size_t short_name = 40;
+  constexpr std::size_t added = sizeof("..winnow-XXXXXX");
+  if (name.size() <= short_name) return name;
+  std::size_t kept = name.size() - added;
+  while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xC0) == 0x80) --kept;  // whole UTF-8
+  return name.substr(0, kept);
+}
 
 // No other file has the same number while this one is there, and hardly one later the same time besides.
 std::string identity_of(const struct stat& status) {
@@ -72,7 +79,10 @@ ByteSink::ByteSink(Job& job, std::string path, bool force, const char* way_out)
   compressor_ = make_compressor(job_, path_);
   struct stat status {};
   // A link that leads to no file, as /dev/fd/63 to a pipe, may lead nowhere by its name.
-  const bool no_file = ::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+  const bool there = ::stat(path_.c_str(), &status) == 0;
+  // Else it would be found out when all is done.
+  if (!there && errno == ENAMETOOLONG) fail(errno);
+  const bool no_file = there && !S_ISREG(status.st_mode);
   if (path_ != "-" && (!no_file || S_ISDIR(status.st_mode))) path_ = behind_links(path_);
   if (path_ == "-") {
     path_.clear();
@@ -84,11 +94,37 @@ ByteSink::ByteSink(Job& job, std::string path, bool force, const char* way_out)
     open_straight(S_ISFIFO(status.st_mode));
   } else {
     if (status.st_nlink != 0 && !force_) refuse_existing();
-    const std::filesystem::path target(path_);
-    const std::string prefix = "." + target.filename().string() + ".winnow-";
-    if (remove_stale_files(directory_of(path_), prefix) > 0) {
-      job_.note("an earlier run was killed while it wrote '" + path_ + "'; what it had written was removed");
-    }
+    if (there) job_.written_over.push_back(FileNumber::of(status));
+    open_aside();
+    // mkostemp's mode is for secrets; a mesh gets what any new file gets, or what the replaced file had, but
+    // never rights of its owner for whoever runs it.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(fd_, status.st_nlink != 0 ? status.st_mode & 0777 : 0666 & ~mask);
+  }
+  if (::fstat(fd_, &status) == 0) pipe_ = S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
+  if (aside_.empty() && S_ISREG(status.st_mode)) job_.written_over.push_back(FileNumber::of(status));
+}
+
+void ByteSink::refuse_terminal() const {
+  if (::isatty(fd_) != 1) return;
+  throw Error(
+      ErrorKind::usage,
+      "a terminal cannot show what is no text; name a file, send standard output to a file or a pipe, "
+      "or write text with --to obj");
+}
+
+ByteSink::~ByteSink() {
+  if (fd_ >= 0) ::close(fd_);
+  if (!aside_.empty()) ::unlink(aside_.c_str());
+}
+
+void ByteSink::open_aside() {
+  const std::string prefix = "." + kept_part(std::filesystem::path(path_).filename().string()) + ".winnow-";
+  if (remove_stale_files(directory_of(path_), prefix) > 0) {
+    job_.note("an earlier run was killed while it wrote '" + path_ + "'; what it had written was removed");
+  }
+  for (;;) {
     aside_ = directory_of(path_) + "/" + prefix + "XXXXXX";
     fd_ = ::mkostemp(aside_.data(), O_CLOEXEC);
     if (fd_ < 0) {
@@ -96,18 +132,13 @@ ByteSink::ByteSink(Job& job, std::string path, bool force, const char* way_out)
       aside_.clear();
       fail(code);
     }
-    ::flock(fd_, LOCK_EX | LOCK_NB);
-    // mkostemp's mode is for secrets; a mesh gets what any new file gets, or what the replaced file had.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    ::fchmod(fd_, status.st_nlink != 0 ? status.st_mode & 07777 : 0666 & ~mask);
+    // Before it is locked another run may take it for one of a run that was killed.
+    const bool locked = ::flock(fd_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    struct stat status {};
+    if (locked && ::fstat(fd_, &status) == 0 && status.st_nlink > 0) return;
+    ::unlink(aside_.c_str());
+    ::close(std::exchange(fd_, -1));
   }
-  if (::fstat(fd_, &status) == 0) pipe_ = S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
-}
-
-ByteSink::~ByteSink() {
-  if (fd_ >= 0) ::close(fd_);
-  if (!aside_.empty()) ::unlink(aside_.c_str());
 }
 
 void ByteSink::open_straight(bool named_pipe) {

@@ -20,12 +20,16 @@ class ByteSink {
   // A file's name, or "-" for standard output. A regular file is written aside, in the same directory, and
   // renamed by finish(); what an earlier run that was killed left aside is removed. Anything else is written
   // straight. An existing regular file is an Error(usage) unless `force`; at once, not at the end; `way_out`
-  // ends its message. Where the name ends in .gz or .zst, what is written is compressed.
+  // ends its message. From then on open_source() refuses to read that file. Where the name ends in .gz or
+  // .zst, what is written is compressed.
   ByteSink(Job& job, std::string path, bool force, const char* way_out = by_force);
   static constexpr const char* by_force = "use --force to replace it";
   ~ByteSink();
   ByteSink(const ByteSink&) = delete;
   ByteSink& operator=(const ByteSink&) = delete;
+
+  // Of what is no text: Error(usage) where it would go to a terminal.
+  void refuse_terminal() const;
 
   void write(std::span<const std::byte> bytes);
   // Everything that can fail for want of room; of several files, all are settled before any is finished.
@@ -42,6 +46,7 @@ class ByteSink {
 
  private:
   [[noreturn]] void refuse_existing() const;
+  void open_aside();
   void open_straight(bool named_pipe);
   void pass_on(std::span<const std::byte> bytes);
   void put(std::span<const std::byte> bytes);

@@ -184,6 +184,11 @@ std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path, Unpac
   if (file->is_directory())
     throw Error(ErrorKind::bad_input, "'" + path + "' is a directory, not a mesh file");
 
+  if (std::find(job.written_over.begin(), job.written_over.end(), file->number()) != job.written_over.end()) {
+    throw Error(ErrorKind::usage,
+                "'" + name + "' is read, so it cannot be the output as well; name another output");
+  }
+
   std::vector<std::byte> head(4);
   std::size_t filled = 0;
   while (filled < head.size()) {

@@ -19,6 +19,7 @@ DescriptorStream::DescriptorStream(Job& job, int fd, std::string name)
     : job_(job), fd_(fd), name_(std::move(name)) {
   struct stat status {};
   if (::fstat(fd_, &status) != 0) return;
+  number_ = FileNumber::of(status);
   directory_ = S_ISDIR(status.st_mode);
   if (S_ISREG(status.st_mode) && ::lseek(fd_, 0, SEEK_CUR) == 0) {
     size_ = static_cast<std::uint64_t>(status.st_size);

@@ -47,6 +47,7 @@ class DescriptorStream final : public ByteStream {
   void check_whole() const override;
   [[nodiscard]] bool is_directory() const { return directory_; }
   [[nodiscard]] int descriptor() const { return fd_; }
+  [[nodiscard]] FileNumber number() const { return number_; }
 
  private:
   Job& job_;
@@ -54,6 +55,7 @@ class DescriptorStream final : public ByteStream {
   std::string name_;
   std::uint64_t position_ = 0;
   std::optional<std::uint64_t> size_;  // only of a regular file read from its beginning
+  FileNumber number_;
   bool directory_ = false;
 };
 

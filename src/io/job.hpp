@@ -7,6 +7,7 @@
 #include "base/budget.hpp"
 #include "base/process.hpp"
 #include "base/progress.hpp"
+#include "io/file_number.hpp"
 #include "io/scratch.hpp"
 
 #include <algorithm>
@@ -38,6 +39,7 @@ struct Job {
   Budget budget;
   Scratch scratch;
   ProgressMeter progress;
+  std::vector<FileNumber> written_over;  // files that the outputs take the place of, or are
   std::vector<std::string> notes;
   std::mutex noting;
 };

@@ -84,7 +84,11 @@ unsigned remove_stale_files(const std::string& directory, const std::string& nam
     if (!name.starts_with(name_prefix) || !entry.is_regular_file(ignored)) continue;
     const int fd = ::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
     if (fd < 0) continue;
-    if (::flock(fd, LOCK_EX | LOCK_NB) == 0 && ::unlink(entry.path().c_str()) == 0) ++removed;
+    // An empty one may be of a run that is about to lock it: it makes another then.
+    struct stat status {};
+    if (::flock(fd, LOCK_EX | LOCK_NB) == 0 && ::fstat(fd, &status) == 0 &&
+        ::unlink(entry.path().c_str()) == 0 && status.st_size > 0)
+      ++removed;
     ::close(fd);
   }
   return removed;

@@ -46,7 +46,7 @@ class Scratch {
 };
 
 // Removes the files in `directory` whose names begin so and which nobody holds a lock on: what a process that
-// was killed left behind. Returns how many.
+// was killed left behind. Returns how many of them were not empty.
 unsigned remove_stale_files(const std::string& directory, const std::string& name_prefix);
 
 // How scratch files are called for the moment they have a name (on file systems without nameless files).

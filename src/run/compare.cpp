@@ -63,6 +63,19 @@ bool same_place(const std::string& one, const std::string& other) {
          std::filesystem::weakly_canonical(one, ignored) == std::filesystem::weakly_canonical(other, ignored);
 }
 
+// What no ending tells is written all the same.
+void check_ending(const char* option, const std::string& path, const std::vector<std::string>& written) {
+  std::string name = std::filesystem::path(path).filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), small_letter);
+  if (name.find('.') == std::string::npos) return;
+  std::string list;
+  for (const std::string& ending : written) {
+    if (name.ends_with(ending)) return;
+    list += (list.empty() ? "" : " or ") + ending;
+  }
+  throw Error(ErrorKind::usage, std::string(option) + " writes " + list + ", not '" + path + "'");
+}
+
 class Comparison {
  public:
   Comparison(Job& job, const CompareOptions& options)
@@ -107,9 +120,13 @@ class Comparison {
   void read_simplified(const std::string& name) {
     if (!options_.picture.empty()) {
       picture_ = std::make_unique<ByteSink>(job_, options_.picture, options_.force);
+      picture_->refuse_terminal();
       views_memory_ = job_.budget.reserve(SideBySide::memory(), "the picture");
     }
-    if (!options_.colored.empty()) sink_ = std::make_unique<ByteSink>(job_, options_.colored, options_.force);
+    if (!options_.colored.empty()) {
+      sink_ = std::make_unique<ByteSink>(job_, options_.colored, options_.force);
+      sink_->refuse_terminal();
+    }
     const std::unique_ptr<MeshReader> reader =
         open_reader(job_, open_source(job_, name), options_.from_simplified, Access::once,
                     {job_.budget.left() / 8, batch_faces});
@@ -301,6 +318,8 @@ CompareReport compare(Context& context, const std::string& original, const std::
   if (options.samples < least_samples || options.samples > most_samples)
     throw Error(ErrorKind::usage,
                 "--samples takes 100 to 1,000,000,000,000, not " + grouped(options.samples));
+  check_ending("--colored", options.colored, {".ply", ".ply.gz", ".ply.zst"});
+  check_ending("--picture", options.picture, {".png"});
   if (!options.colored.empty() && same_place(options.colored, options.picture))
     throw Error(ErrorKind::usage, "the coloured mesh and the picture need a name each");
   const Stopwatch watch;

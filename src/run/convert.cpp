@@ -59,6 +59,7 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   job.budget.expect(MemoryPlan::smallest_for(job.threads, nothing));
   const Reservation packing = reserve_block(job, *encoder, true);
   ByteSink sink(job, output, options.force);
+  if (!writes_text(options.to, output, options.encoding)) sink.refuse_terminal();
   std::unique_ptr<ByteSource> source = open_source(job, input);
   source->peek(1);
   const AttributeWish wish = wish_for(*encoder);

@@ -55,6 +55,7 @@ struct Simplification::State {
         sink(job, path, options.force),
         vertices(std::make_unique<Spool>(job, share(job, options))),
         faces(std::make_unique<Spool>(job, share(job, options))) {
+    if (!writes_text(options.to, path, options.encoding)) sink.refuse_terminal();
     remove_stale_files(job.scratch.directory(), scratch_prefix);
   }
 

@@ -190,6 +190,7 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
   // A run that is resumed cannot be told to replace it.
   ByteSink sink(job, request.output, options.force,
                 checkpoint.opened() ? "move it away and resume again" : ByteSink::by_force);
+  if (!writes_text(options.to, request.output, options.encoding)) sink.refuse_terminal();
   std::optional<Input> input;
   if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
   return take_the_road(job, std::move(input), *encoder, sink, request, checkpoint, watch);

@@ -1,13 +1,16 @@
 // An output appears whole or not at all.
 #include "io/byte_sink.hpp"
 
+#include "io/byte_source.hpp"
 #include "support/files.hpp"
 #include "support/job.hpp"
 #include "support/random.hpp"
 #include "support/sources.hpp"
 
+#include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <thread>
 
 #include <catch2/catch.hpp>
 #include <fcntl.h>
@@ -287,6 +290,81 @@ TEST_CASE("what a killed run had written is removed, what another run still writ
   running.finish();
   CHECK(test::bytes_of_file(path) == "by the one");
   CHECK(directory.names() == Names{".other.ply.winnow-killed", "out.ply"});
+}
+
+TEST_CASE("an output beside which many runs begin at once is not taken from any") {
+  const test::Directory directory;
+  const std::string path = directory.file("out.ply");
+  std::vector<std::jthread> runs;
+  std::atomic<int> finished{0};
+  for (int i = 0; i < 12; ++i) {
+    runs.emplace_back([&] {
+      for (int round = 0; round < 20; ++round) {
+        test::TestJob test;
+        ByteSink sink(test.job, path, true);
+        write_all(sink, "whole");
+        sink.finish();
+        if (test.job.notes.empty()) ++finished;  // none was taken for one that was killed
+      }
+    });
+  }
+  runs.clear();
+  CHECK(finished == 240);
+  CHECK(test::bytes_of_file(path) == "whole");
+  CHECK(directory.names() == Names{"out.ply"});
+}
+
+TEST_CASE("an output may have the longest name that the file system allows") {
+  const test::Directory directory;
+  for (const std::string& letter : {std::string("n"), std::string("\xC3\xA4")}) {
+    std::string name;
+    while (name.size() + letter.size() + 4 <= 255) name += letter;
+    const std::string path = directory.file(name + ".ply");
+    test::TestJob test;
+    ByteSink sink(test.job, path, false);
+    write_all(sink, "long");
+    for (const std::string& beside : directory.names()) CHECK(beside.size() <= 255);
+    sink.finish();
+    CHECK(test::bytes_of_file(path) == "long");
+    std::filesystem::remove(path);
+  }
+  // Beyond is found out at once, not when all is done.
+  test::TestJob test;
+  const std::string longer = directory.file(std::string(256, 'n'));
+  CHECK(test::error_of([&] { ByteSink(test.job, longer, false); }).kind() == ErrorKind::resources);
+  CHECK(directory.names().empty());
+}
+
+TEST_CASE("a new output takes over who may read the old one, but no rights to act as its owner") {
+  const test::Directory directory;
+  const std::string path = directory.file("out.ply");
+  for (const mode_t mode : {04755, 02755, 01640, 07777}) {
+    test::write_file(path, "old");
+    REQUIRE(::chmod(path.c_str(), mode) == 0);
+    test::TestJob test;
+    ByteSink sink(test.job, path, true);
+    write_all(sink, "new");
+    sink.finish();
+    CHECK(mode_of(path) == (mode & 0777U));
+  }
+}
+
+TEST_CASE("a file that is written over is not read") {
+  const test::Directory directory;
+  const std::string path = directory.file("scan.ply");
+  test::write_file(path, "ply");
+  std::filesystem::create_hard_link(path, directory.file("hard.ply"));
+  std::filesystem::create_symlink("scan.ply", directory.file("link.ply"));
+  for (const char* output : {"scan.ply", "hard.ply", "link.ply"}) {
+    for (const char* input : {"scan.ply", "hard.ply", "link.ply"}) {
+      test::TestJob test;
+      ByteSink sink(test.job, directory.file(output), true);
+      const Error error = test::error_of([&] { open_source(test.job, directory.file(input)); });
+      CHECK(error.kind() == ErrorKind::usage);
+      CHECK(std::string(error.what()).find("name another output") != std::string::npos);
+    }
+  }
+  CHECK(test::bytes_of_file(path) == "ply");
 }
 
 TEST_CASE("a place where nothing can be written is an error at once") {

@@ -146,6 +146,25 @@ TEST_CASE("waiting for the other end of a named pipe is stopped", "[faults]") {
   }
 }
 
+TEST_CASE("every signal that ends a program leaves no part of an output", "[faults]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", 2'000, input);
+  const std::string bytes = bytes_of_file(input);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1,
+                           SIGUSR2, SIGIO, SIGPWR}) {
+    Program program({"simplify", "-", "-o", directory.file("out.ply"), "--cell", "0.1"}, {.in = "|"});
+    program.write(bytes.substr(0, 1000));
+    program.await_handlers();
+    while (program.running() && directory.names().size() < 2) sleep_for(0.001);
+    program.signal(number);
+    while (program.running()) sleep_for(0.001);
+    INFO(number);
+    check_stopped(program.wait());
+    CHECK(directory.names() == Words{"scan.ply"});
+  }
+}
+
 TEST_CASE("a second signal does no harm", "[faults]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");

@@ -31,6 +31,33 @@ void on_stop_signal(int /*number*/) {
   if (context != nullptr) context->cancel();
 }
 
+// All that would end the program where it stands, and leave half an output. One that was ignored at the start
+// stays ignored, as nohup and shells ask for.
+void cancel_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_stop_signal;  // without SA_RESTART: a waiting read returns
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1,
+                           SIGUSR2, SIGIO, SIGPWR}) {
+    struct sigaction before {};
+    if (::sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
+      ::sigaction(number, &action, nullptr);
+  }
+}
+
+// A mesh that is awaited from a terminal looks like a program that hangs.
+void announce_terminal(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional()) continue;
+    for (const std::string& name : option->results()) {
+      const int fd = name == "-" || name == "/dev/stdin" ? STDIN_FILENO : -1;
+      if (fd < 0 || ::isatty(fd) != 1) continue;
+      std::cerr
+          << "winnow: waiting for a mesh from the terminal; send one through a pipe, name a file, or end "
+             "with Ctrl-D\n";
+    }
+  }
+}
+
 std::string default_scratch(const std::string& output) {
   std::error_code ignored;
   const std::filesystem::path path(output);
@@ -101,16 +128,10 @@ void prepare(Context& context, const CommonOptions& options, const std::string& 
   if (!options.scratch.empty() && !std::filesystem::is_directory(options.scratch, ignored)) {
     throw Error(ErrorKind::usage, "--scratch: '" + options.scratch + "' is not a directory");
   }
+  announce_terminal(*options.command);
   context.map_input = true;
   running = &context;
-  struct sigaction action {};
-  action.sa_handler = on_stop_signal;  // without SA_RESTART: a waiting read returns
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
-  // A terminal that goes away ends the run, unless nohup was asked to keep it.
-  struct sigaction before {};
-  if (::sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
-    ::sigaction(SIGHUP, &action, nullptr);
+  cancel_on_signals();
 }
 
 namespace {
