@@ -15,7 +15,7 @@ std::string entry(const std::string& name, const std::string& text) {
   std::string out = "  " + name;
   std::size_t at = out.size();
   const auto indent = [&] {
-    out += '\n' + std::string(text_column, ' ');
+    out.append(1, '\n').append(text_column, ' ');
     at = text_column;
   };
   if (at >= text_column) {
