@@ -25,20 +25,22 @@ struct InfoReport {
   double mean_edge = 0;                        // over the edges of all good faces, shared ones twice
   std::vector<std::string> attributes;         // "vertex: nx ny nz (float)", a line each
 
-  // Edges of the good faces. Vertices at the same position are one, so that formats with and without shared
-  // vertices give the same numbers. Absent where the budget was too small.
-  struct Edges {
-    std::uint64_t total = 0, boundary = 0, non_manifold = 0;  // with one face; with more than two
-  };
-  std::optional<Edges> edges;
-  std::uint64_t edges_memory = 0;  // the budget that would have been enough; 0 where edges are present
+  // Of the good faces. Vertices at the same position are one, so that formats with and without shared
+  // vertices give the same numbers.
+  SurfaceEdges edges;
+  bool watertight = false;       // there are faces, and every edge has two
+  std::uint64_t parts = 0;       // sets of faces that share no vertex with others
+  std::optional<double> volume;  // enclosed, in model units cubed, below 0 where the faces look inward; only
+                                 // where every side of a face meets one of the opposite direction
   double seconds = 0;
+  std::uint64_t spilled_bytes = 0;       // written to scratch
+  std::uint64_t peak_scratch_bytes = 0;  // most scratch in use at one time
   std::uint64_t peak_memory_bytes = 0;
   std::vector<std::string> notes;  // what was unusual about the input, a line each
 };
 
-// Reads `input` (a file's name, or "-" for standard input) once. Throws Error: bad_input, resources,
-// cancelled, failed.
+// Reads `input` (a file's name, or "-" for standard input) once, and sorts in scratch what does not fit.
+// Throws Error: bad_input, resources, cancelled, failed.
 InfoReport info(Context& context, const std::string& input, Format from = Format::automatic);
 
 }  // namespace winnow

@@ -1,31 +1,31 @@
 #include "measure/edge_count.hpp"
 
+#include <winnow/error.hpp>
+
 #include "base/hash.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include <tbb/parallel_sort.h>
 
 namespace winnow {
 
-InfoReport::Edges count_sorted_edges(std::span<const std::uint64_t> edges, const ProgressMeter& progress) {
-  InfoReport::Edges counts;
-  for (std::size_t at = 0; at < edges.size();) {
-    progress.check_cancelled();
-    std::size_t next = at;
-    while (next < edges.size() && edges[next] == edges[at]) ++next;
-    ++counts.total;
-    counts.boundary += next - at == 1 ? 1 : 0;
-    counts.non_manifold += next - at > 2 ? 1 : 0;
-    at = next;
-  }
-  return counts;
+namespace {
+
+// Of the memory, what reading all that was spilled takes.
+std::uint64_t beside_merging(std::uint64_t memory, std::uint64_t merging) {
+  return std::max(memory - std::min(memory, merging), memory / 8);
 }
 
-EdgeCount::EdgeCount(Job& job, std::uint64_t memory) : job_(job), pages_(job.budget, memory) {}
+}  // namespace
+
+EdgeCount::EdgeCount(Job& job, std::uint64_t memory)
+    : job_(job), pages_(job.budget, beside_merging(memory, SortedRuns<Edge>::merge_memory())), runs_(job) {}
 
 std::uint64_t EdgeCount::hash_position(const std::array<double, 3>& position) {
   std::uint64_t hash = 0;
@@ -41,23 +41,45 @@ std::uint64_t EdgeCount::hash_edge(std::uint64_t one_end, std::uint64_t other_en
 
 void EdgeCount::add(std::span<const std::uint64_t> edges) {
   const std::scoped_lock lock(mutex_);
-  added_ += edges.size();
-  if (too_many_) return;
-  if (!pages_.grow_to((kept_ + edges.size()) * sizeof(std::uint64_t))) {
-    too_many_ = true;
-    pages_.give_back();
-    return;
+  if (!pages_.grow_to((kept_ + edges.size()) * sizeof(Edge))) {
+    spill();
+    if (!pages_.grow_to(edges.size() * sizeof(Edge)))
+      throw Error(ErrorKind::resources, "there is no memory left to count edges in; raise --memory");
   }
-  std::memcpy(pages_.data() + kept_ * sizeof(std::uint64_t), edges.data(), edges.size_bytes());
+  std::memcpy(pages_.data() + kept_ * sizeof(Edge), edges.data(), edges.size_bytes());
   kept_ += edges.size();
 }
 
-std::optional<InfoReport::Edges> EdgeCount::finish() {
-  if (too_many_) return {};
-  auto* const begin = reinterpret_cast<std::uint64_t*>(pages_.data());
-  auto* const end = begin + kept_;
-  tbb::parallel_sort(begin, end, job_.progress.cancellable(std::less<>()));
-  return count_sorted_edges({begin, end}, job_.progress);
+void EdgeCount::spill() {
+  if (kept_ == 0) return;
+  // By this thread alone: it holds the lock that other work of it would wait for.
+  std::sort(kept().begin(), kept().end(), job_.progress.cancellable(Before<Edge>()));
+  MemoryCursor<Edge> all(kept());
+  runs_.add(all);
+  kept_ = 0;
+}
+
+SurfaceEdges EdgeCount::finish() {
+  tbb::parallel_sort(kept().begin(), kept().end(), job_.progress.cancellable(Before<Edge>()));
+  EdgeRuns counts;
+  const auto count = [&](RecordCursor<Edge>& edges) {
+    std::uint64_t seen = 0;
+    for (Edge edge{}; edges.next(edge);) {
+      if (++seen % 4096 == 0) job_.progress.check_cancelled();
+      counts.add(edge.hash);
+    }
+  };
+  std::vector<std::unique_ptr<RecordCursor<Edge>>> sources;
+  sources.push_back(std::make_unique<MemoryCursor<Edge>>(kept()));
+  if (runs_.empty()) {
+    count(*sources.front());
+  } else {
+    runs_.add_cursors(sources);
+    MergedCursor<Edge> merged(std::move(sources));
+    count(merged);
+  }
+  pages_.give_back();
+  return counts.finish();
 }
 
 }  // namespace winnow

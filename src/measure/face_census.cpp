@@ -6,8 +6,12 @@
 
 namespace winnow {
 
-FaceCensus::FaceCensus(Job& job, std::uint64_t edge_memory)
-    : parts_(job.threads, [] { return std::make_unique<Part>(); }), edges_(job, edge_memory) {}
+FaceCensus::FaceCensus(Job& job, const Memory& memory, const Point& origin,
+                       std::optional<std::uint64_t> positions)
+    : origin_(origin),
+      parts_(job.threads, [origin] { return std::make_unique<Part>(origin); }),
+      edges_(job, memory.edges),
+      connected_(job, memory.parts, positions) {}
 
 void FaceCensus::add_point(Part& part, const Point& point) {
   if (finite(point)) part.box.add(point);
@@ -29,18 +33,18 @@ void FaceCensus::add_corners(const FaceBatch& faces) {
 void FaceCensus::add_faces(const FaceBatch& faces) {
   Part& part = parts_.local();
   std::array<std::uint64_t, 3 * FaceBatch::capacity> sides;
-  std::size_t kept = 0;
+  std::array<std::array<std::uint64_t, 3>, FaceBatch::capacity> corners;
+  std::size_t kept = 0, joined = 0;
   part.faces += faces.count;
   const GoodFaces good(faces);
   part.bad.add(good.bad());
   for (const auto& [p, number] : good.faces()) {
-    const double area = length(doubled_area(p)) / 2;
-    part.zero_area += area == 0 ? 1 : 0;
-    // Coordinates near the end of a double's range have lengths beyond it.
-    if (std::isfinite(area)) part.area.add(area);
-    std::array<std::uint64_t, 3> end{};
+    part.zero_area += length(doubled_area(p)) == 0 ? 1 : 0;
+    part.totals.add(p);
+    std::array<std::uint64_t, 3>& end = corners[joined++];
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const double side = length(p[corner] - p[(corner + 1) % 3]);
+      // Coordinates near the end of a double's range have lengths beyond it.
       if (std::isfinite(side)) part.edge_lengths.add(side);
       ++part.sides;
       end[corner] = EdgeCount::hash_position(p[corner]);
@@ -49,16 +53,17 @@ void FaceCensus::add_faces(const FaceBatch& faces) {
       sides[kept++] = EdgeCount::hash_edge(end[corner], end[(corner + 1) % 3]);
   }
   edges_.add({sides.data(), kept});
+  connected_.add({corners.data(), joined});
 }
 
 InfoReport FaceCensus::finish() {
-  Part all;
+  Part all(origin_);
   for (const Part* part : parts_.all()) {
     all.faces += part->faces;
     all.zero_area += part->zero_area;
     all.sides += part->sides;
     all.bad.add(part->bad);
-    all.area.merge(part->area);
+    all.totals.merge(part->totals);
     all.edge_lengths.merge(part->edge_lengths);
     all.box.add(part->box);
   }
@@ -69,9 +74,12 @@ InfoReport FaceCensus::finish() {
   report.has_box = !all.box.empty;
   report.box_min = all.box.low;
   report.box_max = all.box.high;
-  report.area = all.area.value();
+  report.area = all.totals.area();
   report.mean_edge = all.sides == 0 ? 0 : all.edge_lengths.value() / static_cast<double>(all.sides);
   report.edges = edges_.finish();
+  report.watertight = report.edges.total > 0 && report.edges.boundary == 0 && report.edges.non_manifold == 0;
+  report.parts = connected_.finish();
+  if (all.totals.closed()) report.volume = all.totals.volume();
   return report;
 }
 

@@ -3,6 +3,7 @@
 #include "base/hash.hpp"
 #include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
+#include "measure/edge_count.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -49,32 +50,6 @@ Corners3 lowest_first(Corners3 face) {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   return face;
 }
-
-// Counts runs of equal edges.
-class EdgeRuns {
- public:
-  void add(std::uint64_t edge) {
-    if (run_ > 0 && edge != edge_) end();
-    edge_ = edge;
-    ++run_;
-  }
-
-  SimplifyReport::Topology::Edges finish() {
-    if (run_ > 0) end();
-    return edges_;
-  }
-
- private:
-  void end() {
-    ++edges_.total;
-    edges_.boundary += run_ == 1 ? 1 : 0;
-    edges_.non_manifold += run_ > 2 ? 1 : 0;
-    run_ = 0;
-  }
-
-  SimplifyReport::Topology::Edges edges_;
-  std::uint64_t edge_ = 0, run_ = 0;
-};
 
 // Each side adds a hash; that of the opposite direction takes it away.
 std::uint64_t directions_of(const Corners3& face) {

@@ -95,7 +95,12 @@ void WeldedMesh::count_edges(CompareReport::Topology& topology) const {
     }
   }
   std::sort(edges.begin(), edges.end(), job_.progress.cancellable(std::less<>()));
-  const InfoReport::Edges counts = count_sorted_edges(edges, job_.progress);
+  EdgeRuns runs;
+  for (const std::uint64_t edge : edges) {
+    job_.progress.check_cancelled();
+    runs.add(edge);
+  }
+  const SurfaceEdges counts = runs.finish();
   topology.boundary_edges = counts.boundary;
   topology.non_manifold_edges = counts.non_manifold;
 }

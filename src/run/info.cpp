@@ -19,17 +19,18 @@ namespace {
 
 struct InfoMemory {
   ReaderMemory reader;
-  std::uint64_t edges = 0;
+  FaceCensus::Memory census;
 
   static InfoMemory divide(std::uint64_t total, unsigned threads) {
     const std::uint64_t fixed = 12 * mebibyte + threads * 2 * mebibyte;
-    if (total < fixed + 8 * mebibyte) {
+    constexpr std::uint64_t least = 16 * mebibyte;
+    if (total < fixed + least) {
       throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) +
                                             " is too small; the smallest that works is --memory " +
-                                            size_option(fixed + 8 * mebibyte));
+                                            size_option(fixed + least));
     }
     const std::uint64_t rest = total - fixed;
-    return {{rest / 4, 2048}, rest - rest / 4};
+    return {{rest / 8, 2048}, {rest / 8 * 3, rest / 2}};
   }
 };
 
@@ -40,7 +41,10 @@ InfoReport info_in_arena(Job& job, const std::string& input, Format from) {
       open_reader(job, open_source(job, input), from, Access::once, memory.reader);
   const InputFacts& facts = reader->facts();
 
-  FaceCensus census(job, memory.edges);
+  std::optional<std::uint64_t> positions = facts.vertices;
+  if (!positions && facts.faces) positions = 3 * *facts.faces;
+  const Point origin = reader->first_finite_position().value_or(Point{});
+  FaceCensus census(job, memory.census, origin, positions);
   job.progress.begin("read faces", facts.faces.value_or(0), "faces");
   // Vertices that no face uses belong to the box, too.
   if (facts.vertices) {
@@ -60,8 +64,8 @@ InfoReport info_in_arena(Job& job, const std::string& input, Format from) {
   report.bytes = reader->bytes();
   report.vertices = facts.vertices.value_or(0);
   report.attributes = facts.attributes;
-  if (!report.edges)
-    report.edges_memory = (census.edge_memory_wanted() * 4 / 3 + 32 * mebibyte) / mebibyte * mebibyte;
+  report.spilled_bytes = job.scratch.written();
+  report.peak_scratch_bytes = job.scratch.peak();
   report.seconds = watch.seconds();
   report.peak_memory_bytes = peak_resident_bytes();
   report.notes = job.notes;

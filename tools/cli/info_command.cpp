@@ -8,13 +8,15 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 namespace winnow::cli {
 
 namespace {
 
 struct InfoArguments {
-  std::string input, from;
+  std::vector<std::string> inputs;
+  std::string from;
   CommonOptions common;
 };
 
@@ -30,19 +32,37 @@ Json json_of(const InfoReport& report, const std::string& name) {
             {"area", report.area},
             {"mean_edge", report.mean_edge},
             {"attributes", report.attributes},
-            {"edges", nullptr}};
+            {"edges",
+             {{"total", report.edges.total},
+              {"boundary", report.edges.boundary},
+              {"non_manifold", report.edges.non_manifold}}},
+            {"watertight", report.watertight},
+            {"parts", report.parts},
+            {"volume", report.volume ? Json(*report.volume) : Json(nullptr)}};
   if (report.has_box) json["box"] = {{"min", report.box_min}, {"max", report.box_max}};
-  if (report.edges) {
-    json["edges"] = {{"total", report.edges->total},
-                     {"boundary", report.edges->boundary},
-                     {"non_manifold", report.edges->non_manifold}};
-  } else {
-    json["edges_memory"] = report.edges_memory;
-  }
+  json["spilled_bytes"] = report.spilled_bytes;
+  json["peak_scratch_bytes"] = report.peak_scratch_bytes;
   json["seconds"] = report.seconds;
   json["peak_memory_bytes"] = report.peak_memory_bytes;
   json["notes"] = report.notes;
   return json;
+}
+
+std::string show_watertight(const InfoReport& report) {
+  if (report.edges.total == 0) return "no: there is no surface";
+  if (report.watertight) return "yes: every edge has two faces";
+  std::string text = "no: ";
+  if (report.edges.boundary > 0) text += show_count(report.edges.boundary) + " edges have one face";
+  if (report.edges.boundary > 0 && report.edges.non_manifold > 0) text += ", ";
+  if (report.edges.non_manifold > 0) text += show_count(report.edges.non_manifold) + " have three or more";
+  return text;
+}
+
+std::string show_volume(const InfoReport& report) {
+  if (report.volume)
+    return show_length(*report.volume) + (*report.volume < 0 ? "  (the faces look inward)" : "");
+  return report.watertight ? "not known: neighbouring faces look to different sides"
+                           : "none: the surface is not closed";
 }
 
 void show(const InfoReport& report, std::ostream& out) {
@@ -60,13 +80,11 @@ void show(const InfoReport& report, std::ostream& out) {
   }
   line("area", show_length(report.area));
   line("mean edge", show_length(report.mean_edge));
-  if (report.edges) {
-    line("edges", show_count(report.edges->total) + ", of them " + show_count(report.edges->boundary) +
-                      " boundary and " + show_count(report.edges->non_manifold) + " non-manifold");
-  } else {
-    line("edges",
-         "not counted: that takes --memory " + show_count((report.edges_memory + (1 << 20) - 1) >> 20) + "M");
-  }
+  line("edges", show_count(report.edges.total) + ", of them " + show_count(report.edges.boundary) +
+                    " boundary and " + show_count(report.edges.non_manifold) + " non-manifold");
+  line("watertight", show_watertight(report));
+  line("volume", show_volume(report));
+  line("parts", show_count(report.parts));
   const BadFaces& bad = report.bad_faces;
   line("bad faces", bad.total() == 0
                         ? "none"
@@ -78,19 +96,41 @@ void show(const InfoReport& report, std::ostream& out) {
   line.notes(report.notes);
 }
 
+// One after the other. A file that cannot be read does not keep the others from being looked at.
 void run_info(const InfoArguments& arguments) {
+  const std::vector<std::string>& inputs = arguments.inputs;
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
+    throw Error(ErrorKind::usage, "only one of the inputs can be standard input");
   Context context;
   prepare(context, arguments.common, "-");
-  InfoReport report;
-  {
-    const ProgressBar bar(context, arguments.common);
-    report = info(context, arguments.input, format_called(arguments.from));
+  const bool single = inputs.size() == 1;
+  Json reports = Json::array();
+  int code = 0;
+  for (const std::string& input : inputs) {
+    Json json;
+    try {
+      InfoReport report;
+      {
+        const ProgressBar bar(context, arguments.common);
+        report = info(context, input, format_called(arguments.from));
+      }
+      json = json_of(report, input);
+      if (!arguments.common.json && !arguments.common.quiet) {
+        if (!single) std::cout << (&input == inputs.data() ? "" : "\n") << clean(input) << "\n";
+        show(report, std::cout);
+      }
+    } catch (const Error& error) {
+      if (single || error.kind() == ErrorKind::cancelled) throw;
+      std::cout.flush();
+      tell_error(error.what());
+      json = json_of_error(error.what(), error.kind());
+      json["file"] = input;
+      if (code == 0) code = error.exit_code();
+    }
+    reports.push_back(report_of(*arguments.common.command, json));
   }
-  if (arguments.common.json) {
-    print(json_of(report, arguments.input), arguments.common, std::cout);
-  } else if (!arguments.common.quiet) {
-    show(report, std::cout);
-  }
+  if (arguments.common.json) std::cout << text_of(single ? reports.front() : reports) << "\n";
+  if (code != 0) throw Ended{code};
 }
 
 }  // namespace
@@ -98,13 +138,17 @@ void run_info(const InfoArguments& arguments) {
 void add_info(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand("info", "Tell what is in a mesh file of any size");
-  command->add_option("input", arguments->input, input_help)->required()->type_name("IN");
+  command
+      ->add_option("input", arguments->inputs, std::string(input_help) + "; several are told of one by one")
+      ->required()
+      ->type_name("IN");
   add_from(*command, arguments->from);
   arguments->common.add_to(*command, true);
   command->footer(
       "Examples:\n"
       "  winnow info scan.ply\n"
       "  winnow info scan.stl --json\n"
+      "  winnow info part-*.ply\n"
       "  zstdcat scan.ply.zst | winnow info - --memory 2G");
   command->callback([arguments] { run_info(*arguments); });
 }

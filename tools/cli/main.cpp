@@ -80,15 +80,21 @@ int main(int argc, char** argv) {
   const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
   const auto fail = [&](const std::string& message, ErrorKind kind, const char* help = "") {
     if (json) winnow::cli::print_failure(app, message, kind);
-    std::cerr << "winnow: " + winnow::cli::clean(message) + "\n" + help;
+    winnow::cli::tell_error(message);
+    std::cerr << help;
     std::cout.flush();
     return static_cast<int>(kind);
   };
   try {
-    run(app, words);
+    int code = 0;
+    try {
+      run(app, words);
+    } catch (const winnow::cli::Ended& ended) {
+      code = ended.code;
+    }
     if (!std::cout.flush() && heard && !reader_left())
       return fail("cannot write to standard output; what it was to get is not whole", ErrorKind::resources);
-    return 0;
+    return code;
   } catch (const CLI::ParseError& error) {
     return fail(winnow::cli::explain(app, error), ErrorKind::usage,
                 "Try 'winnow --help' or 'winnow COMMAND --help'.\n");

@@ -102,8 +102,11 @@ void CommonOptions::add_to(CLI::App& command, bool with_scratch) {
       ->group("Speed and memory (never change the result)");
   if (with_scratch) {
     command
-        .add_option("--scratch", scratch,
-                    "Directory for what does not fit into memory (default: the output's)")
+        .add_option(
+            "--scratch", scratch,
+            "Directory for what does not fit into memory (default: " +
+                std::string(command.get_option_no_throw("--output") != nullptr ? "the output's)"
+                                                                               : "TMPDIR, or /var/tmp)"))
         ->type_name("DIR")
         ->group("Speed and memory (never change the result)");
   }
@@ -226,6 +229,10 @@ void add_commands(CLI::App& app) {
       if (CLI::Option* option = command->get_option_no_throw(name)) option->transform(output_name);
     }
   }
+}
+
+void tell_error(const std::string& message) {
+  std::cerr << "winnow: " + clean(message) + "\n";
 }
 
 bool writes_to_standard_output(const CLI::App& command) {

@@ -71,6 +71,14 @@ std::ostream& report_stream(const std::string& output);
 // Whether an output of `command`, as far as its options were read, is standard output.
 bool writes_to_standard_output(const CLI::App& command);
 
+// Thrown where all that there is to say was said, but the program is not to end with 0.
+struct Ended {
+  int code = 0;
+};
+
+// What every error begins with.
+void tell_error(const std::string& message);
+
 // One file a command.
 void add_simplify(CLI::App& app);
 void add_resume(CLI::App& app);

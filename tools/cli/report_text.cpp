@@ -42,19 +42,27 @@ Json head_of(const CLI::App& command) {
 
 }  // namespace
 
-void print(const Json& body, const CommonOptions& common, std::ostream& out) {
-  Json report = head_of(*common.command);
+Json report_of(const CLI::App& command, const Json& body) {
+  Json report = head_of(command);
   report.update(body);
-  out << text_of(report) << "\n";
+  return report;
+}
+
+Json json_of_error(const std::string& message, ErrorKind kind) {
+  return {
+      {"error", {{"kind", kind_name(kind)}, {"exit_code", static_cast<int>(kind)}, {"message", message}}}};
+}
+
+void print(const Json& body, const CommonOptions& common, std::ostream& out) {
+  out << text_of(report_of(*common.command, body)) << "\n";
 }
 
 void print_failure(const CLI::App& app, const std::string& message, ErrorKind kind) {
   const std::vector<const CLI::App*> parsed =
       app.get_subcommands([](const CLI::App* command) { return command->parsed(); });
   const CLI::App& command = parsed.empty() ? app : *parsed.front();
-  Json report = head_of(command);
-  report["error"] = {{"kind", kind_name(kind)}, {"exit_code", static_cast<int>(kind)}, {"message", message}};
-  report_stream(writes_to_standard_output(command) ? "-" : "") << text_of(report) << "\n";
+  report_stream(writes_to_standard_output(command) ? "-" : "")
+      << text_of(report_of(command, json_of_error(message, kind))) << "\n";
 }
 
 Json json_of_bad_faces(const BadFaces& bad) {

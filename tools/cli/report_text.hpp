@@ -22,8 +22,10 @@ inline std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-// A report is what every one begins with, and `body`: the version, the command, the options as they were
-// given.
+// What every report begins with, the version, the command and the options as they were given, and `body`.
+Json report_of(const CLI::App& command, const Json& body);
+// What stands for `body` where there is none.
+Json json_of_error(const std::string& message, ErrorKind kind);
 void print(const Json& body, const CommonOptions& common, std::ostream& out);
 
 // The report of a command that failed; to standard output, unless that was to get a mesh.
