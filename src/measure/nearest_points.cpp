@@ -42,7 +42,7 @@ NearestPoints::NearestPoints(Job& job, std::span<const NumberedFace> faces,
       "distances of the simplified mesh");
   sample_squared_.assign(samples, not_met);
   vertex_squared_.assign(vertices.size(), not_met);
-  inner_.assign(4 * faces.size(), {not_met, std::numeric_limits<std::uint64_t>::max(), false});
+  inner_.assign(4 * faces.size(), {not_met, no_number, 0});
 }
 
 void NearestPoints::approach(std::span<const NumberedFace> surface) {
@@ -82,7 +82,8 @@ void NearestPoints::approach_block(const SurfaceTree& tree, std::size_t block) {
       InnerPoint& inner = inner_[4 * f + k];
       NearestFace nearest{inner.squared, inner.number};
       if (neighbours.search(inner_point(face.corner, k), nearest))
-        inner = {nearest.squared, nearest.number, dot(normal, doubled_area(nearest.face->corner)) < 0};
+        inner = {nearest.squared, nearest.number & no_number,
+                 dot(normal, doubled_area(nearest.face->corner)) < 0 ? 1U : 0U};
     }
   }
 }
@@ -99,7 +100,7 @@ void NearestPoints::finish(CompareReport& report, DistanceSums& sums) const {
         sums.add(sample_squared_[at], SurfaceSampler::point(face.number, k, face.corner));
       report.topology.flipped += std::all_of(inner_.begin() + static_cast<std::ptrdiff_t>(4 * f),
                                              inner_.begin() + static_cast<std::ptrdiff_t>(4 * f + 4),
-                                             [](const InnerPoint& inner) { return inner.opposed; })
+                                             [](const InnerPoint& inner) { return inner.opposed != 0; })
                                      ? 1
                                      : 0;
     }

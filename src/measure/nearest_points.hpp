@@ -18,7 +18,7 @@ namespace winnow {
 // face shows its back. Where they are is computed anew when needed; only distances are kept.
 class NearestPoints {
  public:
-  static constexpr std::uint64_t bytes_a_face = 4 * 24 + 16;
+  static constexpr std::uint64_t bytes_a_face = 4 * 16 + 16;
 
   // `faces` and `vertices` must stay.
   NearestPoints(Job& job, std::span<const NumberedFace> faces, const std::vector<Point>& vertices,
@@ -34,9 +34,10 @@ class NearestPoints {
  private:
   struct InnerPoint {
     double squared;
-    std::uint64_t number;
-    bool opposed;
+    std::uint64_t number : 63;
+    std::uint64_t opposed : 1;
   };
+  static constexpr std::uint64_t no_number = (std::uint64_t{1} << 63) - 1;
   void approach_block(const SurfaceTree& tree, std::size_t block);
 
   Job& job_;

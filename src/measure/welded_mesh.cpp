@@ -47,7 +47,9 @@ WeldedMesh::WeldedMesh(Job& job, std::span<const NumberedFace> faces) : job_(job
     throw Error(ErrorKind::resources, "a simplified mesh of " + grouped(faces.size()) +
                                           " faces is too large to compare; give the smaller mesh second");
   }
-  reservation_ = job.budget.reserve(faces.size() * bytes_a_face, "the simplified mesh");
+  constexpr const char* what = "the simplified mesh";
+  reservation_ = job.budget.reserve(faces.size() * bytes_a_settled_face, what);
+  making_ = job.budget.reserve(faces.size() * (bytes_a_face - bytes_a_settled_face), what);
   faces_.reserve(faces.size());
   // A closed surface has half as many vertices as faces; one of loose faces three times as many.
   std::size_t room = faces.size() + 3;

@@ -31,7 +31,7 @@ namespace winnow {
 
 namespace {
 
-constexpr std::size_t batch_faces = 2048;
+constexpr std::size_t batch_faces = 512;
 
 // Blocks in flight, sums and recent vertices of each thread, Embree itself.
 std::uint64_t fixed_memory(unsigned threads) {
@@ -49,7 +49,7 @@ std::uint64_t smallest_chunk(unsigned threads) {
 constexpr std::uint64_t bytes_a_chunk_face = sizeof(NumberedFace) + SurfaceTree::bytes_a_face;
 
 std::uint64_t bytes_a_simplified_face() {
-  return sizeof(NumberedFace) + SurfaceTree::bytes_a_face + WeldedMesh::bytes_a_face +
+  return sizeof(NumberedFace) + SurfaceTree::bytes_a_face + WeldedMesh::bytes_a_settled_face +
          NearestPoints::bytes_a_face;
 }
 
@@ -86,7 +86,7 @@ class Comparison {
   CompareReport run(const std::string& original, const std::string& simplified) {
     job_.budget.expect(0);
     read_simplified(simplified);
-    const WeldedMesh mesh(job_, simplified_->span());
+    WeldedMesh mesh(job_, simplified_->span());
     const std::size_t faces = simplified_->size();
     loose_places_ = mesh.vertices().size() > faces
                         ? mesh.more_bytes() + sizeof(double) * (mesh.vertices().size() - faces)
@@ -95,6 +95,7 @@ class Comparison {
     report_.topology = mesh.topology();
     report_.topology.degenerate += report_.simplified.bad_faces.degenerate;
     report_.smallest_angles = mesh.smallest_angles();
+    mesh.settle();
     const SurfaceTree tree(job_, simplified_->span());
 
     const double density = density_for(report_.simplified.area);

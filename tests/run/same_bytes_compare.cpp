@@ -9,6 +9,8 @@ nlohmann::json compared(const Words& arguments, const Setup& setup = {}) {
   nlohmann::json report = winnow_ok(Words{"compare", "--json", "--samples", "30k"} + arguments, setup).json();
   report.erase("seconds");
   report.erase("peak_memory_bytes");
+  report.erase("options");
+  for (const char* mesh : {"original", "simplified"}) report[mesh].erase("file");
   return report;
 }
 

@@ -1,4 +1,5 @@
 #include <winnow/compare.hpp>
+#include <winnow/error.hpp>
 
 #include "numbers.hpp"
 #include "program.hpp"
@@ -7,6 +8,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace winnow::cli {
 
@@ -14,7 +16,7 @@ namespace {
 
 struct CompareArguments {
   std::string original, simplified, colored, picture;
-  std::string samples = "1M";
+  std::string samples = "1M", fail_above;
   bool force = false;
   CommonOptions common;
 };
@@ -30,7 +32,25 @@ double percent(double length, const CompareReport& report) {
   return report.diagonal > 0 ? 100 * length / report.diagonal : 0;
 }
 
-Json json_of(const CompareReport& report, const CompareArguments& arguments) {
+// A distance that was not to be exceeded, and whether it was.
+struct Limit {
+  double length = 0;
+  bool exceeded = false;
+};
+
+std::optional<Limit> limit_of(const std::optional<Distance>& fail_above, const CompareReport& report) {
+  if (!fail_above) return {};
+  const double length = fail_above->value * (fail_above->relative ? report.diagonal : 1);
+  return Limit{length, report.symmetric.rms > length};
+}
+
+Json json_of(const std::optional<Limit>& limit) {
+  if (!limit) return nullptr;
+  return {{"length", limit->length}, {"exceeded", limit->exceeded}};
+}
+
+Json json_of(const CompareReport& report, const std::optional<Limit>& limit,
+             const CompareArguments& arguments) {
   const auto distances = [&](const Distances& d) {
     return Json{{"mean", d.mean},
                 {"rms", d.rms},
@@ -49,6 +69,7 @@ Json json_of(const CompareReport& report, const CompareArguments& arguments) {
         {"backward", distances(report.backward)},
         {"symmetric", distances(report.symmetric)},
         {"worst", {{"x", report.worst[0]}, {"y", report.worst[1]}, {"z", report.worst[2]}}}}},
+      {"fail_above", json_of(limit)},
       {"normal_deviation", {{"mean", report.normal_deviation.mean}, {"p95", report.normal_deviation.p95}}},
       {"topology",
        {{"boundary_edges", topology.boundary_edges},
@@ -118,7 +139,16 @@ void show(const CompareReport& report, std::ostream& out) {
   line.notes(report.notes);
 }
 
+std::string show(const Distance& distance) {
+  return distance.relative ? show_length(100 * distance.value) + " %" : show_length(distance.value);
+}
+
 void run_compare(const CompareArguments& arguments) {
+  std::optional<Distance> fail_above;
+  if (!arguments.fail_above.empty()) {
+    fail_above = parse_distance("--fail-above", arguments.fail_above);
+    if (fail_above->value < 0) throw Error(ErrorKind::usage, "--fail-above takes a distance of 0 or more");
+  }
   CompareOptions options;
   options.samples = parse_count("--samples", arguments.samples);
   options.colored = arguments.colored;
@@ -131,13 +161,20 @@ void run_compare(const CompareArguments& arguments) {
     const ProgressBar bar(context, arguments.common);
     report = compare(context, arguments.original, arguments.simplified, options);
   }
+  const std::optional<Limit> limit = limit_of(fail_above, report);
   const bool mesh_on_output = arguments.colored == "-" || arguments.picture == "-";
   std::ostream& out = report_stream(mesh_on_output ? "-" : "");
   if (arguments.common.json) {
-    print(json_of(report, arguments), arguments.common, out);
+    print(json_of(report, limit, arguments), arguments.common, out);
   } else if (!arguments.common.quiet) {
     show(report, out);
   }
+  if (!limit || !limit->exceeded) return;
+  out.flush();
+  tell_error("the RMS distance of " + show_length(report.symmetric.rms) + " (" +
+             show_length(percent(report.symmetric.rms, report)) + " % of the diagonal) is above " +
+             show(*fail_above));
+  throw Ended{static_cast<int>(ErrorKind::failed)};
 }
 
 }  // namespace
@@ -152,7 +189,7 @@ void add_compare(CLI::App& app) {
       ->type_name("ORIGINAL");
   command
       ->add_option("simplified", arguments->simplified,
-                   "The simplified mesh; it must fit into --memory, with 500 bytes a face")
+                   "The simplified mesh; it must fit into --memory, with 400 bytes a face")
       ->required()
       ->type_name("SIMPLIFIED");
   command
@@ -168,6 +205,11 @@ void add_compare(CLI::App& app) {
       ->add_option("--picture", arguments->picture,
                    "Draw the original and the simplified mesh side by side, coloured by distance")
       ->type_name("FILE.png");
+  command
+      ->add_option("--fail-above", arguments->fail_above,
+                   "End with exit code 1 if the symmetric RMS distance is above this: 0.5 (model units) or "
+                   "0.1% (of the diagonal)")
+      ->type_name("DISTANCE");
   command->add_flag("--force", arguments->force, "Replace existing files");
   arguments->common.add_to(*command, true);
   command->footer(
@@ -176,7 +218,10 @@ void add_compare(CLI::App& app) {
       "Examples:\n"
       "  winnow compare scan.ply small.ply\n"
       "  winnow compare scan.ply small.ply --json --samples 10M\n"
-      "  winnow compare scan.ply small.ply --colored distances.ply --picture distances.png");
+      "  winnow compare scan.ply small.ply --fail-above 0.1% --quiet || echo too coarse\n"
+      "  winnow compare scan.ply small.ply --colored distances.ply --picture distances.png\n"
+      "\nExit codes: 0 done, 1 above --fail-above or failed otherwise, 2 usage, 3 bad input, 4 memory or\n"
+      "disk, 130 interrupted.");
   command->callback([arguments] { run_compare(*arguments); });
 }
 

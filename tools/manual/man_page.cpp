@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::pair<const char*, const char*>, 6> exit_codes{
     {{"0", "Done."},
-     {"1", "Failed for a reason that no other code names."},
+     {"1", "Failed for a reason that no other code names; of compare, the distance is above --fail-above."},
      {"2", "Options that contradict each other or make no sense, or an output that exists already."},
      {"3", "The input is not what it should be; the message names the file and the place."},
      {"4", "The memory budget is too small, the disk is full, or the output's reader went away."},
@@ -37,12 +37,12 @@ const char* memory_usage(const std::string& command) {
     return "A vertex takes 48 bytes and a face 12. What does not fit goes to scratch: beside the output, or "
            R"(where \fB--scratch\fR says.)";
   if (command == "info")
-    return "Counting edges takes memory in proportion to them; where the budget is too small they are not "
-           "counted, and the report says how much would be enough.";
+    return "Edges and connected parts are counted in memory, 24 bytes a face and 12 a vertex. What does not "
+           "fit "
+           R"(goes to scratch, where \fB--scratch\fR says, else to TMPDIR or /var/tmp.)";
   if (command == "compare")
     return "The original is streamed and may have any size. The simplified mesh is held in memory, with "
-           "about "
-           "500 bytes a face.";
+           "about 400 bytes a face.";
   if (command == "generate") return "About two megabytes for each thread, whatever the number of faces.";
   return "Each command has a section of this name.";
 }
