@@ -30,6 +30,10 @@ struct AttributeWish {
   [[nodiscard]] bool none() const { return names && names->empty(); }
 };
 
+// What is said where some vertices have a colour and others have none. Then none carries one, in whatever
+// order they stand.
+inline constexpr const char* colors_of_some = "colours of some vertices";
+
 // What an input offers.
 struct AttributeOffer {
   // Properties of vertices, without the position. Their kinds are open, but for light, which no name tells.

@@ -37,7 +37,7 @@ GltfAttributes attributes_of(const GltfDocument& document) {
   all.normals = with_normals > 0 && with_normals == primitives;
   all.colors = with_colors > 0 && with_colors == primitives;
   if (with_normals > 0 && !all.normals) all.unread.emplace_back("normals of some vertices");
-  if (with_colors > 0 && !all.colors) all.unread.emplace_back("colours of some vertices");
+  if (with_colors > 0 && !all.colors) all.unread.emplace_back(colors_of_some);
   all.unread.insert(all.unread.end(), document.unread.begin(), document.unread.end());
   return all;
 }

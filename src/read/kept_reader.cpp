@@ -46,8 +46,13 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   facts_.vertices = vertices_.size();
   facts_.faces = faces_.size();
   facts_.double_positions = !mesh.single();
+  if (mesh.attributes_dropped()) {
+    facts_.offer.scalars.clear();
+    vertices_.drop_attributes();
+    mesh.pass_over(colors_of_some);
+  }
   std::string line;
-  for (const Attribute& attribute : offer.scalars)
+  for (const Attribute& attribute : facts_.offer.scalars)
     line += (line.empty() ? "vertex: " : " ") + described(attribute);
   if (!line.empty()) facts_.attributes.push_back(line);
   facts_.attributes.insert(facts_.attributes.end(), mesh.passed_over().begin(), mesh.passed_over().end());

@@ -41,6 +41,10 @@ class KeptMesh {
   void add_polygon(std::span<const std::uint32_t> corners) { faces_.add_polygon(corners); }
   void add_triangles(std::span<const std::uint32_t> corners) { faces_.add(corners); }  // three each
 
+  // Not all vertices have what was offered, so none carries it.
+  void drop_attributes() { attributes_dropped_ = true; }
+  [[nodiscard]] bool attributes_dropped() const { return attributes_dropped_; }
+
   // What the parser comes across and does not read, in words, each once.
   void pass_over(const std::string& what);
   [[nodiscard]] const std::vector<std::string>& passed_over() const { return passed_over_; }
@@ -58,6 +62,7 @@ class KeptMesh {
   std::vector<bool> carried_;
   std::string name_;
   bool single_ = true;
+  bool attributes_dropped_ = false;
   std::vector<std::string> passed_over_;
 };
 

@@ -39,7 +39,7 @@ void parse_obj_lines(const TextBlock& block, bool colors, ParsedLines& lines) {
       if (colors) {
         lines.add_attributes(words, false);
       } else if (!words.next().empty() && !words.next().empty()) {
-        lines.pass_over("colours of some vertices");  // one number alone is a weight
+        lines.pass_over(colors_of_some);  // one number alone is a weight
       }
     } else if (keyword == "f") {
       for (std::string_view word = words.next(); !word.empty(); word = words.next()) add_corner(word, lines);

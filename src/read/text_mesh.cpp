@@ -29,7 +29,8 @@ void ParsedLines::add_attributes(LineWords& words, bool required) {
     if (!carried) continue;
     const std::optional<double> value = parse_real(word);
     if (!value && (required || !word.empty())) fail_number(word, words.rest());
-    attributes_.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    some_lack_attributes_ |= !value;
+    attributes_.push_back(value.value_or(0));
   }
 }
 
@@ -61,6 +62,7 @@ void ParsedLines::fail_number(std::string_view word, std::string_view place) con
 void ParsedLines::hand_over(KeptMesh& mesh) const {
   const auto base = static_cast<std::int64_t>(mesh.vertices());
   mesh.add_vertices(xyz_, single_, attributes_);
+  if (some_lack_attributes_) mesh.drop_attributes();
   mesh.add_numbers(numbers_);
   for (const char* what : passed_over_) mesh.pass_over(what);
   std::vector<std::uint32_t> polygon;

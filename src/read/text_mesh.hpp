@@ -23,8 +23,8 @@ class ParsedLines {
   // Three coordinates, the next words of a line.
   void add_position(LineWords& words);
 
-  // Of the last position's vertex the next words of its line, as many as attributes are offered. Words that
-  // are missing are no numbers, or, if they are `required`, an error.
+  // Of the last position's vertex the next words of its line, as many as attributes are offered. Where words
+  // are missing, no vertex carries anything, or, if they are `required`, it is an error.
   void add_attributes(LineWords& words, bool required);
 
   // What the next position's vertex is called; for all vertices or for none. Corners then name vertices so.
@@ -53,6 +53,7 @@ class ParsedLines {
   const std::vector<bool>& carried_;
   std::vector<double> xyz_;
   std::vector<double> attributes_;
+  bool some_lack_attributes_ = false;
   std::vector<std::uint32_t> numbers_;
   bool single_ = true;
   std::vector<std::int64_t> corners_;  // twice the number, plus one where it is relative

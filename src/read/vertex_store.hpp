@@ -59,6 +59,9 @@ class VertexStore {
   void keep(std::span<const double> xyz, std::span<const double> attributes = {});
   void finish_keeping();
 
+  // What is kept besides positions is given out no more.
+  void drop_attributes() { layout_.attributes.clear(); }
+
   // What is kept in doubles is given out as floats from now on.
   void give_floats() { floats_ = true; }
 

@@ -72,24 +72,24 @@ TEST_CASE("what is passed over in an OBJ may end in a backslash") {
       for (const std::string face : {"f 1 2 3", "f 1 3 4"}) file += name + end + face + end;
       for (const std::size_t batch : {1, 4, 8192}) {
         const test::ReadStyle style{Format::automatic, Access::once, {test::usual_vertex_memory, batch}};
-        CHECK(difference(faces_of(file, style), as_fans(test::unit_square)) == "");
-        CHECK(difference(test::faces_of_pipe(file, style), as_fans(test::unit_square)) == "");
+        CHECK(difference(faces_of(file, style), as_triangles(test::unit_square)) == "");
+        CHECK(difference(test::faces_of_pipe(file, style), as_triangles(test::unit_square)) == "");
       }
     }
   }
   // In a comment behind a statement, too.
   CHECK(difference(both_ways("v 0 0 0 # \\\nv 1 0 0 # a \\\nv 1 1 0\nv 0 1 0\nf 1 2 3 4 # \\\n"),
-                   as_fans(test::unit_square)) == "");
+                   as_triangles(test::unit_square)) == "");
   // A statement that is read goes on, over any number of lines and blanks behind the backslash.
   CHECK(difference(both_ways("v \\ \n0 0\\\n 0\nv 1 0 0\nv\\\n1 1 0\nv 0 1 0\nf \\\n\\\n1 2 \\\t\n3 4"),
-                   as_fans(test::unit_square)) == "");
+                   as_triangles(test::unit_square)) == "");
 }
 
 TEST_CASE("an OBJ of lines that all end in a backslash is cut between them") {
   std::string file;
   for (int i = 0; i < 200'000; ++i) file += "# a comment \\\n";
   file += "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-  CHECK(difference(faces_of(file, {Format::obj}), as_fans(test::unit_square)) == "");
+  CHECK(difference(faces_of(file, {Format::obj}), as_triangles(test::unit_square)) == "");
 }
 
 TEST_CASE("colours of an OBJ: three or four numbers behind the position") {

