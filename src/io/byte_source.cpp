@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <vector>
 
 #include <fcntl.h>
@@ -38,18 +37,18 @@ constexpr std::size_t window_bytes = std::size_t{2} << 20;
 
 class MappedSource final : public ByteSource {
  public:
-  // `keep` holds whatever `path` refers to alive.
+  // `stream` holds whatever `path` refers to alive, and watches it.
   MappedSource(std::string name, const std::string& path, std::uint64_t size,
-               std::shared_ptr<const void> keep)
+               std::shared_ptr<const ByteStream> stream)
       : ByteSource(std::move(name), ""),
         path_(path),
-        keep_(std::move(keep)),
+        stream_(std::move(stream)),
         file_(map_file(path)),
         size_(size),
         ahead_(file_.get_mapping_handle().handle, size) {}
 
   MappedSource(std::string name, std::shared_ptr<const ScratchFile> file)
-      : MappedSource(std::move(name), file->path(), file->size(), file) {
+      : MappedSource(std::move(name), file->path(), file->size(), nullptr) {
     scratch_ = std::move(file);
   }
 
@@ -82,17 +81,19 @@ class MappedSource final : public ByteSource {
   [[nodiscard]] std::string map_name() const override { return path_; }
   [[nodiscard]] std::shared_ptr<const ScratchFile> scratch() const override { return scratch_; }
 
+  [[nodiscard]] std::optional<FileVersion> version() const override {
+    return stream_ == nullptr ? std::nullopt : stream_->version();
+  }
+
   // The end of a page that the file shrank into reads as zeros and raises no signal: the size has to be
   // asked.
   void check_whole() const override {
-    std::error_code ignored;
-    const auto now = std::filesystem::file_size(path_, ignored);
-    if (!ignored && now < size_) shortened(name(), now);
+    if (stream_ != nullptr) stream_->check_whole();
   }
 
  private:
   std::string path_;
-  std::shared_ptr<const void> keep_;
+  std::shared_ptr<const ByteStream> stream_;    // null of scratch
   std::shared_ptr<const ScratchFile> scratch_;  // where it is one
   boost::interprocess::file_mapping file_;
   std::uint64_t size_;
@@ -125,6 +126,7 @@ class StreamSource final : public ByteSource {
   [[nodiscard]] std::optional<std::uint64_t> size() const override { return stream_->size(); }
   [[nodiscard]] bool seekable() const override { return stream_->seekable(); }
 
+  [[nodiscard]] std::optional<FileVersion> version() const override { return stream_->version(); }
   void check_whole() const override { stream_->check_whole(); }
   void seek(std::uint64_t position) override {
     stream_->seek(position);
@@ -203,8 +205,7 @@ std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path, Unpac
     if (job.context.map_input && *file->size() > 0) {
       const std::string map_path = standard ? "/proc/self/fd/" + std::to_string(file->descriptor()) : path;
       const std::uint64_t size = *file->size();
-      return std::make_unique<MappedSource>(std::move(name), map_path, size,
-                                            std::shared_ptr<DescriptorStream>(std::move(file)));
+      return std::make_unique<MappedSource>(std::move(name), map_path, size, std::move(file));
     }
     file->seek(0);
     return std::make_unique<StreamSource>(std::move(name), "", std::move(file));
@@ -224,6 +225,7 @@ std::unique_ptr<ByteSource> copy_to_scratch(Job& job, std::unique_ptr<ByteSource
     file->append(block.bytes);
     job.progress.advance(block.bytes.size());
   }
+  source->check_whole();
   if (file->size() == 0) throw Error(ErrorKind::bad_input, "'" + source->name() + "' is empty");
   return std::make_unique<MappedSource>(source->name(), std::move(file));
 }

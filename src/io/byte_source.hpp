@@ -1,6 +1,7 @@
 // Bytes in: a mapped file, a file, a pipe, or the decompressed content of any of them.
 #pragma once
 
+#include "io/file_descriptor.hpp"
 #include "io/job.hpp"
 
 #include <cstddef>
@@ -50,7 +51,11 @@ class ByteSource {
   // Where the content was copied to: whoever maps it checks it. Null where it was not.
   [[nodiscard]] virtual std::shared_ptr<const ScratchFile> scratch() const { return nullptr; }
 
-  // Throws Error(bad_input) if the file is shorter than it was when it was opened.
+  // Of a file, also a compressed one, as it was opened.
+  [[nodiscard]] virtual std::optional<FileVersion> version() const { return {}; }
+
+  // Throws Error(bad_input) if the file is shorter than it was when it was opened, or was changed and is as
+  // long as before.
   virtual void check_whole() const {}
 
   [[nodiscard]] const std::string& name() const { return name_; }                // for messages

@@ -55,7 +55,7 @@ class PackedBytes {
   // Of the first byte that is left.
   [[nodiscard]] std::uint64_t offset() const { return read_ - (end_ - begin_); }
 
-  void check_whole() const { stream_->check_whole(); }
+  [[nodiscard]] const ByteStream& stream() const { return *stream_; }
 
  private:
   std::unique_ptr<ByteStream> stream_;
@@ -75,7 +75,8 @@ class PackedStream : public ByteStream {
     return got;
   }
 
-  void check_whole() const final { packed_.check_whole(); }
+  [[nodiscard]] std::optional<FileVersion> version() const final { return packed_.stream().version(); }
+  void check_whole() const final { packed_.stream().check_whole(); }
 
  protected:
   virtual std::size_t unpack(std::span<std::byte> into) = 0;

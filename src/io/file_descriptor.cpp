@@ -15,6 +15,15 @@
 
 namespace winnow {
 
+namespace {
+
+FileVersion version_by(const struct stat& status) {
+  return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
+          status.st_mtim.tv_nsec};
+}
+
+}  // namespace
+
 DescriptorStream::DescriptorStream(Job& job, int fd, std::string name)
     : job_(job), fd_(fd), name_(std::move(name)) {
   struct stat status {};
@@ -23,6 +32,7 @@ DescriptorStream::DescriptorStream(Job& job, int fd, std::string name)
   directory_ = S_ISDIR(status.st_mode);
   if (S_ISREG(status.st_mode) && ::lseek(fd_, 0, SEEK_CUR) == 0) {
     size_ = static_cast<std::uint64_t>(status.st_size);
+    version_ = version_by(status);
     ::posix_fadvise(fd_, 0, 0, POSIX_FADV_SEQUENTIAL);
   }
 #ifdef F_SETPIPE_SZ
@@ -63,6 +73,8 @@ void DescriptorStream::check_whole() const {
   if (!size_ || ::fstat(fd_, &status) != 0) return;
   const auto now = static_cast<std::uint64_t>(status.st_size);
   if (now < *size_) shortened(name_, now);
+  // What is appended is not read.
+  if (now == *size_ && version_by(status) != version_) changed(name_);
 }
 
 ErrorKind cannot_open(int code) {
@@ -73,6 +85,12 @@ void shortened(const std::string& name, std::uint64_t offset) {
   throw Error(ErrorKind::bad_input, "'" + name +
                                         "' was shortened by another program while it was read, near byte " +
                                         grouped(offset) + "; run again when it is whole");
+}
+
+void changed(const std::string& name) {
+  throw Error(ErrorKind::bad_input, "'" + name +
+                                        "' was changed by another program while it was read; run again "
+                                        "when nothing writes to it");
 }
 
 void DescriptorStream::seek(std::uint64_t position) {

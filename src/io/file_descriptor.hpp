@@ -19,6 +19,14 @@ namespace winnow {
 // has no more of something.
 ErrorKind cannot_open(int code);
 
+// What tells a file from another of the same name, or from itself after a change.
+struct FileVersion {
+  std::uint64_t device = 0, inode = 0, size = 0;
+  std::int64_t seconds = 0, nanoseconds = 0;  // of its last change
+
+  bool operator==(const FileVersion&) const = default;
+};
+
 // A stream of bytes, read by one thread at a time.
 class ByteStream {
  public:
@@ -27,10 +35,14 @@ class ByteStream {
   [[nodiscard]] virtual bool seekable() const { return false; }
   virtual void seek(std::uint64_t /*position*/) {}
   [[nodiscard]] virtual std::optional<std::uint64_t> size() const { return {}; }
-  virtual void check_whole() const {}  // throws Error(bad_input) if a file has become shorter
+  // Of a file, as it was opened.
+  [[nodiscard]] virtual std::optional<FileVersion> version() const { return {}; }
+  // Throws Error(bad_input) if a file has become shorter, or was changed and is as long as before.
+  virtual void check_whole() const {}
 };
 
 [[noreturn]] void shortened(const std::string& name, std::uint64_t offset);
+[[noreturn]] void changed(const std::string& name);
 
 // Waiting for a pipe ends when the run is cancelled.
 class DescriptorStream final : public ByteStream {
@@ -44,6 +56,7 @@ class DescriptorStream final : public ByteStream {
   [[nodiscard]] bool seekable() const override { return size_.has_value(); }
   void seek(std::uint64_t position) override;
   [[nodiscard]] std::optional<std::uint64_t> size() const override { return size_; }
+  [[nodiscard]] std::optional<FileVersion> version() const override { return version_; }
   void check_whole() const override;
   [[nodiscard]] bool is_directory() const { return directory_; }
   [[nodiscard]] int descriptor() const { return fd_; }
@@ -54,7 +67,8 @@ class DescriptorStream final : public ByteStream {
   int fd_;
   std::string name_;
   std::uint64_t position_ = 0;
-  std::optional<std::uint64_t> size_;  // only of a regular file read from its beginning
+  std::optional<std::uint64_t> size_;   // only of a regular file read from its beginning
+  std::optional<FileVersion> version_;  // likewise
   FileNumber number_;
   bool directory_ = false;
 };
@@ -65,6 +79,7 @@ class PrefixedStream final : public ByteStream {
   PrefixedStream(std::vector<std::byte> prefix, std::unique_ptr<ByteStream> rest)
       : prefix_(std::move(prefix)), rest_(std::move(rest)) {}
   std::size_t read(std::span<std::byte> into) override;
+  [[nodiscard]] std::optional<FileVersion> version() const override { return rest_->version(); }
   void check_whole() const override { rest_->check_whole(); }
 
  private:

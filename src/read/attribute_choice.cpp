@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -128,35 +130,54 @@ std::vector<std::string> wanted_names(const std::vector<std::string>& names, con
   return wanted;
 }
 
+// Each name once, in the order of their first.
+class DistinctNames {
+ public:
+  explicit DistinctNames(std::vector<std::string>& names) : names_(names) {}
+  void add(const std::string& name) {
+    if (known_.insert(name).second) names_.push_back(name);
+  }
+
+ private:
+  std::vector<std::string>& names_;
+  std::set<std::string> known_;
+};
+
 }  // namespace
 
 AttributeOffer common_offer(const std::vector<AttributeOffer>& offers) {
-  AttributeOffer common;
-  const auto add_new = [](std::vector<std::string>& names, const std::string& name) {
-    if (!among(names, name)) names.push_back(name);
+  struct Found {
+    std::size_t offers = 0;  // that have it
+    const AttributeOffer* last = nullptr;
+    bool light = true;  // in all of them
   };
+  std::map<std::pair<std::string, ScalarType>, Found> found;
   for (const AttributeOffer& offer : offers) {
     for (const Attribute& attribute : offer.scalars) {
-      bool everywhere = true;
-      bool light = true;
-      for (const AttributeOffer& other : offers) {
-        const auto same = std::find_if(other.scalars.begin(), other.scalars.end(), [&](const Attribute& one) {
-          return one.name == attribute.name && one.type == attribute.type;
-        });
-        everywhere = everywhere && same != other.scalars.end();
-        light = light && everywhere && same->kind == AttributeKind::light;
-      }
-      if (!everywhere) {
-        add_new(common.not_common, attribute.name);
+      Found& one = found[{attribute.name, attribute.type}];
+      if (one.last == &offer) continue;
+      one.last = &offer;
+      ++one.offers;
+      one.light = one.light && attribute.kind == AttributeKind::light;
+    }
+  }
+  AttributeOffer common;
+  DistinctNames not_common(common.not_common), lists(common.lists), of_faces(common.of_faces),
+      of_nothing(common.of_nothing), unread(common.unread);
+  for (const AttributeOffer& offer : offers) {
+    for (const Attribute& attribute : offer.scalars) {
+      const Found& one = found[{attribute.name, attribute.type}];
+      if (one.offers != offers.size()) {
+        not_common.add(attribute.name);
       } else if (&offer == offers.data()) {
         common.scalars.push_back(
-            {attribute.name, attribute.type, light ? AttributeKind::light : AttributeKind::value});
+            {attribute.name, attribute.type, one.light ? AttributeKind::light : AttributeKind::value});
       }
     }
-    for (const std::string& name : offer.lists) add_new(common.lists, name);
-    for (const std::string& name : offer.of_faces) add_new(common.of_faces, name);
-    for (const std::string& name : offer.of_nothing) add_new(common.of_nothing, name);
-    for (const std::string& name : offer.unread) add_new(common.unread, name);
+    for (const std::string& name : offer.lists) lists.add(name);
+    for (const std::string& name : offer.of_faces) of_faces.add(name);
+    for (const std::string& name : offer.of_nothing) of_nothing.add(name);
+    for (const std::string& name : offer.unread) unread.add(name);
   }
   return common;
 }

@@ -176,6 +176,12 @@ class JoinedReader final : public MeshReader {
     reader_.reset();
     current_ = part;
     std::unique_ptr<ByteSource> source = open_source(job_, names_[part]);
+    const std::optional<FileVersion> version = source->version();
+    if (versions_.size() <= part) {
+      versions_.push_back(version);
+    } else if (version != versions_[part]) {
+      changed(names_[part]);
+    }
     bare_ = is_bare(look_at(job_, *source, format_, Access::once));
     reader_ = open_reader(job_, std::move(source), format_, Access::once, memory_,
                           bare_ ? AttributeWish{} : carried_);
@@ -218,8 +224,9 @@ class JoinedReader final : public MeshReader {
   Format format_;
   ReaderMemory memory_;
   std::string name_;
-  std::vector<std::uint64_t> bytes_;  // of each file, as far as it was read
-  AttributeWish carried_;             // what is asked of each file
+  std::vector<std::uint64_t> bytes_;                  // of each file, as far as it was read
+  std::vector<std::optional<FileVersion>> versions_;  // of each file, when it was first opened
+  AttributeWish carried_;                             // what is asked of each file
   // Of each attribute its number among those of the file at work, and whether it is of light there and of
   // colours here.
   struct Place {

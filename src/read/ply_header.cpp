@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -105,7 +106,7 @@ class HeaderParser {
 
   bool more() {
     if (text_.size() >= longest_header) fail("does not end within " + human_bytes(longest_header));
-    const Block block = source_.peek(text_.size() + 4096);
+    const Block block = source_.peek(std::max<std::size_t>(2 * text_.size(), 4096));
     if (block.bytes.size() == text_.size()) return false;
     text_.assign(reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size());
     return true;
@@ -141,7 +142,7 @@ class HeaderParser {
     if (words.size() < 3) fail("declares an element without a name or a count");
     PlyElement element;
     element.name = words[1];
-    if (header_.find(element.name) != nullptr)
+    if (!names_.insert(element.name).second)
       fail("declares the element '" + std::string(words[1].substr(0, 40)) + "' a second time");
     const auto [end, error] =
         std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
@@ -175,6 +176,7 @@ class HeaderParser {
 
   ByteSource& source_;
   PlyHeader header_;
+  std::set<std::string> names_;  // of elements
   std::string text_;
   std::size_t at_ = 0;
   std::size_t line_ = 0;

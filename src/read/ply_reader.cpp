@@ -89,9 +89,9 @@ InputFacts facts_of(const PlyHeader& header) {
   if (*facts.faces == 0 && header.find("tristrips") != nullptr) facts.faces.reset();
   for (const PlyElement& element : header.elements) {
     std::string line = element.name + ":";
+    const PlyProperty* indices = index_list(element);
     for (const PlyProperty& property : element.properties) {
-      const bool geometry = (element.name == "vertex" && is_coordinate(property)) ||
-                            (property.list && &property == index_list(element));
+      const bool geometry = (element.name == "vertex" && is_coordinate(property)) || &property == indices;
       if (!geometry)
         line += " " + property.name + (property.list ? " (list of " : " (") + name_of(property.type) + ")";
     }
@@ -115,8 +115,9 @@ AttributeOffer offer_of(const PlyHeader& header) {
     if (element.count == 0) continue;
     const bool faces = element.name == "face" || element.name == "tristrips";
     if (element.name != "vertex" && !faces) offer.of_nothing.push_back(element.name);
+    const PlyProperty* indices = index_list(element);
     for (const PlyProperty& property : element.properties) {
-      if (faces && &property != index_list(element)) offer.of_faces.push_back(property.name);
+      if (faces && &property != indices) offer.of_faces.push_back(property.name);
       if (element.name != "vertex" || is_coordinate(property)) continue;
       if (property.list) {
         offer.lists.push_back(property.name);

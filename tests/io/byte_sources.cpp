@@ -5,6 +5,7 @@
 #include "support/random.hpp"
 #include "support/sources.hpp"
 
+#include <chrono>
 #include <deque>
 #include <filesystem>
 
@@ -158,6 +159,28 @@ TEST_CASE("a file that became shorter is noticed when it is asked about") {
   const test::FedPipe pipe("some bytes");
   test::TestJob test;
   CHECK_NOTHROW(open_source(test.job, pipe.path())->check_whole());
+}
+
+TEST_CASE("a file that was changed and is as long as before is noticed when it is asked about") {
+  const test::Directory directory;
+  const std::string plain = directory.file("content");
+  test::write_file(plain, std::string(100'000, 'x'));
+  for (const std::string& path : {plain, test::gzip_file(plain), test::zstd_file(plain)}) {
+    for (const bool map : {false, true}) {
+      CAPTURE(path, map);
+      test::TestJob test({.map_input = map});
+      const auto source = open_source(test.job, path);
+      source->take(10);
+      CHECK_NOTHROW(source->check_whole());
+      const auto before = std::filesystem::last_write_time(path);
+      std::filesystem::last_write_time(path, before + std::chrono::nanoseconds(1));
+      const Error error = test::error_of([&] { source->check_whole(); });
+      CHECK(error.kind() == ErrorKind::bad_input);
+      CHECK(std::string(error.what()).find("'" + path + "' was changed") != std::string::npos);
+      std::filesystem::last_write_time(path, before);
+      CHECK_NOTHROW(source->check_whole());
+    }
+  }
 }
 
 TEST_CASE("waiting for a writer of a named pipe ends when the run is cancelled") {

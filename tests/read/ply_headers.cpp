@@ -3,7 +3,10 @@
 #include "support/job.hpp"
 #include "support/ply_file.hpp"
 #include "support/reading.hpp"
+#include "support/sanitized.hpp"
 #include "support/sources.hpp"
+
+#include <chrono>
 
 #include <catch2/catch.hpp>
 
@@ -112,6 +115,23 @@ TEST_CASE("a header cut anywhere is an error") {
     CAPTURE(length);
     REQUIRE(test::error_of([&] { header_of(plain.substr(0, length)); }).kind() == ErrorKind::bad_input);
   }
+}
+
+TEST_CASE("a header of very many elements or properties takes linear time") {
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string list = "property list uchar int vertex_indices\n";
+  std::string elements, properties;
+  for (int i = 0; i < 55'000; ++i) {
+    elements += "element " + std::to_string(i) + " 0\n";
+    properties += "property int " + std::to_string(i) + "\n";
+  }
+  const std::string body = "end_header\n0 0 0\n1 0 0\n0 1 0\n";
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK(test::faces_of(vertices + "element face 1\n" + list + elements + body + "3 0 1 2\n").size() == 1);
+  CHECK(test::faces_of(vertices + "element face 0\n" + properties + list + body).empty());
+  // Ten seconds when each name was looked for among all.
+  if (!test::sanitized) CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(2));
 }
 
 TEST_CASE("a wrong header is refused with the line that is wrong") {

@@ -1,7 +1,11 @@
 // Inputs that cannot be read are refused with 3 and named; none is ever written to.
+#include <winnow/error.hpp>
+#include <winnow/simplify.hpp>
+
 #include "support/simplified.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <thread>
 
@@ -94,6 +98,44 @@ TEST_CASE("an input can be replaced by its own result", "[faults]") {
   winnow_ok({"simplify", input, "-o", input, "--grid", "20", "--force"});
   CHECK(hash_of_file(input) == want);
   CHECK(directory.names() == Words{"scan.ply"});
+}
+
+TEST_CASE("an input that is changed while it is read is refused, whatever is read and how often",
+          "[faults]") {
+  const Directory directory;
+  const std::string input = directory.file("scan.ply");
+  generate("scan", 50'000, input);
+  const std::string other = directory.file("other.stl");
+  generate("scan", 1'000, other);
+  for (const std::string& name :
+       {input, directory.file("scan.stl"), gzip_file(input), ascii_file(input, directory.file("scan.obj"))}) {
+    if (!exists(name)) generate("scan", 50'000, name);
+    for (const bool several : {false, true}) {
+      std::vector<std::string> inputs{name};
+      if (several) inputs.push_back(other);
+      bool written = false;
+      Context context;
+      context.threads = 2;
+      context.progress = [&](const Progress&) {
+        if (written) return;
+        std::filesystem::last_write_time(name, std::filesystem::file_time_type::clock::now());
+        written = true;
+      };
+      SimplifyOptions options;
+      options.faces = 1000;
+      CAPTURE(name, several);
+      try {
+        simplify(context, inputs, directory.file("out.ply"), options);
+        CHECK_FALSE("an error");
+      } catch (const Error& error) {
+        INFO(error.what());
+        CHECK(error.kind() == ErrorKind::bad_input);
+        CHECK(std::string(error.what()).find("'" + name + "' was changed") != std::string::npos);
+      }
+      CHECK(written);
+      CHECK_FALSE(exists(directory.file("out.ply")));
+    }
+  }
 }
 
 TEST_CASE("a named pipe is an input", "[faults]") {
