@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/checksum.hpp"
+#include "io/file_descriptor.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -122,7 +123,13 @@ std::unique_ptr<CheckpointDirectory> CheckpointDirectory::open(Job& job, const s
                     "removes it; run winnow simplify");
   }
   directory->lock();
+  std::error_code missing;
+  const auto kind = std::filesystem::status(name, missing).type();
+  if (kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::regular)
+    throw Error(ErrorKind::bad_input, "'" + name + "' is no file, so no checkpoint can be read from it");
   std::ifstream in(name, std::ios::binary);
+  if (kind == std::filesystem::file_type::regular && !in)
+    throw Error(cannot_open(errno), "cannot open '" + name + "': " + std::strerror(errno));
   if (!in) {
     ::unlink(directory->file(lock_name).c_str());
     throw Error(ErrorKind::bad_input, "'" + path + "' holds no checkpoint yet: '" + name +

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -103,6 +104,11 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return fail("the system has no more memory; lower --memory or end other programs", ErrorKind::resources);
   } catch (const std::exception& error) {
+    // TBB and Embree tell so where a thread cannot be made.
+    if (std::strstr(error.what(), "pthread_create") != nullptr) {
+      return fail("the system gives this run no more threads; try --threads 1, or end other programs",
+                  ErrorKind::resources);
+    }
     return fail(error.what(), ErrorKind::failed);
   }
 }

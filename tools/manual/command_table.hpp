@@ -19,6 +19,7 @@ struct OptionLine {
   [[nodiscard]] bool positional() const { return names.empty(); }
   // Whether the value is a name of a file or directory.
   [[nodiscard]] bool takes_file() const;
+  [[nodiscard]] bool takes_directory() const { return value == "DIR"; }
 };
 
 struct CommandTable {

@@ -38,9 +38,23 @@ std::string bash_values(const CommandTable& command) {
     if (!option.choices.empty()) {
       cases += " _winnow_words '" + joined(option.choices) + "'; return ;;\n";
     } else if (option.takes_file()) {
-      cases += " _winnow_files; return ;;\n";
+      cases += std::string(" _winnow_files ") + (option.takes_directory() ? "-d" : "-f") + "; return ;;\n";
     } else {
       cases += " return ;;\n";
+    }
+  }
+  return cases;
+}
+
+// What stands without an option, where it is no file.
+std::string bash_places(const std::vector<CommandTable>& all) {
+  std::string cases;
+  for (const CommandTable& command : all) {
+    for (const OptionLine& option : command.options) {
+      if (!option.positional()) continue;
+      if (!option.choices.empty())
+        cases += "      " + command.name + ") _winnow_words '" + joined(option.choices) + "' ;;\n";
+      if (option.takes_directory()) cases += "      " + command.name + ") _winnow_files -d ;;\n";
     }
   }
   return cases;
@@ -67,13 +81,13 @@ std::string zsh_value(const OptionLine& option) {
   if (!option.choices.empty()) {
     action = "(" + joined(option.choices) + ")";
   } else if (option.takes_file()) {
-    action = option.value == "DIR" ? "_files -/" : "_files";
+    action = option.takes_directory() ? "_files -/" : "_files";
   }
   return ":" + zsh_text(option.value) + ":" + action;
 }
 
 std::string zsh_option(const OptionLine& option) {
-  if (option.positional()) return " \\\n        ':" + zsh_text(option.value) + ":_files'";
+  if (option.positional()) return " \\\n        '" + zsh_value(option) + "'";
   std::string lines;
   for (const std::string& name : option.names) {
     // Whichever of its names was given, the others are not offered any more.
@@ -89,15 +103,21 @@ std::string bash_completion(const std::vector<CommandTable>& all) {
   std::string text = "# bash completion for winnow\n\n";
   text += "_winnow_words() { mapfile -t COMPREPLY < <(compgen -W \"$1\" -- \"$cur\"); }\n";
   text +=
-      R"(_winnow_files() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- "$cur"); )"
+      R"(_winnow_files() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen "$1" -- "$cur"); )"
       "}\n\n";
   text += "_winnow() {\n  local cur=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n";
+  // "--refine=volume" comes as three words.
+  text += "  [[ $before == = && COMP_CWORD -gt 2 ]] && before=${COMP_WORDS[COMP_CWORD - 2]}\n";
+  text += "  [[ $cur == = ]] && cur=\n";
   text += "  COMPREPLY=()\n";
-  text += "  if ((COMP_CWORD == 1)); then\n    _winnow_words '" + joined(commands_of(all)) + " " +
+  text += "  if ((COMP_CWORD == 1)); then\n    _winnow_words '" + joined(commands_of(all)) + " help " +
           joined(names_of(all.front())) + "'\n    return\n  fi\n";
+  text += "  if [[ ${COMP_WORDS[1]} == help ]]; then\n    _winnow_words '" + joined(commands_of(all)) +
+          "'\n    return\n  fi\n";
   text += "  case ${COMP_WORDS[1]}:$before in\n";
   for (const CommandTable& command : all) text += bash_values(command);
-  text += "  esac\n  if [[ $cur != -* ]]; then\n    _winnow_files\n    return\n  fi\n";
+  text += "  esac\n  if [[ $cur != -* ]]; then\n    case ${COMP_WORDS[1]} in\n" + bash_places(all) +
+          "      *) _winnow_files -f ;;\n    esac\n    return\n  fi\n";
   text += "  case ${COMP_WORDS[1]} in\n";
   for (const CommandTable& command : all) {
     if (command.name == "winnow") continue;
