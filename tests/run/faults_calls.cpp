@@ -173,4 +173,19 @@ TEST_CASE("a run that replaces its input and is killed is not done twice", "[fau
   CHECK(after > 1);
 }
 
+TEST_CASE("where no thread can be made, that is what is said", "[faults]") {
+  const Directory directory;
+  const std::string input = directory.file("in.ply");
+  generate("scan", 30'000, input);
+  const std::string output = directory.file("out.ply");
+  for (const Words& arguments :
+       {Words{"simplify", input, "-o", output, "--faces", "500"}, Words{"convert", input, "-o", output},
+        Words{"info", input}, Words{"compare", input, input}, Words{"generate", "scan", "-o", output}}) {
+    INFO(joined(arguments));
+    check_failed(run_winnow(arguments + Words{"--threads", "4"}, {.fault = failing("thread", 1, EAGAIN, "")}),
+                 4, {"--threads 1"});
+    CHECK(directory.names() == Words{"in.ply"});
+  }
+}
+
 }  // namespace winnow::test

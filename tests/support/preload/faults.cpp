@@ -14,6 +14,7 @@
 #include <string>
 
 #include <dlfcn.h>
+#include <pthread.h>
 #include <unistd.h>
 
 namespace {
@@ -122,6 +123,12 @@ int linkat(int from_at, const char* from, int to_at, const char* to, int flags) 
 int unlink(const char* name) noexcept {
   static auto* const real = next<int(const char*)>("unlink");
   return strikes("unlink", true, name) ? -1 : real(name);
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* of) {
+  static auto* const real =
+      next<int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
+  return strikes("thread", false, "") ? errno : real(thread, attributes, work, of);
 }
 
 }  // extern "C"
