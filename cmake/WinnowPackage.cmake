@@ -1,5 +1,5 @@
 # Debian packages: cpack -G DEB makes `winnow`, the program, and `libwinnow-dev`, the library.
-set(CPACK_PACKAGE_CONTACT "The winnow developers <winnow@localhost>")
+set(CPACK_PACKAGE_CONTACT "The winnow developers <winnow@packages.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -13,17 +13,37 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME winnow)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${PROJECT_DESCRIPTION}")
+string(CONCAT CPACK_COMPONENT_PROGRAM_DESCRIPTION
+       "Reads a triangle mesh of any size from front to back, and writes a small\n"
+       "one as PLY, STL, OBJ, OFF or GLB. Memory stays within a budget, and the\n"
+       "result does not depend on it.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libwinnow-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libtbb-dev, libboost-iostreams-dev, libembree-dev, libmeshoptimizer-dev, libpng-dev, libzstd-dev, zlib1g-dev")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${PROJECT_DESCRIPTION} - library and headers")
+    "libtbb-dev, libboost-iostreams-dev, libembree-dev, libmeshoptimizer-dev, libpng-dev, libzstd-dev, \
+zlib1g-dev")
+string(CONCAT CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
+       "The library that the program winnow is made of, with its headers and\n"
+       "what CMake and pkg-config read.")
+
+# Debian's changelog, of this version alone.
+string(TIMESTAMP package_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+find_program(WINNOW_GZIP gzip REQUIRED)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/changelog @ONLY CONTENT
+     "winnow (@PROJECT_VERSION@) unstable; urgency=medium
+
+  * Version @PROJECT_VERSION@.
+
+ -- @CPACK_PACKAGE_CONTACT@  @package_date@
+")
+execute_process(COMMAND ${WINNOW_GZIP} -9nkf ${PROJECT_BINARY_DIR}/changelog)
 
 foreach(component_package program/winnow development/libwinnow-dev)
   cmake_path(GET component_package PARENT_PATH component)
   cmake_path(GET component_package FILENAME package)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright
+          COMPONENT ${component})
+  install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
           COMPONENT ${component})
 endforeach()
 include(CPack)
