@@ -334,6 +334,7 @@ class MovingReader final : public NearWeldedReader {
     reader_->decode_faces(batch, slice, [&](const FaceBatch& /*slice*/) {
       const auto status = slice.status;
       const bool all_good = slice.all_good;
+      const bool single = slice.single;
       for (std::size_t i = 0; i < slice.count; ++i) {
         if (slice.status[i] == FaceStatus::good) move_corners(finder, slice, i);
       }
@@ -341,6 +342,7 @@ class MovingReader final : public NearWeldedReader {
       // The reader may not set them again for every slice.
       slice.status = status;
       slice.all_good = all_good;
+      slice.single = single;
     });
   }
 
@@ -353,6 +355,16 @@ class MovingReader final : public NearWeldedReader {
   [[nodiscard]] const std::string& name() const override { return reader_->name(); }
 
  private:
+  static void to_doubles(FaceBatch& slice) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto& floats = slice.single_position[corner][axis];
+        std::copy_n(floats.begin(), slice.count, slice.position[corner][axis].begin());
+      }
+    }
+    slice.single = false;
+  }
+
   void move_corners(MovedFinder& finder, FaceBatch& slice, std::size_t face) const {
     const bool repeated = slice.repeats_a_corner(face);
     bool moved = false;
@@ -361,13 +373,9 @@ class MovingReader final : public NearWeldedReader {
       const Point target = finder.find(stored);
       if (!finite(stored) || target == stored) continue;
       moved = true;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (slice.single) {
-          slice.single_position[corner][axis][face] = static_cast<float>(target[axis]);
-        } else {
-          slice.position[corner][axis][face] = target[axis];
-        }
-      }
+      // That of another input may be of doubles.
+      if (slice.single) to_doubles(slice);
+      for (std::size_t axis = 0; axis < 3; ++axis) slice.position[corner][axis][face] = target[axis];
     }
     if (!moved || repeated || !slice.repeats_a_corner(face)) return;
     slice.status[face] = FaceStatus::cropped;

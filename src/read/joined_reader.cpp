@@ -68,6 +68,7 @@ class JoinedReader final : public MeshReader {
       add(facts_.faces, facts.faces);
       add(facts_.vertices, facts.vertices);
       facts_.polygons |= facts.polygons;
+      facts_.mixed_positions |= i > 0 && facts.double_positions != facts_.double_positions;
       facts_.double_positions |= facts.double_positions;
       facts_.normals &= facts.normals;
       if (!bare_) offers.push_back(facts.offer);

@@ -25,6 +25,7 @@ struct InputFacts {
   std::optional<std::uint64_t> vertices;  // absent for formats without
   bool polygons = false;                  // of the records may be
   bool double_positions = false;
+  bool mixed_positions = false;  // doubles in some of several inputs, floats in others
   bool normals = false;
   std::vector<std::string> attributes;  // "vertex: nx, ny, nz (float)"
   AttributeOffer offer;

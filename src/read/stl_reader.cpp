@@ -2,8 +2,10 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
+#include "base/vector.hpp"
 #include "read/foreign_formats.hpp"
 #include "read/formats.hpp"
+#include "read/polygon_cutter.hpp"
 #include "read/slices.hpp"
 #include "read/text_lines.hpp"
 #include "read/text_tokens.hpp"
@@ -469,8 +471,7 @@ class AsciiStlReader final : public StlReader {
     Mark mark = find_face();
     if (mark == Mark::end_of_file) return false;
     if (mark != Mark::vertex) mark = next_mark();
-    std::array<double, 9> corners{};
-    std::size_t vertices = 0;
+    corners_.clear();
     for (; mark != Mark::end_loop && mark != Mark::end_facet; mark = next_mark()) {
       if (mark == Mark::end_of_file) fail("the file ends inside a face: it was cut short");
       if (mark == Mark::facet) fail("a face begins inside another; 'endfacet' is missing");
@@ -478,23 +479,18 @@ class AsciiStlReader final : public StlReader {
       if (mark == Mark::color) pass_over_color();
       if (mark == Mark::outer) in_loop_ = true;
       if (mark != Mark::vertex) continue;  // the normal, "loop"
-      const std::array<double, 3> xyz = read_position();
-      if (vertices == most_corners) fail("it has more than 512 corners; this is no STL");
-      add_vertex(batch, corners, vertices++, xyz);
-      if (vertices == 3 && !in_loop_ && !in_facet_) break;
+      if (corners_.size() == most_corners) fail("it has more than 512 corners; this is no STL");
+      corners_.push_back(read_position());
+      if (corners_.size() == 3 && !in_loop_ && !in_facet_) break;
     }
     in_loop_ = false;
     if (mark == Mark::end_facet) in_facet_ = false;
-    if (vertices < 3) {
-      // Nowhere: a corner that is not there must not widen the box.
-      corners.fill(std::numeric_limits<double>::quiet_NaN());
-      add_face(batch, corners, FaceStatus::degenerate);
-    }
+    add_polygon(batch);
     return true;
   }
 
-  std::array<double, 3> read_position() {
-    std::array<double, 3> xyz{};
+  Point read_position() {
+    Point xyz{};
     for (double& value : xyz) {
       const std::string_view number = tokens_->next();
       const std::optional<double> parsed = parse_real(number);
@@ -505,17 +501,27 @@ class AsciiStlReader final : public StlReader {
     return xyz;
   }
 
-  // A face should have three; of more, a fan is made.
-  void add_vertex(RawBatch& batch, std::array<double, 9>& corners, std::size_t number,
-                  const std::array<double, 3>& xyz) const {
-    if (number >= 3) std::copy_n(corners.begin() + 6, 3, corners.begin() + 3);
-    std::copy_n(xyz.begin(), 3,
-                corners.begin() + static_cast<std::ptrdiff_t>(3 * std::min<std::size_t>(number, 2)));
-    if (number >= 2) add_face(batch, corners, FaceStatus::good);
+  // A face should have three corners.
+  void add_polygon(RawBatch& batch) {
+    if (corners_.size() < 3) {
+      // Nowhere: a corner that is not there must not widen the box.
+      constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+      const Point none{nowhere, nowhere, nowhere};
+      return add_face(batch, none, none, none, FaceStatus::degenerate);
+    }
+    if (corners_.size() > 3) {
+      const auto& cut = cutter_.cut(corners_);
+      for (const auto& [a, b, c] : cut)
+        add_face(batch, corners_[a], corners_[b], corners_[c], FaceStatus::good);
+      if (!cut.empty()) return;
+    }
+    for (std::size_t i = 2; i < corners_.size(); ++i)
+      add_face(batch, corners_[0], corners_[i - 1], corners_[i], FaceStatus::good);
   }
 
-  static void add_face(RawBatch& batch, const std::array<double, 9>& corners, FaceStatus status) {
-    batch.corners.insert(batch.corners.end(), corners.begin(), corners.end());
+  static void add_face(RawBatch& batch, const Point& a, const Point& b, const Point& c, FaceStatus status) {
+    for (const Point& corner : {a, b, c})
+      batch.corners.insert(batch.corners.end(), corner.begin(), corner.end());
     batch.status.push_back(status);
     ++batch.count;
   }
@@ -529,6 +535,8 @@ class AsciiStlReader final : public StlReader {
   static constexpr std::size_t most_corners = 512;
 
   std::unique_ptr<TextTokens> tokens_;
+  std::vector<Point> corners_;  // of the face at work
+  PolygonCutter cutter_;
   std::string_view word_;  // the last one
   std::uint64_t found_ = 0;
   Place place_ = Place::before;

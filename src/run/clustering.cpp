@@ -118,6 +118,11 @@ Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& opti
     : job_(job), reader_(reader), options_(options), plan_(plan), report_(report) {
   settings_.placement = options.placement;
   settings_.double_positions = writes_doubles(options.encoding, reader.facts().double_positions);
+  if (reader.facts().mixed_positions && !welds(options)) {
+    job.note(
+        "some inputs have doubles and some floats, so borders between them may not be joined; "
+        "--weld DISTANCE joins what is near");
+  }
   settings_.for_refinement = cost_of(options) != Refine::none;
   settings_.attributes = std::move(attributes);
   settings_.keep_quadrics = options.error || options.relative_error;

@@ -47,6 +47,16 @@ void check_letters(const std::string& file) {
 
 }  // namespace
 
+TEST_CASE("a concave facet of an STL keeps its area") {
+  std::string file = "solid s\nfacet normal 0 0 1\nouter loop\n";
+  for (const char* corner : {"1 3 0", "0 3 0", "0 0 0", "3 0 0", "3 1 0", "1 1 0"})
+    file += std::string("vertex ") + corner + "\n";
+  file += "endloop\nendfacet\nendsolid s\n";
+  const auto faces = faces_of(file);
+  CHECK(faces.size() == 4);
+  CHECK(area_of_ls(faces) == Approx(5));
+}
+
 TEST_CASE("concave polygons keep their area in every format") {
   check_letters(obj_file(letters, {}));
   check_letters(off_file(letters, {}));

@@ -30,20 +30,25 @@ inline std::string joined(const Words& words) {
   return line;
 }
 
-// The hash of the mesh, and the report.
+// The hash of the mesh, and the report without names of files.
 struct Simplified {
   std::string hash;
   nlohmann::json report;
 };
 
+inline Simplified simplified_by(const Run& run, const std::string& output) {
+  Simplified result{hash_of_file(output), run.json()};
+  result.report["input"].erase("files");
+  result.report["output"].erase("file");
+  ::unlink(output.c_str());
+  return result;
+}
+
 // `winnow simplify input -o out.<format>` in `directory`; the output is removed again.
 inline Simplified simplified(const Directory& directory, const std::string& input, const Words& options,
                              const Setup& setup = {}, const std::string& output = "out.ply") {
   const std::string path = directory.file(output);
-  const Run run = winnow_ok(Words{"simplify", input, "-o", path, "--json"} + options, setup);
-  Simplified result{hash_of_file(path), run.json()};
-  ::unlink(path.c_str());
-  return result;
+  return simplified_by(winnow_ok(Words{"simplify", input, "-o", path, "--json"} + options, setup), path);
 }
 
 // The same through a pipe.
@@ -55,9 +60,7 @@ inline Simplified simplified_by_pipe(const Directory& directory, const std::stri
   const Run run = program.wait();
   INFO(run.err);
   REQUIRE(run.code == 0);
-  Simplified result{hash_of_file(output), run.json()};
-  ::unlink(output.c_str());
-  return result;
+  return simplified_by(run, output);
 }
 
 // The --memory that the message of a run names which had too little.
