@@ -4,7 +4,7 @@ import os
 import shutil
 
 from bench import PEERS, VARIANTS, faces_in, faces_out, real_meshes
-from harness import MIB, Failed, Table, measure, mebibytes, median, short, warm
+from harness import MIB, Failed, Table, measure, mebibytes, median, ratio, short, warm
 from speed import print_against
 
 
@@ -119,5 +119,47 @@ def section_compare(bench):
                   report["distance"]["symmetric"]["rms_percent"])
         result[faces] = runs
         small.unlink()
+    table.print()
+    return result
+
+
+
+def section_ratios(bench):
+    """Time and error by ratio, warm: winnow and edge collapse"""
+    options = bench.options
+    source = bench.generate(options.ratio_faces)
+    warm(source)
+    table = Table("ratio", "program", "faces", "seconds", "of winnow's", "peak MiB", "RMS % of the diagonal", "max %")
+    result = {}
+    for share in options.ratios:
+        faces = round(float(share.rstrip("%")) / 100 * options.ratio_faces)
+        judged = {}
+
+        def candidate(name, run, judged=judged):
+            def run_and_judge():
+                found = run()
+                if name not in judged:
+                    judged[name] = bench.compare(source, bench.out, "--memory", options.large_memory)["report"]
+                return found
+            return run_and_judge
+
+        candidates = {}
+        for name in ("winnow", "winnow, full detail"):
+            arguments = VARIANTS[name]
+            candidates[name] = candidate(name, lambda arguments=arguments: bench.winnow(
+                source, "--ratio", share, *arguments, "--memory", options.large_memory))
+        for peer in options.ratio_peers:
+            name = PEERS[peer][0]
+            candidates[name] = candidate(name, lambda peer=peer: measure(
+                bench.peer_command(peer, source, faces, bench.out), timeout=options.collapse_timeout))
+        runs = bench.in_turn(candidates)
+        for name, found in runs.items():
+            if isinstance(found, str):
+                table.add(share, name, f"failed: {found}", "", "", "", "", "")
+                continue
+            both = judged[name]["distance"]["symmetric"]
+            table.add(share, name, faces_out(found[0]), median(found, "seconds"), ratio(found, runs["winnow"]),
+                      max(run["peak_bytes"] for run in found) / MIB, both["rms_percent"], both["max_percent"])
+        result[share] = {"runs": runs, "judged": judged}
     table.print()
     return result
