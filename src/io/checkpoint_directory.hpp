@@ -12,7 +12,7 @@
 namespace winnow {
 
 // Locked for as long as the object lives. Only what the manifest names counts, and journals, which know what
-// counts in them; src/DESIGN.md tells of the files.
+// counts in them; docs/design/checkpoints.md tells of the files.
 class CheckpointDirectory {
  public:
   // For a new run: makes the directory where it is missing; it must be empty otherwise. Throws Error(usage).
