@@ -7,8 +7,8 @@ namespace winnow {
 namespace {
 
 // How much of the middle of the edge there is beside the place nearest to the vertex. By measurement
-// (docs/design/attributes.md): 0 is best for what varies smoothly, 1 evens out the noise of colours best; one half is
-// nearly as good at either.
+// (docs/design/attributes.md): 0 is best for what varies smoothly, 1 evens out the noise of colours best; one
+// half is nearly as good at either.
 constexpr double middle = 0.5;
 
 }  // namespace
