@@ -8,8 +8,8 @@ import sys
 
 from harness import MIB, Failed, measure, short
 
-# Title, program, its arguments, and the parameter that it finds for a face count and reports. The search is
-# run once and not timed: the timed runs are given the parameter.
+# Title, program, its arguments, and the parameter that it finds for a face count and reports. The
+# search is run once and not timed: the timed runs are given the parameter.
 PEERS = {
     "meshopt": ("meshoptimizer sloppy", "peer_meshoptimizer", ["--method", "sloppy"], None),
     "meshopt-edges": ("meshoptimizer edges", "peer_meshoptimizer", ["--method", "edges"], None),
@@ -27,7 +27,8 @@ PEERS = {
     "meshlab-edges": ("MeshLab quadric decimation", "peer_meshlab", ["--collapse"], None),
 }
 
-# What winnow is asked for where quality is judged; the first is the base that others are held against.
+# What winnow is asked for where quality is judged; the first is the base that others are held
+# against.
 VARIANTS = {
     "winnow": [],
     "winnow, full detail": ["--detail", "full"],
@@ -44,7 +45,8 @@ def show_nothing():
         return
     reading, writing = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "640x480x24"],
-                              pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                              pass_fds=[writing], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL)
     atexit.register(server.terminate)
     os.close(writing)
     with os.fdopen(reading) as number:
@@ -77,7 +79,8 @@ class Bench:
                          for path in pathlib.Path(options.build).rglob(name)
                          if path.is_file() and os.access(path, os.X_OK)}
         total = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-        self.peer_limit = int(0.85 * total)  # a peer that wants more fails by itself and takes nobody along
+        # A peer that wants more fails by itself and takes nobody along.
+        self.peer_limit = int(0.85 * total)
         self.parameters = {}  # found for a peer, an input and a face count
         if "peer_meshlab" in self.programs:
             show_nothing()
@@ -91,15 +94,17 @@ class Bench:
         return path
 
     def winnow(self, source, *more, threads=None, feed=None, **limits):
-        return measure([self.options.winnow, "simplify", source, "-o", self.out, "--force", "--json",
-                        "--threads", threads or self.options.threads, *more], feed=feed, **limits)
+        return measure([self.options.winnow, "simplify", source, "-o", self.out, "--force",
+                        "--json", "--threads", threads or self.options.threads, *more],
+                       feed=feed, **limits)
 
     def cluster(self, source, *more, **limits):
         return self.winnow(source, *more, "--refine", "none", **limits)
 
     def compare(self, source, simplified, *more):
         return measure([self.options.winnow, "compare", source, simplified, "--json",
-                        "--threads", self.options.threads, "--samples", self.options.samples, *more])
+                        "--threads", self.options.threads, "--samples", self.options.samples,
+                        *more])
 
     def program(self, name):
         if name not in self.programs:
@@ -107,7 +112,8 @@ class Bench:
         return self.programs[name]
 
     def limits(self, path, only):
-        command = [self.program("bench_limits"), path, "--only", only, "--threads", self.options.threads]
+        command = [self.program("bench_limits"), path, "--only", only, "--threads",
+                   self.options.threads]
         return measure(command)["report"]
 
     def peer_command(self, peer, source, faces, target):
@@ -151,10 +157,12 @@ def real_meshes(directory, most=3):
             head = file.read(4096)
         if head.startswith(b"ply"):
             return b"binary_little_endian" in head and b"element tristrips" not in head
-        return len(head) >= 84 and path.stat().st_size >= 84 + 50 * int.from_bytes(head[80:84], "little")
+        return len(head) >= 84 and path.stat().st_size >= 84 + 50 * int.from_bytes(head[80:84],
+                                                                                   "little")
 
     if not directory:
         return []
     found = [path for path in pathlib.Path(directory).rglob("*")
-             if path.suffix.lower() in (".ply", ".stl") and path.stat().st_size > MIB and readable(path)]
+             if path.suffix.lower() in (".ply", ".stl") and path.stat().st_size > MIB
+             and readable(path)]
     return sorted(found, key=lambda path: path.stat().st_size, reverse=True)[:most]

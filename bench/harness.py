@@ -40,7 +40,7 @@ def mebibytes(text):
 
 
 def without_directories(text, command):
-    """The text with the command's files by their bare names: where they lie is nobody's business."""
+    """The text with the command's files by bare names: where they lie is nobody's business."""
     for word in command:
         if os.sep in word:
             text = text.replace(word, os.path.basename(word))
@@ -60,7 +60,10 @@ def descendants(pid):
 
 
 def unreclaimable(pid):
-    """Resident bytes of a process and all that it started which the kernel cannot drop: no file is behind them."""
+    """Resident bytes of a process and all that it started which the kernel cannot drop.
+
+    No file is behind them.
+    """
     total = 0
     for one in descendants(pid):
         try:
@@ -72,11 +75,12 @@ def unreclaimable(pid):
 
 
 class Guard:
-    """Ends a process, and all that it started, that takes too long or holds too much memory; says which it was.
+    """Ends a process, and all that it started, that takes too long or holds too much memory.
 
-    The memory is what a memory cgroup without swap would count against it (less the kernel's own part), looked at
-    every few milliseconds: no right to make cgroups is needed, and memory that is asked for but never touched
-    costs nothing, unlike under RLIMIT_DATA or RLIMIT_AS.
+    It says which it was. The memory is what a memory cgroup without swap would count against it
+    (less the kernel's own part), looked at every few milliseconds: no right to make cgroups is
+    needed, and memory that is asked for but never touched costs nothing, unlike under RLIMIT_DATA
+    or RLIMIT_AS.
     """
 
     def __init__(self, pid, seconds, resident_bytes):
@@ -100,18 +104,19 @@ class Guard:
                 return
 
     def stop(self):
-        """The process has ended but is not yet forgotten: its number cannot have gone to another."""
+        """The process has ended but is not yet forgotten: its number is still its own."""
         self.ended.set()
         if self.thread.is_alive():
             self.thread.join()
 
 
 def measure(command, feed=None, address_limit=None, resident_limit=None, timeout=None):
-    """Runs a command to its end: its seconds, CPU seconds, peak resident set, and the JSON that it printed.
+    """Runs a command to its end: its seconds, CPU seconds, peak resident set, and its JSON.
 
-    `feed` is a command whose output is piped in; only the fed process is measured. The kernel counts the
-    peak from before exec, so nothing smaller than this script (about 20 MiB) can be seen. `address_limit` bounds
-    all addresses, `resident_limit` the resident memory that no file is behind, `timeout` the seconds.
+    `feed` is a command whose output is piped in; only the fed process is measured. The kernel
+    counts the peak from before exec, so nothing smaller than this script (about 20 MiB) can be
+    seen. `address_limit` bounds all addresses, `resident_limit` the resident memory that no file is
+    behind, `timeout` the seconds.
     """
     def limit():
         if address_limit:
@@ -121,7 +126,8 @@ def measure(command, feed=None, address_limit=None, resident_limit=None, timeout
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as errors:
         feeder = subprocess.Popen([str(w) for w in feed], stdout=subprocess.PIPE) if feed else None
         start = time.perf_counter()
-        process = subprocess.Popen(command, stdin=feeder.stdout if feeder else subprocess.DEVNULL, stdout=out,
+        process = subprocess.Popen(command, stdin=feeder.stdout if feeder else subprocess.DEVNULL,
+                                   stdout=out,
                                    stderr=errors, preexec_fn=limit, start_new_session=True)
         if feeder:
             feeder.stdout.close()
@@ -173,7 +179,10 @@ def median(runs, key):
 
 
 def ratio(runs, base, key="seconds"):
-    """Median of the rounds' ratios; a program that was run less often is held against the same rounds."""
+    """Median of the rounds' ratios.
+
+    A program that was run less often is held against the same rounds.
+    """
     return statistics.median(a[key] / b[key] for a, b in zip(runs, base))
 
 
@@ -183,7 +192,8 @@ class Table:
 
     def add(self, *cells):
         self.rows.append([str(round(cell)) if isinstance(cell, float) and cell >= 1000 else
-                          f"{cell:.3g}" if isinstance(cell, float) else str(cell) for cell in cells])
+                          f"{cell:.3g}" if isinstance(cell, float) else str(cell)
+                          for cell in cells])
 
     def fail(self, name, reason):
         self.add(name, f"failed: {reason}", *[""] * (len(self.rows[0]) - 2))

@@ -10,14 +10,15 @@ from harness import MIB, Failed, Table, measure, mebibytes, median, ratio, short
 def section_memory(bench):
     """Peak resident set against --memory"""
     options = bench.options
-    table = Table("input", "asked for", "--memory", "peak MiB", "within +32 MiB", "spilled MB", "faces out",
-                  "seconds")
+    table = Table("input", "asked for", "--memory", "peak MiB", "within +32 MiB", "spilled MB",
+                  "faces out", "seconds")
     cases = [(short(n), "--ratio 1%", options.memory, n, None) for n in options.memory_faces]
-    cases.append((f"{short(options.faces)}, large output", "--ratio 50%", options.small_memory, options.faces,
-                  None))
+    cases.append((f"{short(options.faces)}, large output", "--ratio 50%", options.small_memory,
+                  options.faces, None))
     if options.pipe_faces:
         pipe = [options.winnow, "generate", "scan", "--faces", options.pipe_faces, "-o", "-", "-q"]
-        cases.append((f"{short(options.pipe_faces)} through a pipe", "--faces 1M", options.memory, None, pipe))
+        cases.append((f"{short(options.pipe_faces)} through a pipe", "--faces 1M", options.memory,
+                      None, pipe))
     result = []
     for name, resolution, memory, faces, pipe in cases:
         source = "-" if pipe else bench.generate(faces)
@@ -28,18 +29,22 @@ def section_memory(bench):
             result.append({"case": name, "failed": str(failure)})
             continue
         within = run["peak_bytes"] <= (mebibytes(memory) + 32) * MIB
-        table.add(name, resolution, memory, round(run["peak_bytes"] / MIB), "yes" if within else "NO",
-                  run["report"]["spilled_bytes"] / 1e6, faces_out(run), run["seconds"])
+        table.add(name, resolution, memory, round(run["peak_bytes"] / MIB),
+                  "yes" if within else "NO", run["report"]["spilled_bytes"] / 1e6,
+                  faces_out(run), run["seconds"])
         result.append(run | {"case": name, "within": within})
     table.print()
     return result
 
 
 def commands_for_little(bench, source, memory):
-    """Every program's command, none of which looks for its parameter: that would be more than the task."""
+    """Every program's command, none of which looks for its parameter.
+
+    That would be more than the task.
+    """
     learned = bench.cluster(source, "--ratio", "1%")["report"]
-    commands = {"winnow": [bench.options.winnow, "simplify", source, "-o", bench.out, "--force", "--json", "--ratio",
-                           "1%", "--memory", f"{mebibytes(memory) - 32}M"]}
+    commands = {"winnow": [bench.options.winnow, "simplify", source, "-o", bench.out, "--force",
+                           "--json", "--ratio", "1%", "--memory", f"{mebibytes(memory) - 32}M"]}
     for peer in bench.options.peers:
         title, name, arguments, parameter = PEERS[peer]
         if peer == "vtk-merge" or name not in bench.programs:  # the reader that welds is for STL
@@ -53,8 +58,9 @@ def commands_for_little(bench, source, memory):
 
 def section_little(bench):
     """Who finishes in little memory, 1 %"""
-    # Memory is resident memory that the kernel cannot drop (see harness.Guard). What needs more than that, or more
-    # than the time allowed, is not asked for the same input in less memory, nor for a larger one in as much.
+    # Memory is resident memory that the kernel cannot drop (see harness.Guard). What needs more
+    # than that, or more than the time allowed, is not asked for the same input in less memory, nor
+    # for a larger one in as much.
     options = bench.options
     table = Table("program", "faces", "memory", "ends", "faces out", "seconds",
                   "peak MiB, mapped files too")
@@ -67,14 +73,15 @@ def section_little(bench):
             for title, command in commands_for_little(bench, source, memory).items():
                 row = {"program": title, "faces": faces, "memory": memory}
                 before = [other for other in lost if other["program"] == title
-                          and other["faces"] <= faces and mebibytes(other["memory"]) >= mebibytes(memory)]
+                          and other["faces"] <= faces
+                          and mebibytes(other["memory"]) >= mebibytes(memory)]
                 try:
                     if before:
                         raise Failed(f"nor {short(before[0]['faces'])} in {before[0]['memory']}")
                     if time.monotonic() > end:
                         raise Failed(f"not tried: {options.little_minutes:g} minutes were over")
-                    run = measure(command, resident_limit=mebibytes(memory) * MIB, address_limit=bench.peer_limit,
-                                  timeout=options.little_timeout)
+                    run = measure(command, resident_limit=mebibytes(memory) * MIB,
+                                  address_limit=bench.peer_limit, timeout=options.little_timeout)
                     table.add(title, short(faces), memory, "yes", faces_out(run), run["seconds"],
                               round(run["peak_bytes"] / MIB))
                     result.append(row | run)
@@ -104,14 +111,16 @@ def section_growth(bench):
         table.add(short(faces), median(runs, "seconds"), 1e9 * seconds, 1e9 * cpu, seconds / first,
                   runs[0]["report"]["spilled_bytes"])
     table.print()
-    memory = [(faces, bench.winnow(bench.generate(faces), "--faces", "1M", "--memory", options.memory)
+    memory = [(faces, bench.winnow(bench.generate(faces), "--faces", "1M", "--memory",
+                                   options.memory)
                ["peak_bytes"] / MIB) for faces in options.growth_faces]
     for faces, peak in memory:
         print(f"{short(faces)} to 1M in {options.memory}: {peak:.0f} MiB at the peak")
     print()
     plot.write(bench.plots / "growth.svg", [
         ("Time a face", "ns, by faces of the input", {f"to 1 %, {options.large_memory}": times}),
-        ("Peak memory", "MiB, by faces of the input", {f"to 1M faces, {options.memory}": memory})], short)
+        ("Peak memory", "MiB, by faces of the input", {f"to 1M faces, {options.memory}": memory})],
+        short)
     return result | {"peak_mib_to_1M": memory}
 
 
@@ -120,12 +129,13 @@ def section_output(bench):
     options = bench.options
     source = bench.generate(options.faces)
     warm(source)
-    table = Table("asked for", "--memory", "faces out", "seconds", "ns an input face", "CPU ns an input face",
-                  "peak MiB", "bytes an output face", "scratch MB")
+    table = Table("asked for", "--memory", "faces out", "seconds", "ns an input face",
+                  "CPU ns an input face", "peak MiB", "bytes an output face", "scratch MB")
     result, times, peaks = {}, {}, {}
     for memory in (options.large_memory, options.memory):
         for wanted in options.output_faces:
-            runs = [bench.winnow(source, "--faces", wanted, "--memory", memory) for _ in range(options.rounds)]
+            runs = [bench.winnow(source, "--faces", wanted, "--memory", memory)
+                    for _ in range(options.rounds)]
             result[f"{wanted} in {memory}"] = runs
             faces, out = faces_in(runs[0]), faces_out(runs[0])
             seconds, peak = median(runs, "seconds"), median(runs, "peak_bytes")
@@ -136,8 +146,10 @@ def section_output(bench):
             peaks.setdefault(memory, []).append((wanted, peak / MIB))
     table.print()
     plot.write(bench.plots / "output.svg", [
-        (f"Time a face, {short(options.faces)} faces in", "ns an input face, by faces of the output", times),
-        (f"Peak memory, {short(options.faces)} faces in", "MiB, by faces of the output", peaks)], short)
+        (f"Time a face, {short(options.faces)} faces in",
+         "ns an input face, by faces of the output", times),
+        (f"Peak memory, {short(options.faces)} faces in", "MiB, by faces of the output", peaks)],
+        short)
     return result
 
 
@@ -147,15 +159,18 @@ def section_spill(bench):
     source = bench.generate(options.faces)
     warm(source)
     cell = repr(bench.cluster(source, "--ratio", "10%")["report"]["cell_size"])
-    runs = bench.in_turn({budget: lambda budget=budget: bench.winnow(source, "--cell", cell, "--memory", budget)
+    runs = bench.in_turn({budget: lambda budget=budget: bench.winnow(source, "--cell", cell,
+                                                                     "--memory", budget)
                           for budget in (options.large_memory, options.small_memory)})
-    table = Table("--memory", "seconds", "times", "spilled MB", "scratch bytes an input face", "peak MiB")
+    table = Table("--memory", "seconds", "times", "spilled MB", "scratch bytes an input face",
+                  "peak MiB")
     for budget, found in runs.items():
         if isinstance(found, str):
             table.fail(budget, found)
             continue
         spilled = found[0]["report"]["spilled_bytes"]
-        table.add(budget, median(found, "seconds"), ratio(found, runs[options.large_memory]), spilled / 1e6,
+        table.add(budget, median(found, "seconds"), ratio(found, runs[options.large_memory]),
+                  spilled / 1e6,
                   spilled / faces_in(found[0]), round(median(found, "peak_bytes") / MIB))
     table.print()
     return runs

@@ -1,4 +1,5 @@
-"""Sections of bench/run: how far the small meshes are from their originals, by `winnow compare`, and that itself."""
+"""Sections of bench/run: how far small meshes are from their originals, by `winnow compare`, and
+that itself."""
 
 import os
 import shutil
@@ -20,32 +21,38 @@ def section_collapse(bench):
 
         def candidate(name, command, target, source=source, kept=kept):
             kept[name] = target
-            return lambda: measure(command, address_limit=bench.peer_limit, timeout=options.collapse_timeout)
+            return lambda: measure(command, address_limit=bench.peer_limit,
+                                   timeout=options.collapse_timeout)
 
         candidates = {}
         for i, (name, arguments) in enumerate(VARIANTS.items()):
             target = bench.work / f"variant-{i}.ply"
             candidates[name] = candidate(
-                name, [options.winnow, "simplify", source, "-o", target, "--force", "--json", "--threads",
-                       options.threads, "--ratio", share, *arguments], target)
+                name, [options.winnow, "simplify", source, "-o", target, "--force", "--json",
+                       "--threads", options.threads, "--ratio", share, *arguments], target)
         failures = {}
         for peer in options.collapse_peers:
             name, target = PEERS[peer][0], bench.work / f"peer-{peer}.ply"
             try:
-                candidates[name] = candidate(name, bench.peer_command(peer, source, faces_out(learned), target), target)
+                candidates[name] = candidate(name, bench.peer_command(peer, source,
+                                                                      faces_out(learned), target),
+                                             target)
             except Failed as failure:
                 failures[name] = str(failure)
         runs = bench.in_turn(candidates) | failures
-        print(f"**{source.name}**, {faces_in(learned)} faces to {share}, {options.threads} threads for winnow:\n")
+        print(f"**{source.name}**, {faces_in(learned)} faces to {share}, "
+              f"{options.threads} threads for winnow:\n")
         print_against(runs)
         result[source.name] = {name: {"runs": found} for name, found in runs.items()}
-        table = Table("program", "faces", "RMS % of the diagonal", "max %", "flipped", "non-manifold edges")
+        table = Table("program", "faces", "RMS % of the diagonal", "max %", "flipped",
+                      "non-manifold edges")
         for name, found in runs.items():
             if isinstance(found, str):
                 table.fail(name, found)
                 continue
             try:
-                judged = bench.compare(source, kept[name], "--memory", options.large_memory)["report"]
+                judged = bench.compare(source, kept[name], "--memory",
+                                       options.large_memory)["report"]
             except Failed as failure:
                 table.fail(name, failure)
                 continue
@@ -79,7 +86,8 @@ def section_fidelity(bench):
                 bench.winnow(source, "--ratio", share, *arguments), bench.out)[1]
         for peer in options.fidelity_peers:
             candidates[PEERS[peer][0]] = lambda peer=peer: (
-                measure(bench.peer_command(peer, source, faces, target), address_limit=bench.peer_limit,
+                measure(bench.peer_command(peer, source, faces, target),
+                        address_limit=bench.peer_limit,
                         timeout=options.collapse_timeout), target)[1]
         result[source.name] = {}
         for name, make in candidates.items():
@@ -92,7 +100,8 @@ def section_fidelity(bench):
                          for key in ("mean_percent", "rms_percent", "max_percent")]
             topology = found["topology"]
             table.add(name, found["simplified"]["faces"], *distances, topology["duplicate"],
-                      topology["flipped"], topology["non_manifold_edges"], topology["boundary_edges"])
+                      topology["flipped"], topology["non_manifold_edges"],
+                      topology["boundary_edges"])
             result[source.name][name] = found
         table.print()
     return result
@@ -101,22 +110,26 @@ def section_fidelity(bench):
 def section_compare(bench):
     """`winnow compare` itself: an original against its small mesh, in a budget"""
     options = bench.options
-    table = Table("original", "simplified", "--memory", "seconds", "CPU s", "ns an original face", "peak MiB",
-                  "within +32 MiB", "RMS %")
+    table = Table("original", "simplified", "--memory", "seconds", "CPU s", "ns an original face",
+                  "peak MiB", "within +32 MiB", "RMS %")
     result = {}
     for faces in options.compare_faces:
         source = bench.generate(faces)
         small = bench.work / "small.ply"
-        bench.winnow(source, "--faces", min(faces // 100, 500_000))  # the small mesh must fit into the budget
+        bench.winnow(source, "--faces", min(faces // 100,
+                                            500_000))  # the small mesh must fit into the budget
         shutil.move(bench.out, small)
         warm(source)
-        runs = [bench.compare(source, small, "--memory", options.compare_memory) for _ in range(options.rounds)]
+        runs = [bench.compare(source, small, "--memory", options.compare_memory)
+                for _ in range(options.rounds)]
         report, peak = runs[0]["report"], median(runs, "peak_bytes")
         seconds = median(runs, "seconds")
-        table.add(f"{short(faces)}, {os.path.getsize(source) / 1e9:.3g} GB", report["simplified"]["faces"],
-                  options.compare_memory, seconds, median(runs, "cpu_seconds"), 1e9 * seconds / faces,
-                  round(peak / MIB), "yes" if peak <= (mebibytes(options.compare_memory) + 32) * MIB else "NO",
-                  report["distance"]["symmetric"]["rms_percent"])
+        table.add(f"{short(faces)}, {os.path.getsize(source) / 1e9:.3g} GB",
+                  report["simplified"]["faces"],
+                  options.compare_memory, seconds, median(runs, "cpu_seconds"),
+                  1e9 * seconds / faces,
+                  round(peak / MIB), "yes" if peak <= (mebibytes(options.compare_memory) + 32) * MIB
+                  else "NO", report["distance"]["symmetric"]["rms_percent"])
         result[faces] = runs
         small.unlink()
     table.print()
@@ -129,7 +142,8 @@ def section_ratios(bench):
     options = bench.options
     source = bench.generate(options.ratio_faces)
     warm(source)
-    table = Table("ratio", "program", "faces", "seconds", "of winnow's", "peak MiB", "RMS % of the diagonal", "max %")
+    table = Table("ratio", "program", "faces", "seconds", "of winnow's", "peak MiB",
+                  "RMS % of the diagonal", "max %")
     result = {}
     for share in options.ratios:
         faces = round(float(share.rstrip("%")) / 100 * options.ratio_faces)
@@ -139,7 +153,8 @@ def section_ratios(bench):
             def run_and_judge():
                 found = run()
                 if name not in judged:
-                    judged[name] = bench.compare(source, bench.out, "--memory", options.large_memory)["report"]
+                    judged[name] = bench.compare(source, bench.out, "--memory",
+                                                 options.large_memory)["report"]
                 return found
             return run_and_judge
 
@@ -151,15 +166,18 @@ def section_ratios(bench):
         for peer in options.ratio_peers:
             name = PEERS[peer][0]
             candidates[name] = candidate(name, lambda peer=peer: measure(
-                bench.peer_command(peer, source, faces, bench.out), timeout=options.collapse_timeout))
+                bench.peer_command(peer, source, faces, bench.out),
+                timeout=options.collapse_timeout))
         runs = bench.in_turn(candidates)
         for name, found in runs.items():
             if isinstance(found, str):
                 table.add(share, name, f"failed: {found}", "", "", "", "", "")
                 continue
             both = judged[name]["distance"]["symmetric"]
-            table.add(share, name, faces_out(found[0]), median(found, "seconds"), ratio(found, runs["winnow"]),
-                      max(run["peak_bytes"] for run in found) / MIB, both["rms_percent"], both["max_percent"])
+            table.add(share, name, faces_out(found[0]), median(found, "seconds"),
+                      ratio(found, runs["winnow"]),
+                      max(run["peak_bytes"] for run in found) / MIB, both["rms_percent"],
+                      both["max_percent"])
         result[share] = {"runs": runs, "judged": judged}
     table.print()
     return result

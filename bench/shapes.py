@@ -44,11 +44,11 @@ def change(ratio):
 
 
 def judge(bench, source):
-    """What the judge says of bench.out; the reason where it says nothing in time, as of a large soup."""
+    """What the judge says of bench.out; the reason where it says nothing in time."""
     options = bench.options
     try:
-        return measure([options.winnow, "compare", source, bench.out, "--json", "--threads", options.threads,
-                        "--samples", "100k", "--memory", options.large_memory],
+        return measure([options.winnow, "compare", source, bench.out, "--json", "--threads",
+                        options.threads, "--samples", "100k", "--memory", options.large_memory],
                        timeout=options.shape_timeout)["report"]
     except Failed as failure:
         return str(failure)
@@ -57,8 +57,8 @@ def judge(bench, source):
 def section_shapes(bench):
     """Shapes on which simplifiers go wrong"""
     options = bench.options
-    table = Table("shape", "faces in", "asked", "faces out", "seconds", "edges with other than two", "area",
-                  "volume", "RMS %")
+    table = Table("shape", "faces in", "asked", "faces out", "seconds", "edges with other than two",
+                  "area", "volume", "RMS %")
     result = {}
     source = bench.work / "shape.ply"
     for shape, size, asked in SHAPES:
@@ -75,8 +75,10 @@ def section_shapes(bench):
         cells = [f"not judged: {judged}", "", "", ""]
         if not isinstance(judged, str):
             topology = judged["topology"]
-            cells = [topology["boundary_edges"] + topology["non_manifold_edges"], change(judged["area_change"]),
-                     change(judged["volume_change"]), judged["distance"]["symmetric"]["rms_percent"]]
+            cells = [topology["boundary_edges"] + topology["non_manifold_edges"],
+                     change(judged["area_change"]),
+                     change(judged["volume_change"]),
+                     judged["distance"]["symmetric"]["rms_percent"]]
         table.add(name, made["faces"], title, faces_out(run), run["seconds"], *cells)
     table.print()
     source.unlink()

@@ -1,4 +1,4 @@
-"""Sections of bench/run: how long winnow takes, beside its peers and beside what the machine allows."""
+"""Sections of bench/run: how long winnow takes, beside peers and what the machine allows."""
 
 import os
 import statistics
@@ -14,17 +14,19 @@ def cell_of(bench, source, share="1%"):
 def print_against(runs):
     """A table of programs run in turn, against the first of them."""
     base = next(iter(runs))
-    table = Table("program", "faces out", "seconds", "of it reading", "Mtri/s", "times winnow", "CPU s", "peak MiB",
-                  "bytes a face")
+    table = Table("program", "faces out", "seconds", "of it reading", "Mtri/s", "times winnow",
+                  "CPU s", "peak MiB", "bytes a face")
     for name, found in runs.items():
         if isinstance(found, str):
             table.fail(name, found)
             continue
-        faces, seconds, peak = faces_in(found[0]), median(found, "seconds"), median(found, "peak_bytes")
+        faces = faces_in(found[0])
+        seconds, peak = median(found, "seconds"), median(found, "peak_bytes")
         reading = [read_seconds(run) for run in found]
-        table.add(name, faces_out(found[0]), seconds, "" if None in reading else statistics.median(reading),
-                  faces / 1e6 / seconds, ratio(found, runs[base]), median(found, "cpu_seconds"), round(peak / MIB),
-                  peak / faces)
+        table.add(name, faces_out(found[0]), seconds,
+                  "" if None in reading else statistics.median(reading),
+                  faces / 1e6 / seconds, ratio(found, runs[base]), median(found, "cpu_seconds"),
+                  round(peak / MIB), peak / faces)
     table.print()
 
 
@@ -36,14 +38,16 @@ def against_peers(bench, share):
         learned = bench.cluster(source, "--ratio", share)
         cell = repr(learned["report"]["cell_size"])
         candidates = {f"winnow --ratio {share}": lambda: bench.winnow(source, "--ratio", share),
-                      f"winnow --ratio {share} --refine none": lambda: bench.cluster(source, "--ratio", share),
+                      f"winnow --ratio {share} --refine none":
+                          lambda: bench.cluster(source, "--ratio", share),
                       "winnow --cell": lambda: bench.winnow(source, "--cell", cell)}
         failures = {}
         for peer in bench.options.peers:
             if peer == "vtk-merge" and suffix == "ply":
                 continue
             try:
-                command = bench.peer_command(peer, source, faces_out(learned), bench.work / "peer.ply")
+                command = bench.peer_command(peer, source, faces_out(learned),
+                                             bench.work / "peer.ply")
                 candidates[PEERS[peer][0]] = lambda command=command: measure(
                     command, address_limit=bench.peer_limit)
             except Failed as failure:
@@ -68,12 +72,13 @@ def section_tenth(bench):
 
 def section_limits(bench):
     """As a part of what the machine allows, warm, 1 %"""
-    # Parts of: the map-and-sum loop with as many threads; the file's bytes read in order by one thread; the memory's
-    # bandwidth with as many threads, read only and in the triad. The file's bytes are counted once.
+    # Parts of: the map-and-sum loop with as many threads; the file's bytes read in order by one
+    # thread; the memory's bandwidth with as many threads, read only and in the triad. The file's
+    # bytes are counted once.
     parts = ("of map-and-sum", "of reading the file", "of reading memory", "of triad")
     table = Table("input", "threads", "resolution", "winnow Mtri/s", "winnow GB/s", *parts)
-    limits = Table("input", "threads", "map-and-sum Mtri/s", "reading the file GB/s", "reading memory GB/s",
-                   "triad GB/s")
+    limits = Table("input", "threads", "map-and-sum Mtri/s", "reading the file GB/s",
+                   "reading memory GB/s", "triad GB/s")
     result = {}
     for suffix, loop in (("ply", "through_indices"), ("stl", "corners")):
         source = bench.generate(bench.options.faces, suffix)
@@ -89,22 +94,26 @@ def section_limits(bench):
                     run = bench.cluster(source, name, value, threads=threads)
                     mtri = faces_in(run) / 1e6 / run["seconds"]
                     gb = os.path.getsize(source) / 1e9 / run["seconds"]
-                    allowed = (sums[str(threads)], reading, memory["memory_read_gb_s"][str(threads)],
+                    allowed = (sums[str(threads)], reading,
+                               memory["memory_read_gb_s"][str(threads)],
                                memory["memory_triad_gb_s"][str(threads)])
                     rounds.append({"threads": threads, "resolution": name, "winnow_mtri_s": mtri,
-                                   "winnow_gb_s": gb, "limit_mtri_s": allowed[0], "read_warm_gb_s": reading,
+                                   "winnow_gb_s": gb, "limit_mtri_s": allowed[0],
+                                   "read_warm_gb_s": reading,
                                    "memory_read_gb_s": allowed[2], "memory_triad_gb_s": allowed[3],
                                    "memory_copy_gb_s": memory["memory_copy_gb_s"][str(threads)],
                                    "part": mtri / allowed[0]}
-                                  | {part: gb / limit for part, limit in zip(parts[1:], allowed[1:])})
+                                  | {part: gb / limit
+                                     for part, limit in zip(parts[1:], allowed[1:])})
         for threads in range(1, bench.options.threads + 1):
             for name in ("--cell", "--ratio"):
                 mine = [r for r in rounds if r["threads"] == threads and r["resolution"] == name]
                 table.add(suffix.upper(), threads, name, *(median(mine, key) for key in
-                                                           ("winnow_mtri_s", "winnow_gb_s", "part", *parts[1:])))
+                                                           ("winnow_mtri_s", "winnow_gb_s", "part",
+                                                            *parts[1:])))
             limits.add(suffix.upper(), threads, *(median(mine, key) for key in
-                                                  ("limit_mtri_s", "read_warm_gb_s", "memory_read_gb_s",
-                                                   "memory_triad_gb_s")))
+                                                  ("limit_mtri_s", "read_warm_gb_s",
+                                                   "memory_read_gb_s", "memory_triad_gb_s")))
         result[suffix] = rounds
     table.print()
     limits.print()
@@ -147,7 +156,8 @@ def section_threads(bench):
         runs = bench.in_turn({str(n): lambda n=n: bench.winnow(source, "--cell", cell, threads=n)
                               for n in range(1, bench.options.threads + 1)})
         for threads, found in runs.items():
-            table.add(suffix.upper(), threads, median(found, "seconds"), median(found, "cpu_seconds"),
+            table.add(suffix.upper(), threads, median(found, "seconds"), median(found,
+                                                                                "cpu_seconds"),
                       ratio(runs["1"], found))
         result[suffix] = runs
     table.print()
@@ -156,8 +166,8 @@ def section_threads(bench):
 
 def section_shuffled(bench):
     """Shuffled faces, warm, 1 %"""
-    table = Table("input", "memory", "seconds in order", "seconds shuffled", "times", "CPU s in order", "CPU s shuffled",
-                  "peak MiB shuffled")
+    table = Table("input", "memory", "seconds in order", "seconds shuffled", "times",
+                  "CPU s in order", "CPU s shuffled", "peak MiB shuffled")
     result = {}
     # The vertices of the PLY fit into their share of the first budget, but not of the others.
     for suffix, memory in (("ply", "2G"), ("ply", "512M"), ("ply", "256M"), ("stl", "512M")):
@@ -166,13 +176,15 @@ def section_shuffled(bench):
         for source in sources.values():
             warm(source)
         cell = cell_of(bench, sources["in order"])
-        runs = bench.in_turn({name: lambda source=source: bench.winnow(source, "--cell", cell, "--memory", memory)
+        runs = bench.in_turn({name: lambda source=source: bench.winnow(source, "--cell", cell,
+                                                                       "--memory", memory)
                               for name, source in sources.items()})
         if isinstance(runs["shuffled"], str):
             raise Failed(runs["shuffled"])
         ordered, shuffled = runs["in order"], runs["shuffled"]
         table.add(suffix.upper(), memory, median(ordered, "seconds"), median(shuffled, "seconds"),
-                  ratio(shuffled, ordered), median(ordered, "cpu_seconds"), median(shuffled, "cpu_seconds"),
+                  ratio(shuffled, ordered), median(ordered, "cpu_seconds"), median(shuffled,
+                                                                                   "cpu_seconds"),
                   round(median(shuffled, "peak_bytes") / MIB))
         result[f"{suffix} {memory}"] = runs
     table.print()

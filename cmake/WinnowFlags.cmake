@@ -1,16 +1,18 @@
 # Flags that every target of the project shares.
 
-# The same bytes on every machine: no fused multiply-add, no reassociation. Traps and errno are not looked
-# at, which lets loops vectorise without changing a result.
+# The same bytes on every machine: no fused multiply-add, no reassociation. Traps and errno are not
+# looked at, which lets loops vectorise without changing a result.
 add_library(winnow_flags INTERFACE)
 target_compile_options(winnow_flags INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
-target_compile_options(winnow_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor)
+target_compile_options(winnow_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                       -Wnon-virtual-dtor)
 # Sources compiled as one are not meant to know each other's names.
 if(WINNOW_UNITY)
   target_compile_options(winnow_flags INTERFACE -Wno-shadow -Wshadow=local)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(winnow_flags INTERFACE -Wno-restrict)  # false alarms on std::string (GCC bug 105329)
+  # False alarms on std::string (GCC bug 105329).
+  target_compile_options(winnow_flags INTERFACE -Wno-restrict)
 endif()
 if(WINNOW_WARNINGS_AS_ERRORS)
   target_compile_options(winnow_flags INTERFACE -Werror)

@@ -1,11 +1,12 @@
-# Installs the program with its manual (component `program`), and the library with its headers and the files that
-# find_package(winnow) and pkg-config read (component `development`).
+# Installs the program with its manual (component `program`), and the library with its headers and
+# the files that find_package(winnow) and pkg-config read (component `development`).
 include(CMakePackageConfigHelpers)
 
-install(TARGETS winnow EXPORT winnow-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-install(DIRECTORY include/winnow DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
-install(FILES ${PROJECT_BINARY_DIR}/include/winnow/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/winnow
+install(TARGETS winnow EXPORT winnow-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         COMPONENT development)
+install(DIRECTORY include/winnow DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(FILES ${PROJECT_BINARY_DIR}/include/winnow/version.hpp
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/winnow COMPONENT development)
 if(WINNOW_CLI)
   install(TARGETS winnow_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 endif()
@@ -15,7 +16,8 @@ configure_package_config_file(cmake/winnow-config.cmake.in ${PROJECT_BINARY_DIR}
                               INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/winnow-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/winnow-config.cmake ${PROJECT_BINARY_DIR}/winnow-config-version.cmake
+install(FILES ${PROJECT_BINARY_DIR}/winnow-config.cmake
+        ${PROJECT_BINARY_DIR}/winnow-config-version.cmake
         DESTINATION ${package_dir} COMPONENT development)
 install(EXPORT winnow-targets NAMESPACE winnow:: DESTINATION ${package_dir} COMPONENT development)
 

@@ -20,7 +20,8 @@ string(CONCAT CPACK_COMPONENT_PROGRAM_DESCRIPTION
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libwinnow-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libtbb-dev, libboost-iostreams-dev, libembree-dev, libmeshoptimizer-dev, libpng-dev, libzstd-dev, \
+    "libtbb-dev, libboost-iostreams-dev, libembree-dev, libmeshoptimizer-dev, libpng-dev, \
+libzstd-dev, \
 zlib1g-dev")
 string(CONCAT CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
        "The library that the program winnow is made of, with its headers and\n"
@@ -43,7 +44,7 @@ foreach(component_package program/winnow development/libwinnow-dev)
   cmake_path(GET component_package FILENAME package)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright
           COMPONENT ${component})
-  install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
-          COMPONENT ${component})
+  install(FILES ${PROJECT_BINARY_DIR}/changelog.gz
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
 endforeach()
 include(CPack)

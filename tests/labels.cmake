@@ -1,4 +1,5 @@
-# Writes to the file LABELS a script for ctest that gives each test case of PROGRAM its Catch tags as labels.
+# Writes to the file LABELS a script for ctest that gives each test case of PROGRAM its Catch tags
+# as labels.
 function(run_program result)
   execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_VARIABLE output)
   set(${result} "${output}" PARENT_SCOPE)
@@ -21,6 +22,7 @@ endforeach()
 set(script "")
 foreach(name IN LISTS names)
   string(MD5 key "${name}")
-  string(APPEND script "set_tests_properties([==[${name}]==] PROPERTIES LABELS \"${labels_${key}}\")\n")
+  string(APPEND script
+         "set_tests_properties([==[${name}]==] PROPERTIES LABELS \"${labels_${key}}\")\n")
 endforeach()
 file(WRITE ${LABELS} "${script}")

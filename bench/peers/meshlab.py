@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""MeshLab's simplifiers as a whole program from file to file, through its own server, reader and writer:
+"""MeshLab's simplifiers as a whole program from file to file, through its own server:
 
     peer_meshlab IN OUT --faces N|--cell SIZE   vertex clustering
     peer_meshlab IN OUT --faces N --collapse    quadric edge collapse
 
-For clustering with --faces the cell is found by trial outside the reported times, and reported, so that a timed run
-can be given --cell. The server opens a window system even though it shows nothing: DISPLAY must name one (Xvfb will
-do). Its times are taken from the lines that it logs; writing is part of `seconds_simplify`, loading its plugins
-part of the whole only.
+The server reads and writes. For clustering with --faces the cell is found by trial outside the
+reported times, and reported, so that a timed run can be given --cell. The server opens a window
+system even though it shows nothing: DISPLAY must name one (Xvfb will do). Its times are taken from
+the lines that it logs; writing is part of `seconds_simplify`, loading its plugins part of the whole
+only.
 """
 
 import argparse
@@ -48,8 +49,10 @@ def simplify(source, target, method, size):
                      f"{parameters.format(size=size)}\n </filter>\n</FilterScript>\n")
         script.flush()
         with tempfile.TemporaryFile("w+") as out:
-            server = subprocess.Popen(["meshlabserver", "-i", source, "-o", target, "-s", script.name],
-                                      stdout=out, stderr=subprocess.PIPE, text=True, errors="replace")
+            server = subprocess.Popen(["meshlabserver", "-i", source, "-o", target, "-s",
+                                       script.name],
+                                      stdout=out, stderr=subprocess.PIPE, text=True,
+                                      errors="replace")
             passed = {}
             said = ""
             for said in server.stderr:
@@ -70,7 +73,7 @@ def simplify(source, target, method, size):
 
 
 def find_cell(source, target, faces):
-    """The cell that comes closest to the faces: clustering gives them in proportion to 1 / cell²."""
+    """The cell that comes closest to the faces, which are in proportion to 1 / cell²."""
     cell, best, best_miss = 1.0, 1.0, math.inf
     for _ in range(8):
         found = max(1, simplify(source, target, CLUSTERING, cell)["faces_out"])
@@ -84,9 +87,11 @@ def find_cell(source, target, faces):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("source", metavar="IN", type=lambda path: str(pathlib.Path(path).resolve()))
-    parser.add_argument("target", metavar="OUT", type=lambda path: str(pathlib.Path(path).resolve()))
+    parser.add_argument("target", metavar="OUT",
+                        type=lambda path: str(pathlib.Path(path).resolve()))
     parser.add_argument("--faces", type=int)
     parser.add_argument("--collapse", action="store_true")
     parser.add_argument("--cell", type=float)

@@ -102,9 +102,9 @@ std::string zsh_option(const OptionLine& option) {
 std::string bash_completion(const std::vector<CommandTable>& all) {
   std::string text = "# bash completion for winnow\n\n";
   text += "_winnow_words() { mapfile -t COMPREPLY < <(compgen -W \"$1\" -- \"$cur\"); }\n";
-  text +=
-      R"(_winnow_files() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen "$1" -- "$cur"); )"
-      "}\n\n";
+  text += R"(_winnow_files() { compopt -o filenames 2>/dev/null; )"
+          R"(mapfile -t COMPREPLY < <(compgen "$1" -- "$cur"); )"
+          "}\n\n";
   text += "_winnow() {\n  local cur=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n";
   // "--refine=volume" comes as three words.
   text += "  [[ $before == = && COMP_CWORD -gt 2 ]] && before=${COMP_WORDS[COMP_CWORD - 2]}\n";
