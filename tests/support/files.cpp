@@ -232,7 +232,8 @@ std::string glb_file(const std::string& path, const std::string& glb_path) {
       R"(},{"buffer":0,"byteOffset":)" + number(12 * vertices) + R"(,"byteLength":)" + number(12 * faces) +
       R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" + number(vertices) +
       R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" + number(3 * faces) +
-      R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"nodes":[{"mesh":0}]})";
+      R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+      R"("nodes":[{"mesh":0}]})";
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const auto put_word = [&out](std::uint64_t value) {
     const auto word = static_cast<std::uint32_t>(value);

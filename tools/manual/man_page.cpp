@@ -20,7 +20,8 @@ constexpr std::array<std::pair<const char*, const char*>, 6> exit_codes{
 
 // What is the same for every command that reads meshes.
 const char* const hard_budget =
-    R"(The resident set, mapped pages of the input included, stays below \fB--memory\fR (512M unless given) )"
+    R"(The resident set, mapped pages of the input included, stays below \fB--memory\fR )"
+    "(512M unless given) "
     "and 32 MiB, whatever the size of input and output. A budget that is too small is refused at once, with "
     "the smallest that works.";
 
@@ -30,7 +31,8 @@ const char* memory_usage(const std::string& command) {
     return "A cell of the result takes about 190 bytes of table and a face about 40, so that 512 MiB hold a "
            "result of about two million faces. What does not fit goes to scratch: beside the output, or "
            "where "
-           R"(\fB--scratch\fR says. With \fB--dry-run\fR the division of the budget and the scratch are )"
+           R"(\fB--scratch\fR says. With \fB--dry-run\fR )"
+           "the division of the budget and the scratch are "
            "shown, "
            "and nothing is done.";
   if (command == "convert")
