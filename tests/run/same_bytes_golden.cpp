@@ -1,6 +1,7 @@
 // Outputs have not changed since they were last looked at: golden.txt beside this file. Whoever changes a
 // result on purpose renews it, looks at what changed and why, and commits it with the change:
 //   build/release/tests/winnow_tests "renew the golden outputs"
+#include "support/attributes.hpp"
 #include "support/simplified.hpp"
 
 #include <fstream>
@@ -46,6 +47,27 @@ std::map<std::string, std::string> current() {
   for (const char* name : {"scan.ply", "scan.stl", "far.ply"}) {
     found[std::string(name) + " --cell 0.05 --placement mean"] =
         simplified(directory, inputs[name], {"--cell", "0.05", "--placement", "mean"}).hash;
+  }
+  // Refined: by every target, cost and way, clustered first and not.
+  for (const auto& [name, path] : inputs) {
+    for (const Words& options :
+         {Words{"--faces", "1000"}, Words{"--faces", "1000", "--detail", "6"}, Words{"--ratio", "40%"},
+          Words{"--error", "0.3%"}, Words{"--faces", "1000", "--refine", "volume"},
+          Words{"--faces", "1000", "--refine", "importance"}, Words{"--faces", "900", "--boundary", "keep"},
+          Words{"--faces", "200", "--topology", "free"}})
+      found[name + " " + joined(options)] = simplified(directory, path, options).hash;
+  }
+  for (const char* output : {"out.glb", "out.obj", "out.off", "out.stl"}) {
+    found[std::string("whale_cranium.ply.zst --faces 1000 -o ") + output] =
+        simplified(directory, inputs["whale_cranium.ply.zst"], {"--faces", "1000"}, {}, output).hash;
+  }
+  const std::string attributed = directory.file("attributed.ply");
+  write_attributed(attributed, generated(directory.path(), 20'000), usual_columns());
+  for (const Words& options :
+       {Words{"--faces", "1000"}, Words{"--faces", "500", "--detail", "6"}, Words{"--grid", "30"}}) {
+    for (const char* output : {"out.ply", "out.glb"})
+      found["attributed.ply " + joined(options) + " -o " + output] =
+          simplified(directory, attributed, options, {}, output).hash;
   }
   return found;
 }
