@@ -1,5 +1,5 @@
 # Writes to the file LABELS a script for ctest that gives each test case of PROGRAM its Catch tags
-# as labels.
+# as labels. One without a tag is short.
 function(run_program result)
   execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_VARIABLE output)
   set(${result} "${output}" PARENT_SCOPE)
@@ -22,6 +22,9 @@ endforeach()
 set(script "")
 foreach(name IN LISTS names)
   string(MD5 key "${name}")
+  if(NOT labels_${key})
+    set(labels_${key} short)
+  endif()
   string(APPEND script
          "set_tests_properties([==[${name}]==] PROPERTIES LABELS \"${labels_${key}}\")\n")
 endforeach()

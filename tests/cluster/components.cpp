@@ -74,7 +74,7 @@ TEST_CASE("components are those of a union-find") {
   CHECK(components_of({}).members.empty());
 }
 
-TEST_CASE("the rounds for a chain grow with the logarithm of its length") {
+TEST_CASE("the rounds for a chain grow with the logarithm of its length", "[slow]") {
   Random random(78);
   for (const std::size_t length : {1'000, 200'000}) {
     Links links;
@@ -92,7 +92,7 @@ TEST_CASE("the rounds for a chain grow with the logarithm of its length") {
   }
 }
 
-TEST_CASE("components spill and stay the same") {
+TEST_CASE("components spill and stay the same", "[slow]") {
   Random random(79);
   Links links;
   for (int i = 0; i < 400'000; ++i)

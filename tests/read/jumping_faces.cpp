@@ -64,7 +64,7 @@ void check(const std::string& file, const std::vector<test::SeenFace>& right,
 
 }  // namespace
 
-TEST_CASE("triangles that jump") {
+TEST_CASE("triangles that jump", "[slow]") {
   test::Random random(410);
   const test::Polygons mesh = jumping(random, 20'000, 3);
   for (int form = 0; form < 3; ++form) {
@@ -88,7 +88,7 @@ TEST_CASE("triangles that jump in files of any style") {
   }
 }
 
-TEST_CASE("polygons and strips that jump") {
+TEST_CASE("polygons and strips that jump", "[slow]") {
   test::Random random(412);
   for (int form = 0; form < 3; ++form) {
     test::PlyStyle style;
@@ -112,7 +112,7 @@ TEST_CASE("faces that jump before their vertices come") {
   check(ply_file(mesh, style), as_triangles(as_stored(mesh, style)));
 }
 
-TEST_CASE("faces of a text that jump") {
+TEST_CASE("faces of a text that jump", "[slow]") {
   test::Random random(414);
   const test::Polygons mesh = test::random_polygons(random, vertex_count, 10'000, 4);
   for (const std::string& file : {obj_file(mesh, {.random = &random}), off_file(mesh, {})}) {

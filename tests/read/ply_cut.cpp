@@ -28,7 +28,7 @@ void check_cuts(const std::string& file, bool ascii, std::size_t step) {
 
 }  // namespace
 
-TEST_CASE("a PLY cut at every 512 bytes is an error") {
+TEST_CASE("a PLY cut at every 512 bytes is an error", "[slow]") {
   test::Random random(250);
   const test::Polygons triangles = test::random_polygons(random, 3000, 6000, 3);
   const test::Polygons polygons = test::random_polygons(random, 1500, 3000, 6);

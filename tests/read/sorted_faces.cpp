@@ -87,7 +87,7 @@ void check(const std::string& file, const std::vector<test::SeenFace>& right,
 
 }  // namespace
 
-TEST_CASE("scattered faces of near vertices come sorted") {
+TEST_CASE("scattered faces of near vertices come sorted", "[slow]") {
   test::Random random(430);
   for (const std::size_t most : {3, 6}) {
     const test::Polygons mesh = scattered(random, 8'000, most);
@@ -122,7 +122,7 @@ TEST_CASE("sorted faces are near the ones before them") {
   CHECK(far_apart(any_order) < 0.02);
 }
 
-TEST_CASE("whatever the memory, sorted faces are the same") {
+TEST_CASE("whatever the memory, sorted faces are the same", "[slow]") {
   test::Random random(432);
   const test::Polygons mesh = scattered(random, 8'000, 4);
   const test::PlyStyle style;

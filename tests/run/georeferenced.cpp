@@ -110,7 +110,7 @@ TEST_CASE("a scan moved by whole cells keeps its faces, and all digits of its ve
   }
 }
 
-TEST_CASE("a vertex at the origin of georeferenced coordinates changes next to nothing") {
+TEST_CASE("a vertex at the origin of georeferenced coordinates changes next to nothing", "[slow]") {
   const Directory directory;
   Polygons scan = moved(fine_scan(directory, 300'000), far);
   const std::string clean = write_doubles(directory, "clean.ply", scan);
