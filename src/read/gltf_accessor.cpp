@@ -46,13 +46,15 @@ bool is_index(GltfType type) {
 
 }  // namespace
 
-// Whole numbers of normals and colours are normalized, by the specification; some programs forget to say so.
+// Whole numbers of normals, colours and rotations are normalized, by the specification; some programs forget
+// to say so.
 GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor, GltfUse use,
                            std::string name)
     : bytes_(bytes),
       document_(document),
       accessor_(document.accessors[accessor]),
-      normalized_(use == GltfUse::positions ? accessor_.normalized : use != GltfUse::indices),
+      normalized_(use == GltfUse::positions || use == GltfUse::vectors ? accessor_.normalized
+                                                                       : use != GltfUse::indices),
       name_(std::move(name)) {
   check(use);
   const auto& sparse = accessor_.sparse;
@@ -66,7 +68,7 @@ GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::
 // What the specification and KHR_mesh_quantization allow.
 void GltfElements::check(GltfUse use) const {
   const GltfType type = accessor_.type;
-  const unsigned wanted = use == GltfUse::indices ? 1 : 3;
+  const unsigned wanted = use == GltfUse::indices ? 1 : use == GltfUse::rotations ? 4 : 3;
   if (accessor_.components != wanted && !(use == GltfUse::colors && accessor_.components == 4))
     fail("an accessor is of the wrong type for what it is used for");
   if (use == GltfUse::indices && !is_index(type)) fail("indices are no unsigned integers");

@@ -11,7 +11,7 @@
 namespace winnow {
 
 // What an accessor is read as.
-enum class GltfUse : std::uint8_t { indices, positions, normals, colors };
+enum class GltfUse : std::uint8_t { indices, positions, normals, colors, vectors, rotations };
 
 class GltfElements {
  public:
@@ -19,7 +19,7 @@ class GltfElements {
   GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor, GltfUse use,
                std::string name);
 
-  // Of an element: 1, 3, or of colours 3 or 4.
+  // Of an element: 1, 3, of rotations 4, or of colours 3 or 4.
   [[nodiscard]] unsigned components() const { return accessor_.components; }
 
   // Components of the next elements, some thousands, as many of each accessor of one count; normalized ones

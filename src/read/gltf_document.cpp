@@ -26,7 +26,12 @@ class Parser {
     for (const Value& view : json_.list("bufferViews")) add_view(view);
     for (const Value& accessor : json_.list("accessors")) add_accessor(accessor);
     for (const Value& mesh : json_.list("meshes")) add_mesh(mesh);
-    document_.placed = place_meshes(json_, document_.meshes.size());
+    const Value& relative = json_.member(json_.member(json_.root(), "extensions"), "CESIUM_RTC");
+    if (!relative.is_null()) document_.center = json_.numbers<3>(relative, "center");
+    if (!json_.list("skins").empty()) note("skins");
+    if (!json_.list("animations").empty()) note("animations");
+    document_.placed = place_meshes(json_, document_.meshes.size(), document_.accessors.size(),
+                                    document_.center.value_or(Point{}));
     return std::move(document_);
   }
 
@@ -41,19 +46,28 @@ class Parser {
       fail("it is glTF '" + GltfJson::one_line(version) + "'; version 2 is read");
   }
 
-  // What is required must be known, by the specification. What has no influence on positions is.
+  // What is required must be known, by the specification: what is read, and what says nothing of positions.
   void check_extensions() const {
-    constexpr std::array<std::string_view, 14> harmless{"KHR_mesh_quantization", "EXT_meshopt_compression",
-                                                        "KHR_materials_",        "KHR_texture_",
-                                                        "EXT_texture_",          "MSFT_texture_",
-                                                        "KHR_lights_",           "EXT_lights_",
-                                                        "KHR_animation",         "KHR_xmp",
-                                                        "EXT_mesh_features",     "EXT_structural_metadata",
-                                                        "KHR_techniques",        "KHR_node_"};
+    constexpr std::array<std::string_view, 16> known{"KHR_mesh_quantization",
+                                                     "EXT_meshopt_compression",
+                                                     "KHR_materials_",
+                                                     "KHR_texture_",
+                                                     "EXT_texture_",
+                                                     "MSFT_texture_",
+                                                     "KHR_lights_",
+                                                     "EXT_lights_",
+                                                     "KHR_animation",
+                                                     "KHR_xmp",
+                                                     "EXT_mesh_features",
+                                                     "EXT_structural_metadata",
+                                                     "KHR_techniques",
+                                                     "KHR_node_",
+                                                     "EXT_mesh_gpu_instancing",
+                                                     "CESIUM_RTC"};
     for (const Value& extension : json_.list("extensionsRequired")) {
       const std::string name = extension.is_string() ? extension.get<std::string>() : std::string();
       if (name == "KHR_draco_mesh_compression") fail_draco();
-      if (std::none_of(harmless.begin(), harmless.end(),
+      if (std::none_of(known.begin(), known.end(),
                        [&](std::string_view one) { return name.starts_with(one); }))
         fail("it requires the extension '" + GltfJson::one_line(name) + "', which is not read");
     }
@@ -213,18 +227,33 @@ class Parser {
     return found;
   }
 
+  void note(const char* what) {
+    if (std::find(document_.unread.begin(), document_.unread.end(), what) == document_.unread.end())
+      document_.unread.emplace_back(what);
+  }
+
   void note_unread(const Value& primitive) {
-    const auto note = [&](const char* what) {
-      if (std::find(document_.unread.begin(), document_.unread.end(), what) == document_.unread.end())
-        document_.unread.emplace_back(what);
-    };
     for (const auto& [name, number] : json_.member(primitive, "attributes").items()) {
       if (name == "POSITION" || name == "NORMAL" || name == "COLOR_0") continue;
-      note(name.starts_with("COLOR_")      ? "more colours"
-           : name.starts_with("TEXCOORD_") ? "texture coordinates"
-                                           : "other attributes");
+      note(name.starts_with("COLOR_")                                    ? "more colours"
+           : name.starts_with("TEXCOORD_")                               ? "texture coordinates"
+           : name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_") ? "skins"
+                                                                         : "other attributes");
     }
-    if (!GltfJson::find(primitive, "material").is_null()) note("materials");
+    if (!json_.list(primitive, "targets").empty()) note("morph targets and their weights");
+    const Value& material = GltfJson::find(primitive, "material");
+    if (!material.is_null() && !is_plain(material)) note("materials");
+  }
+
+  // Like that which every GLB gets from winnow: nothing is lost with it.
+  [[nodiscard]] bool is_plain(const Value& number) const {
+    const Value& materials = json_.list("materials");
+    if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= materials.size()) return false;
+    Value material = materials[number.get<std::size_t>()];
+    if (!material.is_object()) return false;
+    material.erase("doubleSided");
+    static const Value plain{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}};
+    return material == plain;
   }
 
   GltfJson json_;

@@ -73,6 +73,7 @@ struct GltfDocument {
   std::vector<GltfAccessor> accessors;
   std::vector<std::vector<GltfPrimitive>> meshes;
   std::vector<GltfPlacedMesh> placed;  // in the default scene, in its order
+  std::optional<Point> center;         // CESIUM_RTC: was added to all
   std::uint64_t other_primitives = 0;  // points, lines and what has no positions, left out of `meshes`
   std::vector<std::string> unread;     // what primitives have besides, in words
 };

@@ -6,6 +6,7 @@
 #include "read/gltf_attributes.hpp"
 #include "read/gltf_bytes.hpp"
 #include "read/gltf_file.hpp"
+#include "read/gltf_instances.hpp"
 #include "read/kept_reader.hpp"
 
 #include <algorithm>
@@ -73,8 +74,16 @@ class GltfParser {
 
   void parse() {
     for (const GltfPlacedMesh& placed : document_.placed) {
-      first_vertex_.clear();
-      for (const GltfPrimitive& primitive : document_.meshes[placed.mesh]) add(primitive, placed.to_world);
+      if (placed.instances) {
+        add_instances(placed, *placed.instances);
+      } else {
+        add(placed.mesh, placed.to_world);
+      }
+    }
+    if (document_.center) {
+      const Point& center = *document_.center;
+      mesh_.job().note("the centre that CESIUM_RTC gives was added to all positions: " + shortest(center[0]) +
+                       " " + shortest(center[1]) + " " + shortest(center[2]));
     }
     for (const std::string& what : attributes_.unread) mesh_.pass_over(what);
     if (document_.other_primitives > 0) {
@@ -90,6 +99,21 @@ class GltfParser {
   // What makes a vertex: accessors of positions and of what is offered, whether it is carried or not, so that
   // the same vertices come with and without.
   using VertexKey = std::array<std::optional<std::size_t>, 3>;
+
+  void add_instances(const GltfPlacedMesh& placed, const GltfInstances& instances) {
+    GltfInstanceReader reader(bytes_, document_, instances, mesh_.name());
+    for (auto part = reader.next(); !part.empty(); part = reader.next()) {
+      for (const GltfTransform& instance : part) {
+        mesh_.job().progress.check_cancelled();
+        add(placed.mesh, placed.to_world * instance);
+      }
+    }
+  }
+
+  void add(std::size_t mesh, const GltfTransform& to_world) {
+    first_vertex_.clear();
+    for (const GltfPrimitive& primitive : document_.meshes[mesh]) add(primitive, to_world);
+  }
 
   void add(const GltfPrimitive& primitive, const GltfTransform& to_world) {
     const GltfTurn turn(to_world);
@@ -148,7 +172,7 @@ class GltfParser {
   const GltfAttributes& attributes_;
   GltfBytes& bytes_;
   KeptMesh& mesh_;
-  std::map<VertexKey, std::uint64_t> first_vertex_;  // of this node
+  std::map<VertexKey, std::uint64_t> first_vertex_;  // of this node or instance
   std::uint64_t left_over_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "read/gltf_scene.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@ namespace {
 struct Node {
   std::optional<std::size_t> mesh;
   GltfTransform transform = gltf_identity;
+  std::optional<GltfInstances> instances;
   std::vector<std::size_t> children;
 };
 
@@ -22,23 +24,26 @@ GltfTransform transform_of(const GltfJson& json, const GltfJson::Value& node) {
     }
     return result;
   }
-  const auto rotation = json.numbers<4>(node, "rotation");
-  const auto scale = json.numbers<3>(node, "scale");
-  const auto translation = json.numbers<3>(node, "translation");
-  if (rotation) {
-    const auto [x, y, z, w] = *rotation;
-    result[0] = {1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), 0};
-    result[1] = {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), 0};
-    result[2] = {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), 0};
-  }
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3 && scale; ++column) result[row][column] *= (*scale)[column];
-    if (translation) result[row][3] = (*translation)[row];
-  }
-  return result;
+  return gltf_transform(json.numbers<3>(node, "translation").value_or(Point{}),
+                        json.numbers<4>(node, "rotation").value_or(std::array<double, 4>{0, 0, 0, 1}),
+                        json.numbers<3>(node, "scale").value_or(Point{1, 1, 1}));
 }
 
-std::vector<Node> nodes_of(const GltfJson& json, std::size_t meshes) {
+std::optional<GltfInstances> instances_of(const GltfJson& json, const GltfJson::Value& node,
+                                          std::size_t accessors) {
+  const GltfJson::Value& extension = json.member(json.member(node, "extensions"), "EXT_mesh_gpu_instancing");
+  const GltfJson::Value& attributes = json.member(extension, "attributes");
+  const auto accessor = [&](const char* key) -> std::optional<std::size_t> {
+    const GltfJson::Value& value = GltfJson::find(attributes, key);
+    if (value.is_null()) return {};
+    return json.index_into(value, key, accessors);
+  };
+  const GltfInstances instances{accessor("TRANSLATION"), accessor("ROTATION"), accessor("SCALE")};
+  if (!instances.translations && !instances.rotations && !instances.scales) return {};
+  return instances;
+}
+
+std::vector<Node> nodes_of(const GltfJson& json, std::size_t meshes, std::size_t accessors) {
   std::vector<Node> nodes;
   const GltfJson::Value& list = json.list("nodes");
   for (const GltfJson::Value& value : list) {
@@ -47,6 +52,7 @@ std::vector<Node> nodes_of(const GltfJson& json, std::size_t meshes) {
     const GltfJson::Value& mesh = GltfJson::find(value, "mesh");
     if (!mesh.is_null()) node.mesh = json.index_into(mesh, "mesh", meshes);
     node.transform = transform_of(json, value);
+    node.instances = instances_of(json, value, accessors);
     for (const GltfJson::Value& child : json.list(value, "children"))
       node.children.push_back(json.index_into(child, "children", list.size()));
   }
@@ -76,11 +82,13 @@ std::vector<std::size_t> roots_of(const GltfJson& json, const std::vector<Node>&
 
 }  // namespace
 
-std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshes) {
+std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshes, std::size_t accessors,
+                                         const Point& center) {
   std::vector<GltfPlacedMesh> placed;
-  const std::vector<Node> nodes = nodes_of(json, meshes);
+  const GltfTransform to_center = gltf_transform(center, {0, 0, 0, 1}, {1, 1, 1});
+  const std::vector<Node> nodes = nodes_of(json, meshes, accessors);
   if (nodes.empty()) {
-    for (std::size_t i = 0; i < meshes; ++i) placed.push_back({i, gltf_identity});
+    for (std::size_t i = 0; i < meshes; ++i) placed.push_back({i, to_center, {}});
     return placed;
   }
   struct Waiting {
@@ -95,13 +103,13 @@ std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshe
     seen[node] = true;
     waiting.push_back({node, parent});
   };
-  for (auto root = first.rbegin(); root != first.rend(); ++root) visit(*root, gltf_identity);
+  for (auto root = first.rbegin(); root != first.rend(); ++root) visit(*root, to_center);
   while (!waiting.empty()) {
     const Waiting next = waiting.back();
     waiting.pop_back();
     const Node& node = nodes[next.node];
     const GltfTransform to_world = next.parent * node.transform;
-    if (node.mesh) placed.push_back({*node.mesh, to_world});
+    if (node.mesh) placed.push_back({*node.mesh, to_world, node.instances});
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) visit(*child, to_world);
   }
   return placed;

@@ -5,6 +5,27 @@
 
 namespace winnow {
 
+GltfTransform gltf_transform(const Point& translation, const std::array<double, 4>& rotation,
+                             const Point& scale) {
+  GltfTransform result = gltf_identity;
+  const auto [x, y, z, w] = rotation;
+  const double square = x * x + y * y + z * z + w * w;
+  if (square > 0 && std::isfinite(square)) {
+    const auto part = [square](double value) { return value / square; };
+    result[0] = {part(w * w + x * x - y * y - z * z), part(2 * (x * y - z * w)), part(2 * (x * z + y * w)),
+                 0};
+    result[1] = {part(2 * (x * y + z * w)), part(w * w - x * x + y * y - z * z), part(2 * (y * z - x * w)),
+                 0};
+    result[2] = {part(2 * (x * z - y * w)), part(2 * (y * z + x * w)), part(w * w - x * x - y * y + z * z),
+                 0};
+  }
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) result[row][column] *= scale[column];
+    result[row][3] = translation[row];
+  }
+  return result;
+}
+
 GltfTransform operator*(const GltfTransform& a, const GltfTransform& b) {
   GltfTransform product{};
   for (std::size_t row = 0; row < 3; ++row) {

@@ -11,6 +11,10 @@ namespace winnow {
 using GltfTransform = std::array<std::array<double, 4>, 3>;
 inline constexpr GltfTransform gltf_identity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
+// Scaled first, then turned by a quaternion, x, y, z, w, of any length, then moved. Quarter turns are exact.
+GltfTransform gltf_transform(const Point& translation, const std::array<double, 4>& rotation,
+                             const Point& scale);
+
 GltfTransform operator*(const GltfTransform& a, const GltfTransform& b);
 
 Point transformed(const GltfTransform& transform, const Point& p);
