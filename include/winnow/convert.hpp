@@ -30,6 +30,8 @@ struct ConvertReport {
   struct {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
     std::string format;                                // as in SimplifyReport
+    // By which Encoding::quantize moves a position at most, in model units; 0 without.
+    double position_error = 0;
   } output;
   struct {
     std::vector<std::string> carried;  // "red (uchar)", in the order of the output

@@ -1,10 +1,13 @@
 // File formats, and how a mesh is written in one.
 #pragma once
 
+#include <optional>
+
 namespace winnow {
 
-// File formats by name; `automatic` goes by content for an input, by the name's ending for an output, before
-// a .gz or .zst. `m` is read, not written; `gltf` is glTF 2.0, which is written as GLB.
+// File formats by name; `automatic` goes by content for an input, by the name's ending for an
+// output, before a .gz or .zst. `m` is that of Hugues Hoppe's programs; `gltf` is glTF 2.0, which
+// is written as GLB.
 enum class Format { automatic, ply, stl, obj, off, m, gltf };
 
 // The type of positions in the output.
@@ -14,10 +17,18 @@ enum class Positions {
   doubles    // not in STL and GLB, which hold floats
 };
 
-// How the vertices and faces of a GLB are packed. Compressing the whole file is said by the output's name.
+// How the vertices and faces of a GLB are packed. Compressing the whole file is said by the
+// output's name.
 enum class Compression {
   none,    // not at all: every reader of glTF 2.0 knows it
-  meshopt  // EXT_meshopt_compression: without loss, to less than half; in primitives of 32,768 faces
+  meshopt  // EXT_meshopt_compression: without loss, to less than half; in primitives of 32,768
+           // faces, whose order changes
+};
+
+// The axis of the model that points up.
+enum class UpAxis {
+  y,  // as in glTF
+  z   // a GLB's node turns the model, whose positions stay; only for GLB
 };
 
 // What a format leaves open. Options that make no sense for the format are an Error(usage).
@@ -25,6 +36,11 @@ struct Encoding {
   bool ascii = false;  // PLY and STL as text; OBJ and OFF always are
   Positions positions = Positions::as_input;
   Compression compression = Compression::none;  // GLB
+  UpAxis up = UpAxis::y;                        // GLB
+  // Of a GLB: positions are whole numbers of so many bits, 1 to 16 (KHR_mesh_quantization), along
+  // the longest side of the box, and normals of 8; the report says how far a position moves at
+  // most. Default: floats.
+  std::optional<unsigned> quantize{};
 };
 
 }  // namespace winnow

@@ -140,6 +140,8 @@ struct SimplifyReport {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
     std::string name;                                  // as it was given
     std::string format;                                // "PLY binary little-endian", "GLB", ...
+    // By which Encoding::quantize moves a position at most, in model units; 0 without.
+    double position_error = 0;
   } output;
   struct {
     double distance = 0;         // of SimplifyOptions::weld, in model units; 0 without

@@ -46,7 +46,7 @@ GenerateReport generate(Context& context, const std::string& output, const Gener
   }
   const auto surface = make_surface(options);
   const auto encoder = make_encoder(options.to, output);
-  if (encoder->needs_box()) {
+  if (encoder->needs_survey()) {
     throw Error(ErrorKind::usage,
                 "a GLB begins with its box, which is not known before the surface is made; "
                 "generate a PLY, and `winnow convert` makes a GLB of it");
@@ -59,6 +59,7 @@ GenerateReport generate(Context& context, const std::string& output, const Gener
   shape.comment = std::string("winnow generate ") + name_of(options.surface) + " --faces " +
                   std::to_string(shape.faces) + " --seed " + std::to_string(options.seed);
   const std::string header = encoder->header(shape);  // refuses what the format cannot count
+  if (!encoder->holds_doubles()) check_floats(box_about(options.offset));
   if (!encoder->holds_doubles()) note_coarse_floats(job, box_about(options.offset), shape.faces);
 
   ByteSink sink(job, output, options.force);

@@ -128,7 +128,7 @@ void Streaming::fill_vertices(BlockWork& block) const {
   evaluate(block.ids, block.points);
   block.vertices.resize(block.count);
   for (std::size_t k = 0; k < block.count; ++k) block.vertices[k].position = block.points[k];
-  file_.encoder.vertices(file_.shape, block.vertices, block.bytes);
+  file_.encoder.vertices(file_.shape, block.first, block.vertices, block.bytes);
 }
 
 void Streaming::fill_faces(BlockWork& block) const {
@@ -149,7 +149,7 @@ void Streaming::fill_faces(BlockWork& block) const {
       for (std::size_t n = 0; n < 3; ++n) block.corners[k][n] = block.points[block.slots[k][n]];
     }
   }
-  file_.encoder.faces(file_.shape, block.faces, block.corners, block.bytes);
+  file_.encoder.faces(file_.shape, block.first, block.faces, block.corners, block.bytes);
 }
 
 void Streaming::finish(const BlockWork& block) {

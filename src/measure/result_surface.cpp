@@ -64,6 +64,14 @@ std::uint64_t directions_of(const Corners3& face) {
 
 }  // namespace
 
+bool is_closed(Job& job, const ClusteredMesh& mesh) {
+  job.progress.begin("check", mesh.face_count, "faces");
+  std::uint64_t directions = 0;
+  SpoolCursor<Corners3> faces(job, *mesh.faces);
+  for (Corners3 face; faces.next(face);) directions += directions_of(face);
+  return mesh.face_count > 0 && directions == 0;
+}
+
 ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t memory) {
   ResultSurface out;
   job.progress.begin("check", 2 * mesh.face_count, "faces");

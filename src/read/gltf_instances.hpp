@@ -15,8 +15,8 @@ class GltfInstanceReader {
   GltfInstanceReader(GltfBytes& bytes, const GltfDocument& document, const GltfInstances& instances,
                      const std::string& name);
 
-  // Of the next instances, some thousands, where each stands in its node; empty at the end. Other accessors
-  // may be read between two calls.
+  // Of the next instances, some thousands, where each stands in its node; empty at the end. Other
+  // accessors may be read between two calls.
   std::vector<GltfTransform> next();
 
  private:

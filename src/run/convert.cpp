@@ -5,6 +5,7 @@
 #include "cluster/welder.hpp"
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
+#include "measure/result_surface.hpp"
 #include "read/for_each_batch.hpp"
 #include "read/good_faces.hpp"
 #include "run/attributes.hpp"
@@ -90,13 +91,14 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   MeshShape shape =
       shape_of(job, mesh, *encoder, normals, doubles, facts.double_positions, "converted by winnow");
   shape.attributes = attributes;
+  shape.closed = encoder->needs_survey() && is_closed(job, mesh);
   shape.as_stored = true;
   write_mesh(job, mesh, shape, *encoder, sink);
   sink.finish();
 
   report.input = {facts.format, counts.faces, facts.vertices.value_or(0), reader->bytes(), counts.bad};
   report.output = {mesh.face_count, mesh.vertices->size(), sink.written(),
-                   format_written(options.to, output, options.encoding)};
+                   format_written(options.to, output, options.encoding), encoder->position_error(shape)};
   report.attributes = {descriptions(facts.choice), facts.choice.dropped};
   report.welded = !facts.vertices;
   report.doubled_faces = counts.faces - counts.bad.total() - mesh.face_count;

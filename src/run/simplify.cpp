@@ -147,11 +147,13 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
   check_surface(job, mesh, options, report);
   MeshShape shape = shape_of(job, mesh, encoder, normals, doubles, exact, "simplified by winnow");
   shape.attributes = attributes;
+  shape.closed = report.topology.closed;
   write_mesh(job, mesh, shape, encoder, sink);
   sink.settle();
 
   report.output = {mesh.face_count, mesh.vertices->size(), sink.written(), request.output,
-                   format_written(options.to, request.output, options.encoding)};
+                   format_written(options.to, request.output, options.encoding),
+                   encoder.position_error(shape)};
   report.input.names = request.inputs;
   report.cells = mesh.cells;
   report.turned_faces = mesh.turned;

@@ -97,7 +97,7 @@ class Get {
 // Every option: one that is missing here would be forgotten by resume().
 template <typename Visit, typename Options>
 void visit_options(Visit&& visit, Options& options) {
-  static_assert(sizeof(SimplifyOptions) == 320, "an option has come or gone: name it below");
+  static_assert(sizeof(SimplifyOptions) == 336, "an option has come or gone: name it below");
   visit("option.cell", options.cell);
   visit("option.grid", options.grid);
   visit("option.faces", options.faces);
@@ -123,6 +123,8 @@ void visit_options(Visit&& visit, Options& options) {
   visit("option.ascii", options.encoding.ascii);
   visit("option.positions", options.encoding.positions);
   visit("option.compression", options.encoding.compression);
+  visit("option.up", options.encoding.up);
+  visit("option.quantize", options.encoding.quantize);
   visit("option.force", options.force);
 }
 
@@ -139,6 +141,7 @@ void visit_report(Visit&& visit, Report& report) {
   visit("report.output_faces", report.output.faces);
   visit("report.output_vertices", report.output.vertices);
   visit("report.output_bytes", report.output.bytes);
+  visit("report.position_error", report.output.position_error);
   visit("report.output_name", report.output.name);
   visit("report.output_format", report.output.format);
   visit("report.weld_distance", report.weld.distance);

@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::uint64_t block_faces = std::uint64_t{1} << 15;
 // At most, when no two faces share a vertex: of each its number, its mark, what it is and what it is written
-// as; what it may be packed to; and indices likewise.
+// as; what it may be packed to; and indices likewise. To order them the encoder takes about as much again.
 constexpr std::uint64_t block_memory =
-    block_faces * 3 * (2 * sizeof(std::uint32_t) + sizeof(MeshVertex) + 2 * 24 + 4 * sizeof(std::uint32_t));
+    block_faces * 3 * (2 * sizeof(std::uint32_t) + sizeof(MeshVertex) + 2 * 24 + 11 * sizeof(std::uint32_t));
 // Of normals and colours that are carried, and as what these are written and packed.
 constexpr std::uint64_t block_attributes = block_faces * 3 * (7 * sizeof(double) + 2 * 4 * sizeof(float));
 
@@ -34,20 +34,24 @@ struct OwnNumbers {
   std::vector<std::uint32_t> corners;
 };
 
-OwnNumbers own_numbers(std::vector<std::uint32_t> corners) {
+OwnNumbers own_numbers(std::vector<std::uint32_t> corners, const BlockEncoder& encoder) {
   std::vector<std::uint32_t> sorted = corners;
   std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  for (std::uint32_t& corner : corners) {
+    const auto place = std::lower_bound(sorted.begin(), sorted.end(), corner) - sorted.begin();
+    corner = static_cast<std::uint32_t>(place);
+  }
+  encoder.reorder(corners, sorted.size());
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number(sorted.size(), none);
   OwnNumbers own;
   own.vertices.reserve(sorted.size());
   for (std::uint32_t& corner : corners) {
-    const auto place = std::lower_bound(sorted.begin(), sorted.end(), corner) - sorted.begin();
-    std::uint32_t& mine = number[static_cast<std::size_t>(place)];
+    std::uint32_t& mine = number[corner];
     if (mine == none) {
       mine = static_cast<std::uint32_t>(own.vertices.size());
-      own.vertices.push_back(corner);
+      own.vertices.push_back(sorted[corner]);
     }
     corner = mine;
   }
@@ -105,8 +109,8 @@ void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, c
       [&](EncodedBlock& item) {
         job.progress.check_cancelled();
         const std::uint64_t first = item.number * block_faces;
-        const OwnNumbers own = own_numbers(
-            faces_of(mesh, first, static_cast<std::size_t>(std::min(block_faces, shape.faces - first))));
+        const auto faces = static_cast<std::size_t>(std::min(block_faces, shape.faces - first));
+        const OwnNumbers own = own_numbers(faces_of(mesh, first, faces), encoder);
         Readers& readers = slots.local();
         std::vector<MeshVertex> vertices;
         vertices.reserve(own.vertices.size());

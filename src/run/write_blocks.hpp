@@ -12,9 +12,9 @@ namespace winnow {
 // refused at once. Nothing where the encoder has no blocks. `attributes`: vertices may carry some.
 Reservation reserve_block(Job& job, const MeshEncoder& encoder, bool attributes = false);
 
-// Faces keep their order; a vertex is in every block that has a face of it, the same to the bit. Blocks wait
-// in memory or scratch until all sizes are known; does not finish() the sink.
-// The caller holds reserve_block().
+// Faces keep their order but within a block; a vertex is in every block that has a face of it, the same to
+// the bit. Blocks wait in memory or scratch until all sizes are known; does not finish() the sink. The caller
+// holds reserve_block().
 void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const BlockEncoder& encoder,
                   ByteSink& sink);
 

@@ -1,5 +1,7 @@
 #include "run/write_mesh.hpp"
 
+#include <winnow/error.hpp>
+
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "io/spool_records.hpp"
@@ -57,7 +59,15 @@ Box box_of(Job& job, const VertexIndex& vertices) {
 
 }  // namespace
 
+void check_finite(const Point& position) {
+  if (finite(position)) return;
+  throw Error(ErrorKind::bad_input,
+              "a vertex of the result is not finite: the coordinates of the input are too large to compute "
+              "with; scale the model down");
+}
+
 MeshVertex finished(const IndexedVertex& vertex) {
+  check_finite(vertex.position);
   MeshVertex out{vertex.position, vertex.normal};
   const auto [x, y, z] = vertex.normal;
   const float length = std::sqrt(x * x + y * y + z * z);
@@ -80,10 +90,14 @@ MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encod
                    bool double_positions, bool exact, std::string comment) {
   MeshShape shape{mesh.vertices->size(), mesh.face_count, normals, double_positions, std::move(comment)};
   const bool rounded = exact && !(double_positions && encoder.holds_doubles());
-  if (!rounded && !encoder.needs_box()) return shape;
+  if (!rounded && !encoder.needs_survey()) return shape;
   const Box box = box_of(job, *mesh.vertices);
-  if (rounded) note_coarse_floats(job, box, mesh.face_count);
-  if (encoder.needs_box()) shape.box = box;
+  if (rounded) {
+    check_floats(box);
+    note_coarse_floats(job, box, mesh.face_count);
+  }
+  if (encoder.needs_survey()) shape.box = box;
+  note_coarse_steps(job, box, mesh.face_count, encoder.position_error(shape));
   return shape;
 }
 
@@ -110,7 +124,7 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
                      finish_attributes(shape, std::span(attributes).subspan(i * carried, carried),
                                        vertices[i]);
                    }
-                   encoder.vertices(shape, vertices, bytes);
+                   encoder.vertices(shape, first, vertices, bytes);
                  });
   }
   PerSlot<VertexIndex::Reader> readers(job.threads,
@@ -127,9 +141,10 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
           for (const MeshFace& face : faces) {
             corners.push_back({reader.at(face.vertex[0]).position, reader.at(face.vertex[1]).position,
                                reader.at(face.vertex[2]).position});
+            for (const Point& corner : corners.back()) check_finite(corner);
           }
         }
-        encoder.faces(shape, faces, corners, bytes);
+        encoder.faces(shape, first, faces, corners, bytes);
       });
   const std::string footer = encoder.footer(shape);
   sink.write(std::as_bytes(std::span(footer)));

@@ -11,15 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace winnow {
 
 namespace {
 
-constexpr std::uint64_t index_bytes = sizeof(std::uint32_t);
-const std::string extension = "EXT_meshopt_compression";
+const std::string packing = "EXT_meshopt_compression";
+const std::string quantization = "KHR_mesh_quantization";
 
 std::string number(std::uint64_t value) {
   return std::to_string(value);
@@ -38,16 +37,9 @@ void emit_list(std::size_t count, const Emit& emit, const Text& text) {
   }
 }
 
-// Components of colours, if the shape has any.
-std::uint64_t color_components(const MeshShape& shape) {
-  const VertexColors colors(shape.attributes);
-  return colors.any() ? (colors.alpha() ? 4 : 3) : 0;
-}
-
-// Of each block: positions, indices and, if it has them, normals and colours.
+// Numbers of accessors. Of each block: positions, indices and, if it has them, normals and colours.
 struct Numbers {
-  explicit Numbers(const MeshShape& shape)
-      : normals(shape.normals ? 1 : 0), colors(color_components(shape) > 0 ? 1 : 0) {}
+  explicit Numbers(const GlbLayout& layout) : normals(layout.normal ? 1 : 0), colors(layout.color ? 1 : 0) {}
 
   std::size_t normals, colors;
   [[nodiscard]] std::size_t first(std::size_t block) const { return (2 + normals + colors) * block; }
@@ -57,21 +49,23 @@ struct Numbers {
   [[nodiscard]] std::string color(std::size_t block) const { return number(first(block) + 2 + normals); }
 };
 
-std::string vertex_accessor(std::size_t block, std::uint64_t offset, const MeshBlock& of,
-                            std::uint64_t components = 3) {
-  return R"({"bufferView":)" + number(2 * block) + R"(,"byteOffset":)" + number(offset) +
-         R"(,"componentType":5126,"count":)" + number(of.vertices) + R"(,"type":"VEC)" + number(components) +
-         "\"";
+std::string type_of(GlbType type) {
+  return R"("componentType":)" + number(static_cast<unsigned>(type));
 }
 
-std::string accessors_of(const MeshShape& shape, std::size_t block, const MeshBlock& of) {
-  std::string text = vertex_accessor(block, 0, of) + R"(,"min":)" + list(of.box.low) + R"(,"max":)" +
-                     list(of.box.high) + R"(},{"bufferView":)" + number(2 * block + 1) +
-                     R"(,"componentType":5125,"count":)" + number(3 * of.faces) + R"(,"type":"SCALAR"})";
-  if (shape.normals) text += "," + vertex_accessor(block, 3 * sizeof(float), of) + "}";
-  if (const std::uint64_t components = color_components(shape); components > 0) {
-    const std::uint64_t offset = glb_stride(shape) - components * sizeof(float);
-    text += "," + vertex_accessor(block, offset, of, components) + "}";
+std::string vertex_accessor(std::size_t block, const GlbPart& part, const MeshBlock& of, bool normalized) {
+  return R"({"bufferView":)" + number(2 * block) + R"(,"byteOffset":)" + number(part.offset) + "," +
+         type_of(part.type) + (normalized && part.type != GlbType::float32 ? R"(,"normalized":true)" : "") +
+         R"(,"count":)" + number(of.vertices) + R"(,"type":"VEC)" + number(part.components) + "\"";
+}
+
+std::string accessors_of(const GlbLayout& layout, std::size_t block, const MeshBlock& of) {
+  std::string text = vertex_accessor(block, layout.position, of, false) + R"(,"min":)" + list(of.box.low) +
+                     R"(,"max":)" + list(of.box.high) + R"(},{"bufferView":)" + number(2 * block + 1) + "," +
+                     type_of(index_type_for(of.vertices)) + R"(,"count":)" + number(3 * of.faces) +
+                     R"(,"type":"SCALAR"})";
+  for (const std::optional<GlbPart>& part : {layout.normal, layout.color}) {
+    if (part) text += "," + vertex_accessor(block, *part, of, true) + "}";
   }
   return text;
 }
@@ -89,7 +83,7 @@ std::string view_of(const View& view, bool packed) {
   if (view.vertices) text += R"(,"byteStride":)" + number(view.stride);
   text += std::string(R"(,"target":)") + (view.vertices ? "34962" : "34963");
   if (packed) {
-    text += R"(,"extensions":{")" + extension + R"(":{"buffer":0,"byteOffset":)" + number(view.packed_begin) +
+    text += R"(,"extensions":{")" + packing + R"(":{"buffer":0,"byteOffset":)" + number(view.packed_begin) +
             R"(,"byteLength":)" + number(view.packed_bytes) + R"(,"byteStride":)" + number(view.stride) +
             R"(,"count":)" + number(view.count) + R"(,"mode":")" +
             (view.vertices ? "ATTRIBUTES" : "TRIANGLES") + R"("}})";
@@ -97,37 +91,65 @@ std::string view_of(const View& view, bool packed) {
   return text + "}";
 }
 
-std::uint64_t whole_bytes(const MeshShape& shape, const MeshBlock& block) {
-  return block.vertices * glb_stride(shape) + block.faces * 3 * index_bytes;
+std::uint64_t index_bytes(const MeshBlock& block) {
+  return size_of(index_type_for(block.vertices));
+}
+
+std::uint64_t whole_bytes(const GlbLayout& layout, const MeshBlock& block) {
+  return block.vertices * layout.stride + whole_words(block.faces * 3 * index_bytes(block));
 }
 
 std::uint64_t packed_bytes(const MeshBlock& block) {
   return whole_words(block.vertex_bytes) + whole_words(block.index_bytes);
 }
 
-void emit_json(const MeshShape& shape, std::span<const MeshBlock> blocks, bool packed, const Emit& emit) {
-  const Point offset = glb_offset(shape);
-  const Numbers numbers(shape);
+// Dull, as scans and terrain are; of an open surface both sides are seen.
+std::string material_of(const MeshShape& shape) {
+  return std::string(R"({"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.8})") +
+         (shape.closed ? "" : R"(,"doubleSided":true)") + "}";
+}
+
+std::string extensions_of(const GlbLayout& layout, bool packed) {
+  std::string names;
+  if (layout.place.step) names += "\"" + quantization + "\"";
+  if (packed) names += (names.empty() ? "\"" : ",\"") + packing + "\"";
+  if (names.empty()) return "";
+  return R"("extensionsUsed":[)" + names + R"(],"extensionsRequired":[)" + names + "],";
+}
+
+// By the specification a node scales first, then turns, then moves.
+std::string transform_of(const GlbPlace& place) {
+  std::string text;
+  const auto [x, y, z] = place.offset;
+  const Point moved = place.z_up ? Point{x, z, 0 - y} : place.offset;
+  if (moved != Point{}) text += R"(,"translation":)" + list(moved);
+  // A quarter turn around x takes z to y.
+  if (place.z_up) text += R"(,"rotation":[-0.7071067811865476,0,0,0.7071067811865476])";
+  if (place.step) text += R"(,"scale":)" + list({*place.step, *place.step, *place.step});
+  return text;
+}
+
+void emit_json(const MeshShape& shape, const GlbLayout& layout, std::span<const MeshBlock> blocks,
+               bool packed, const Emit& emit) {
+  const Numbers numbers(layout);
   emit(R"({"asset":{"version":"2.0","generator":"winnow"},)");
-  if (packed)
-    emit(R"("extensionsUsed":[")" + extension + R"("],"extensionsRequired":[")" + extension + R"("],)");
-  emit(R"("scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)");
-  if (offset != Point{}) emit(R"(,"translation":)" + list(offset));
-  emit(R"(}],"meshes":[{"primitives":[)");
+  emit(extensions_of(layout, packed));
+  emit(R"("scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)" + transform_of(layout.place) +
+       R"(}],"materials":[)" + material_of(shape) + R"(],"meshes":[{"primitives":[)");
   emit_list(blocks.size(), emit, [&](std::size_t i) {
     return R"({"attributes":{"POSITION":)" + numbers.position(i) +
            (numbers.normals > 0 ? R"(,"NORMAL":)" + numbers.normal(i) : "") +
            (numbers.colors > 0 ? R"(,"COLOR_0":)" + numbers.color(i) : "") + R"(},"indices":)" +
-           numbers.indices(i) + "}";
+           numbers.indices(i) + R"(,"material":0})";
   });
   emit(R"(]}],"accessors":[)");
-  emit_list(blocks.size(), emit, [&](std::size_t i) { return accessors_of(shape, i, blocks[i]); });
+  emit_list(blocks.size(), emit, [&](std::size_t i) { return accessors_of(layout, i, blocks[i]); });
   emit(R"(],"bufferViews":[)");
   View view;
   emit_list(blocks.size(), emit, [&](std::size_t i) {
     const MeshBlock& block = blocks[i];
     const auto next = [&](bool vertices, std::uint64_t count, std::uint64_t stride, std::uint64_t bytes) {
-      view = {view.begin + view.bytes,
+      view = {whole_words(view.begin + view.bytes),
               count * stride,
               whole_words(view.packed_begin + view.packed_bytes),
               bytes,
@@ -136,16 +158,15 @@ void emit_json(const MeshShape& shape, std::span<const MeshBlock> blocks, bool p
               vertices};
       return view_of(view, packed);
     };
-    const std::string vertices = next(true, block.vertices, glb_stride(shape), block.vertex_bytes);
-    return vertices + "," + next(false, 3 * block.faces, index_bytes, block.index_bytes);
+    const std::string vertices = next(true, block.vertices, layout.stride, block.vertex_bytes);
+    return vertices + "," + next(false, 3 * block.faces, index_bytes(block), block.index_bytes);
   });
-  const std::uint64_t whole = view.begin + view.bytes;
+  const std::uint64_t whole = whole_words(view.begin + view.bytes);
   emit(R"(],"buffers":[{"byteLength":)" +
        number(packed ? whole_words(view.packed_begin + view.packed_bytes) : whole) + "}");
   // Where the bytes would be, were they not packed: nowhere.
   if (packed)
-    emit(R"(,{"byteLength":)" + number(whole) + R"(,"extensions":{")" + extension +
-         R"(":{"fallback":true}}})");
+    emit(R"(,{"byteLength":)" + number(whole) + R"(,"extensions":{")" + packing + R"(":{"fallback":true}}})");
   emit("]}");
 }
 
@@ -176,49 +197,133 @@ std::array<float, 3> unit_normal(const std::array<float, 3>& normal) {
   return {static_cast<float>(of_one[0]), static_cast<float>(of_one[1]), static_cast<float>(of_one[2])};
 }
 
-}  // namespace
-
-std::uint64_t glb_stride(const MeshShape& shape) {
-  return ((shape.normals ? 6 : 3) + color_components(shape)) * sizeof(float);
+// The smallest type that loses nothing of a component's, by how it is stored.
+GlbType type_for(const Attribute& component) {
+  if (component.type == ScalarType::uint8 && component.kind != AttributeKind::color) return GlbType::uint8;
+  if (component.type == ScalarType::uint8) return GlbType::uint16;
+  if (component.type == ScalarType::uint16 && component.kind != AttributeKind::color) return GlbType::uint16;
+  return GlbType::float32;
 }
 
-void append_glb_vertices(const MeshShape& shape, const Point& offset, std::span<const MeshVertex> vertices,
-                         std::vector<std::byte>& out) {
-  const VertexColors colors(shape.attributes);
-  const std::uint64_t components = color_components(shape);
-  for (const MeshVertex& vertex : vertices) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      append(out, static_cast<float>(vertex.position[axis] - offset[axis]));
-    if (shape.normals) {
-      append(out, unit_normal(vertex.normal));
-    }
-    for (std::size_t i = 0; i < components; ++i) {
-      const double component = std::clamp(colors.component(vertex, i), 0.0, 1.0);
-      append(out, static_cast<float>(i < 3 ? light_of_component(component) : component));
-    }
+GlbType type_for_colors(std::span<const Attribute> attributes) {
+  GlbType type = GlbType::uint8;
+  for (const Attribute& attribute : attributes) {
+    if (is_color_component(attribute)) type = std::max(type, type_for(attribute));
+  }
+  return type;
+}
+
+// A number from 0, or -1, to 1.
+void append_part(std::vector<std::byte>& out, double value, GlbType type) {
+  switch (type) {
+    case GlbType::int8:
+      return append(out, static_cast<std::int8_t>(std::nearbyint(INT8_MAX * value)));
+    case GlbType::uint8:
+      return append(out, static_cast<std::uint8_t>(std::nearbyint(UINT8_MAX * value)));
+    case GlbType::uint16:
+      return append(out, static_cast<std::uint16_t>(std::nearbyint(UINT16_MAX * value)));
+    default:
+      return append(out, static_cast<float>(value));
   }
 }
 
-Box written_box(const Box& box, const Point& offset) {
-  Box written = box;
-  for (Point* corner : {&written.low, &written.high}) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      (*corner)[axis] = nearest_float((*corner)[axis] - offset[axis]);
+GlbPlace place_of(const MeshShape& shape, const Encoding& encoding) {
+  GlbPlace place;
+  place.z_up = encoding.up == UpAxis::z;
+  if (!encoding.quantize) {
+    place.offset = glb_offset(shape);
+    return place;
+  }
+  place.offset = shape.box.low;
+  place.highest = std::ldexp(1, static_cast<int>(*encoding.quantize)) - 1;
+  const double side = shape.box.empty ? 0 : shape.box.longest_side();
+  place.step = side > 0 ? side / place.highest : 1;
+  return place;
+}
+
+}  // namespace
+
+std::uint64_t size_of(GlbType type) {
+  switch (type) {
+    case GlbType::int8:
+    case GlbType::uint8:
+      return 1;
+    case GlbType::uint16:
+      return 2;
+    default:
+      return 4;
+  }
+}
+
+GlbLayout::GlbLayout(const MeshShape& shape, const Encoding& encoding) : place(place_of(shape, encoding)) {
+  const auto add = [&](GlbType type, unsigned components) {
+    const GlbPart part{type, components, stride};
+    stride = whole_words(stride + components * size_of(type));
+    return part;
+  };
+  position = add(encoding.quantize ? GlbType::uint16 : GlbType::float32, 3);
+  if (shape.normals) normal = add(encoding.quantize ? GlbType::int8 : GlbType::float32, 3);
+  const VertexColors colors(shape.attributes);
+  if (colors.any()) color = add(type_for_colors(shape.attributes), colors.alpha() ? 4 : 3);
+}
+
+double GlbPlace::error() const {
+  return step ? std::sqrt(3.0) / 2 * *step : 0;
+}
+
+namespace {
+
+Point written_position(const Point& position, const GlbLayout& layout) {
+  Point written = position - layout.place.offset;
+  for (double& x : written) {
+    x = layout.place.step ? std::clamp(std::nearbyint(x / *layout.place.step), 0.0, layout.place.highest)
+                          : nearest_float(x);
   }
   return written;
 }
 
-void emit_glb_head(const MeshShape& shape, std::span<const MeshBlock> blocks, bool packed, const Emit& emit) {
+}  // namespace
+
+void append_glb_vertices(const MeshShape& shape, const GlbLayout& layout,
+                         std::span<const MeshVertex> vertices, std::vector<std::byte>& out) {
+  const VertexColors colors(shape.attributes);
+  for (const MeshVertex& vertex : vertices) {
+    for (const double x : written_position(vertex.position, layout)) {
+      if (layout.place.step) {
+        append(out, static_cast<std::uint16_t>(x));
+      } else {
+        append(out, static_cast<float>(x));
+      }
+    }
+    out.resize(whole_words(out.size()));
+    if (layout.normal) {
+      for (const float along : unit_normal(vertex.normal)) append_part(out, along, layout.normal->type);
+      out.resize(whole_words(out.size()));
+    }
+    for (unsigned i = 0; layout.color && i < layout.color->components; ++i) {
+      const double component = std::clamp(colors.component(vertex, i), 0.0, 1.0);
+      append_part(out, i < 3 ? light_of_component(component) : component, layout.color->type);
+    }
+    out.resize(whole_words(out.size()));
+  }
+}
+
+Box written_box(const Box& box, const GlbLayout& layout) {
+  return {written_position(box.low, layout), written_position(box.high, layout), box.empty};
+}
+
+void emit_glb_head(const MeshShape& shape, const GlbLayout& layout, std::span<const MeshBlock> blocks,
+                   bool packed, const Emit& emit) {
   constexpr std::uint64_t header_bytes = 12;
   constexpr std::uint64_t chunk_header_bytes = 8;
   // Twice: its length stands before it.
   std::uint64_t json_bytes = 0;
-  emit_json(shape, blocks, packed, [&](std::string_view text) { json_bytes += text.size(); });
+  emit_json(shape, layout, blocks, packed, [&](std::string_view text) { json_bytes += text.size(); });
   const std::uint64_t blanks = whole_words(json_bytes) - json_bytes;
   json_bytes += blanks;
   std::uint64_t binary_bytes = 0;
   for (const MeshBlock& block : blocks)
-    binary_bytes += packed ? packed_bytes(block) : whole_bytes(shape, block);
+    binary_bytes += packed ? packed_bytes(block) : whole_bytes(layout, block);
   const std::uint64_t all = header_bytes + 2 * chunk_header_bytes + json_bytes + binary_bytes;
   if (all > UINT32_MAX) refuse_glb_size(shape.faces);
 
@@ -232,23 +337,12 @@ void emit_glb_head(const MeshShape& shape, std::span<const MeshBlock> blocks, bo
   append(head, static_cast<std::uint32_t>(json_bytes));
   append(head, std::array{'J', 'S', 'O', 'N'});
   emit_bytes(head);
-  emit_json(shape, blocks, packed, emit);
+  emit_json(shape, layout, blocks, packed, emit);
   emit(std::string(blanks, ' '));
   head.clear();
   append(head, static_cast<std::uint32_t>(binary_bytes));
   append(head, std::array{'B', 'I', 'N', '\0'});
   emit_bytes(head);
-}
-
-void check_floats(const Box& box) {
-  constexpr double most = std::numeric_limits<float>::max();
-  for (const Point& corner : {box.low, box.high}) {
-    for (const double value : corner) {
-      if (std::abs(value) <= most) continue;
-      throw Error(ErrorKind::usage, "GLB holds floats, too small for coordinates like " + shortest(value) +
-                                        "; ask for PLY, OBJ or OFF");
-    }
-  }
 }
 
 void refuse_glb_size(std::uint64_t faces) {

@@ -13,10 +13,11 @@ namespace winnow {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, Format>, 5> endings{{{".ply", Format::ply},
+constexpr std::array<std::pair<const char*, Format>, 6> endings{{{".ply", Format::ply},
                                                                  {".stl", Format::stl},
                                                                  {".obj", Format::obj},
                                                                  {".off", Format::off},
+                                                                 {".m", Format::m},
                                                                  {".glb", Format::gltf}}};
 
 Format format_called(const std::string& path) {
@@ -28,13 +29,13 @@ Format format_called(const std::string& path) {
     if (ending == known) return format;
   }
   for (const char* other :
-       {".gltf", ".3mf",  ".m",    ".dae",  ".fbx", ".3ds",  ".wrl",  ".x3d", ".vtk", ".vtp",
-        ".usd",  ".usda", ".usdc", ".usdz", ".stp", ".step", ".iges", ".las", ".laz", ".e57",
-        ".xyz",  ".pcd",  ".pts",  ".json", ".bz2", ".xz",   ".zip",  ".7z",  ".lz4"}) {
+       {".gltf", ".3mf",  ".dae",  ".fbx", ".3ds",  ".wrl",  ".x3d", ".vtk", ".vtp", ".usd",
+        ".usda", ".usdc", ".usdz", ".stp", ".step", ".iges", ".las", ".laz", ".e57", ".xyz",
+        ".pcd",  ".pts",  ".json", ".bz2", ".xz",   ".zip",  ".7z",  ".lz4"}) {
     if (ending != other) continue;
     throw Error(ErrorKind::usage,
                 "'" + path + "': " + other +
-                    " is not written; name the output .ply, .stl, .obj, .off or .glb, or say --to ply");
+                    " is not written; name the output .ply, .stl, .obj, .off, .m or .glb, or say --to ply");
   }
   return Format::ply;
 }
@@ -54,6 +55,15 @@ std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path
   if (packed && format != Format::gltf)
     throw Error(ErrorKind::usage,
                 "meshopt compression is for GLB alone; name the output .gz or .zst instead");
+  if (encoding.quantize && format != Format::gltf)
+    throw Error(ErrorKind::usage, "--quantize is for GLB alone; other formats hold floats or doubles");
+  if (encoding.quantize && (*encoding.quantize < 1 || *encoding.quantize > 16)) {
+    throw Error(ErrorKind::usage, "--quantize takes 1 to 16 bits, not " + std::to_string(*encoding.quantize));
+  }
+  if (encoding.up == UpAxis::z && format != Format::gltf) {
+    throw Error(ErrorKind::usage,
+                "--up z is for GLB alone, in which y points up; other formats keep the axes as they are");
+  }
   switch (format) {
     case Format::stl:
       return make_stl_encoder(encoding.ascii);
@@ -61,10 +71,10 @@ std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path
       return make_obj_encoder();
     case Format::off:
       return make_off_encoder();
-    case Format::gltf:
-      return packed ? make_packed_glb_encoder() : make_glb_encoder();
     case Format::m:
-      throw Error(ErrorKind::usage, "'.m' is read, not written; choose PLY, STL, OBJ, OFF or GLB");
+      return make_m_encoder();
+    case Format::gltf:
+      return packed ? make_packed_glb_encoder(encoding) : make_glb_encoder(encoding);
     default:
       return make_ply_encoder(encoding.ascii);
   }

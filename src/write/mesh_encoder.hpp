@@ -25,8 +25,9 @@ struct MeshShape {
   bool normals = false;                 // vertices carry normals
   bool double_positions = false;        // else every position is a float
   std::string comment{};                // one line; may be empty
-  Box box{};                            // of all vertices; only where needs_box() asks for it
+  Box box{};                            // of all vertices; only where needs_survey() asks for it
   std::vector<Attribute> attributes{};  // that vertices carry
+  bool closed = false;                  // each edge has a face on either side; where needs_survey() asks
   bool as_stored = false;               // these are the numbers of the input, not means of them
 };
 
@@ -54,6 +55,10 @@ class BlockEncoder {
  public:
   virtual ~BlockEncoder() = default;
 
+  // Brings the faces of a block, by the numbers of its vertices below `vertices`, into the order in which
+  // they are written.
+  virtual void reorder(std::vector<std::uint32_t>& corners, std::size_t vertices) const = 0;
+
   // Appends to `out`. `corners` are numbers in `vertices`, three a face.
   virtual MeshBlock encode(const MeshShape& shape, std::span<const MeshVertex> vertices,
                            std::span<const std::uint32_t> corners, std::vector<std::byte>& out) const = 0;
@@ -73,12 +78,13 @@ class MeshEncoder {
   // Throws Error(usage) where the format cannot hold so much.
   [[nodiscard]] virtual std::string header(const MeshShape& shape) const = 0;
 
-  // Append to `out`. A format that has no vertices of its own writes none.
-  virtual void vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
+  // Append to `out`. `first`: number of the first of them in the mesh. A format that has no vertices of its
+  // own writes none.
+  virtual void vertices(const MeshShape& shape, std::uint64_t first, std::span<const MeshVertex> vertices,
                         std::vector<std::byte>& out) const = 0;
 
   // `corners` holds the positions of the faces' corners, or nothing where needs_corners() is false.
-  virtual void faces(const MeshShape& shape, std::span<const MeshFace> faces,
+  virtual void faces(const MeshShape& shape, std::uint64_t first, std::span<const MeshFace> faces,
                      std::span<const Corners> corners, std::vector<std::byte>& out) const = 0;
 
   [[nodiscard]] virtual std::string footer(const MeshShape& /*shape*/) const { return {}; }
@@ -97,10 +103,12 @@ class MeshEncoder {
   [[nodiscard]] virtual bool keeps_numbers() const { return false; }
 
   [[nodiscard]] virtual bool needs_corners() const { return false; }
-  // Whether header() and vertices() look at the shape's box.
-  [[nodiscard]] virtual bool needs_box() const { return false; }
+  // Whether header() and vertices() look at the shape's box and at whether it is closed.
+  [[nodiscard]] virtual bool needs_survey() const { return false; }
   // Whether positions lose no more than a part of the mesh's size by being written, wherever it is.
   [[nodiscard]] virtual bool holds_doubles() const { return true; }
+  // By which a position moves at most where positions are rounded on purpose: Encoding::quantize.
+  [[nodiscard]] virtual double position_error(const MeshShape& /*shape*/) const { return 0; }
   // Where there is one, the file is its header and its blocks instead, and all of the above write nothing.
   [[nodiscard]] virtual const BlockEncoder* blocks() const { return nullptr; }
 };
@@ -121,7 +129,8 @@ std::unique_ptr<MeshEncoder> make_ply_encoder(bool ascii = false);
 std::unique_ptr<MeshEncoder> make_stl_encoder(bool ascii = false);
 std::unique_ptr<MeshEncoder> make_obj_encoder();
 std::unique_ptr<MeshEncoder> make_off_encoder();
-std::unique_ptr<MeshEncoder> make_glb_encoder();
-std::unique_ptr<MeshEncoder> make_packed_glb_encoder();
+std::unique_ptr<MeshEncoder> make_m_encoder();
+std::unique_ptr<MeshEncoder> make_glb_encoder(const Encoding& encoding = {});
+std::unique_ptr<MeshEncoder> make_packed_glb_encoder(const Encoding& encoding = {});
 
 }  // namespace winnow

@@ -16,7 +16,7 @@ class ObjEncoder final : public MeshEncoder {
            " faces\n";
   }
 
-  void vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
+  void vertices(const MeshShape& shape, std::uint64_t /*first*/, std::span<const MeshVertex> vertices,
                 std::vector<std::byte>& out) const override {
     const VertexColors colors(shape.attributes);
     for (const MeshVertex& vertex : vertices) {
@@ -34,8 +34,8 @@ class ObjEncoder final : public MeshEncoder {
     }
   }
 
-  void faces(const MeshShape& shape, std::span<const MeshFace> faces, std::span<const Corners> /*corners*/,
-             std::vector<std::byte>& out) const override {
+  void faces(const MeshShape& shape, std::uint64_t /*first*/, std::span<const MeshFace> faces,
+             std::span<const Corners> /*corners*/, std::vector<std::byte>& out) const override {
     for (const MeshFace& face : faces) {
       append_text(out, "f");
       for (const std::uint64_t vertex : face.vertex) {

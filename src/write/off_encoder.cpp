@@ -15,7 +15,7 @@ class OffEncoder final : public MeshEncoder {
     return text + std::to_string(shape.vertices) + " " + std::to_string(shape.faces) + " 0\n";
   }
 
-  void vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
+  void vertices(const MeshShape& shape, std::uint64_t /*first*/, std::span<const MeshVertex> vertices,
                 std::vector<std::byte>& out) const override {
     const VertexColors colors(shape.attributes);
     for (const MeshVertex& vertex : vertices) {
@@ -33,7 +33,7 @@ class OffEncoder final : public MeshEncoder {
     }
   }
 
-  void faces(const MeshShape& /*shape*/, std::span<const MeshFace> faces,
+  void faces(const MeshShape& /*shape*/, std::uint64_t /*first*/, std::span<const MeshFace> faces,
              std::span<const Corners> /*corners*/, std::vector<std::byte>& out) const override {
     append_lines(out, faces);
   }

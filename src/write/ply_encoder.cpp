@@ -76,7 +76,7 @@ class PlyEncoder final : public MeshEncoder {
     return text + "end_header\n";
   }
 
-  void vertices(const MeshShape& shape, std::span<const MeshVertex> vertices,
+  void vertices(const MeshShape& shape, std::uint64_t /*first*/, std::span<const MeshVertex> vertices,
                 std::vector<std::byte>& out) const override {
     if (ascii_) {
       append_text_vertices(shape, vertices, out);
@@ -87,7 +87,7 @@ class PlyEncoder final : public MeshEncoder {
     }
   }
 
-  void faces(const MeshShape& /*shape*/, std::span<const MeshFace> faces,
+  void faces(const MeshShape& /*shape*/, std::uint64_t /*first*/, std::span<const MeshFace> faces,
              std::span<const Corners> /*corners*/, std::vector<std::byte>& out) const override {
     if (ascii_) return append_lines(out, faces);
     constexpr std::size_t size = 13;

@@ -12,6 +12,10 @@ std::optional<std::size_t> component_of(const Attribute& attribute) {
 
 }  // namespace
 
+bool is_color_component(const Attribute& attribute) {
+  return component_of(attribute).has_value();
+}
+
 VertexColors::VertexColors(std::span<const Attribute> attributes) {
   for (std::size_t i = 0; i < attributes.size(); ++i) {
     const std::optional<std::size_t> component = component_of(attributes[i]);

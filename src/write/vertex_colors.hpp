@@ -12,6 +12,9 @@
 
 namespace winnow {
 
+// Whether it is one of those that VertexColors finds.
+bool is_color_component(const Attribute& attribute);
+
 class VertexColors {
  public:
   explicit VertexColors(std::span<const Attribute> attributes);

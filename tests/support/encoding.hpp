@@ -43,18 +43,18 @@ inline std::string encoded(const MeshEncoder& encoder, const EncodedExample& mes
   std::vector<std::byte> bytes;
   std::size_t at = 0;
   for (const std::size_t part : random.parts(mesh.vertices.size(), 100)) {
-    encoder.vertices(mesh.shape, std::span(mesh.vertices).subspan(at, part), bytes);
+    encoder.vertices(mesh.shape, at, std::span(mesh.vertices).subspan(at, part), bytes);
     at += part;
   }
   at = 0;
   for (const std::size_t part : random.parts(mesh.faces.size(), 100)) {
-    std::vector<Corners> corners;
+    std::vector<winnow::Corners> corners;
     const auto faces = std::span(mesh.faces).subspan(at, part);
     for (const MeshFace& face : faces) {
       corners.push_back({mesh.vertices[face.vertex[0]].position, mesh.vertices[face.vertex[1]].position,
                          mesh.vertices[face.vertex[2]].position});
     }
-    encoder.faces(mesh.shape, faces, corners, bytes);
+    encoder.faces(mesh.shape, at, faces, corners, bytes);
     at += part;
   }
   return encoder.header(mesh.shape) + text_of(bytes) + encoder.footer(mesh.shape);

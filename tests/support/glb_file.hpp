@@ -3,6 +3,7 @@
 
 #include "base/vector.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -22,6 +23,7 @@ struct GlbFile {
   // Of all primitives, one after the other.
   std::vector<std::array<float, 3>> positions, normals;
   std::vector<float> colors;  // three or four of each vertex
+  unsigned color_type = 0;
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
 
@@ -62,71 +64,108 @@ inline std::string bytes_of_view(const nlohmann::json& json, const std::string& 
   return plain;
 }
 
-// The elements of an accessor, which must lie within their view, as T.
-template <typename T>
-std::vector<T> elements(const nlohmann::json& json, const std::string& binary, std::size_t accessor,
-                        unsigned component) {
+// A component as it is stored; of a normalized one the number from -1 or 0 to 1 that it stands for.
+inline double component_at(const char* at, unsigned type, bool normalized) {
+  const auto load = [at]<typename T>(T value) {
+    std::memcpy(&value, at, sizeof value);
+    return static_cast<double>(value);
+  };
+  switch (type) {
+    case 5120:
+      return load(std::int8_t{}) / (normalized ? 127 : 1);
+    case 5121:
+      return load(std::uint8_t{}) / (normalized ? 255 : 1);
+    case 5123:
+      return load(std::uint16_t{}) / (normalized ? 65535 : 1);
+    case 5125:
+      return load(std::uint32_t{});
+    default:
+      CHECK(type == 5126);
+      return load(float{});
+  }
+}
+
+// The elements of an accessor, which must lie within their view, each part at a whole word.
+template <std::size_t Components>
+std::vector<std::array<double, Components>> elements(const nlohmann::json& json, const std::string& binary,
+                                                     std::size_t accessor,
+                                                     const std::vector<unsigned>& allowed) {
   const auto& from = json["accessors"].at(accessor);
   const std::size_t number = from["bufferView"];
   const std::string bytes = bytes_of_view(json, binary, number);
-  CHECK(from["componentType"] == component);
-  const std::size_t stride = json["bufferViews"][number].value("byteStride", sizeof(T));
+  const unsigned type = from["componentType"];
+  CHECK(std::find(allowed.begin(), allowed.end(), type) != allowed.end());
+  CHECK(from["type"] == (Components == 1 ? std::string("SCALAR") : "VEC" + std::to_string(Components)));
+  const std::size_t size = type <= 5121 ? 1 : type == 5123 ? 2 : 4;
+  const std::size_t stride = json["bufferViews"][number].value("byteStride", Components * size);
   const std::size_t offset = from.value("byteOffset", 0);
-  const std::size_t components = from["type"] == "SCALAR" ? 1 : from["type"] == "VEC3" ? 3 : 4;
-  const std::size_t scalars = from["count"].get<std::size_t>() * components;
-  const std::size_t count = scalars / (sizeof(T) / 4);
+  const std::size_t count = from["count"];
   CHECK(offset % 4 == 0);
-  CHECK(stride % 4 == 0);
-  REQUIRE((count - 1) * stride + offset + sizeof(T) <= bytes.size());
-  std::vector<T> out(count);
-  for (std::size_t i = 0; i < count; ++i) std::memcpy(&out[i], bytes.data() + offset + i * stride, sizeof(T));
+  CHECK((Components == 1 || stride % 4 == 0));
+  REQUIRE((count - 1) * stride + offset + Components * size <= bytes.size());
+  std::vector<std::array<double, Components>> out(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < Components; ++k) {
+      out[i][k] =
+          component_at(bytes.data() + offset + i * stride + k * size, type, from.value("normalized", false));
+    }
+  }
   return out;
 }
 
 inline void add_primitive(GlbFile& glb, const nlohmann::json& primitive, const std::string& binary) {
-  constexpr unsigned floats = 5126;
-  constexpr unsigned numbers = 5125;
-  const std::size_t position = primitive["attributes"]["POSITION"];
-  const auto positions = elements<std::array<float, 3>>(glb.json, binary, position, floats);
-  // min and max are of the floats that are there, and every index is of a vertex.
+  constexpr unsigned int8 = 5120, uint8 = 5121, uint16 = 5123, uint32 = 5125, float32 = 5126;
+  const auto& attributes = primitive["attributes"];
+  const bool quantized = glb.json.dump().find("KHR_mesh_quantization") != std::string::npos;
+  const std::size_t position = attributes["POSITION"];
+  const auto positions = elements<3>(glb.json, binary, position, {quantized ? uint16 : float32});
+  // min and max are of the numbers that are there, and every index is of a vertex.
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    float low = positions.at(0)[axis];
-    float high = low;
+    double low = positions.at(0)[axis];
+    double high = low;
     for (const auto& p : positions) {
       low = std::min(low, p[axis]);
       high = std::max(high, p[axis]);
     }
-    CHECK(glb.json["accessors"][position]["min"][axis] == static_cast<double>(low));
-    CHECK(glb.json["accessors"][position]["max"][axis] == static_cast<double>(high));
+    CHECK(glb.json["accessors"][position]["min"][axis] == low);
+    CHECK(glb.json["accessors"][position]["max"][axis] == high);
   }
   const auto first = static_cast<std::uint32_t>(glb.positions.size());
-  for (auto face : elements<std::array<std::uint32_t, 3>>(glb.json, binary, primitive["indices"], numbers)) {
-    for (std::uint32_t& vertex : face) {
-      REQUIRE(vertex < positions.size());
-      vertex += first;
-    }
-    glb.faces.push_back(face);
+  const std::size_t indices = primitive["indices"];
+  const auto corners =
+      elements<1>(glb.json, binary, indices, {positions.size() <= UINT16_MAX ? uint16 : uint32});
+  REQUIRE(corners.size() % 3 == 0);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    REQUIRE(corners[i][0] < static_cast<double>(positions.size()));
+    if (i % 3 == 0) glb.faces.emplace_back();
+    glb.faces.back().at(i % 3) = first + static_cast<std::uint32_t>(corners[i][0]);
   }
-  glb.positions.insert(glb.positions.end(), positions.begin(), positions.end());
-  if (primitive["attributes"].contains("NORMAL")) {
-    const auto normals =
-        elements<std::array<float, 3>>(glb.json, binary, primitive["attributes"]["NORMAL"], floats);
+  const auto add = [&](const std::array<double, 3>& p, std::vector<std::array<float, 3>>& to) {
+    to.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+  };
+  for (const auto& p : positions) add(p, glb.positions);
+  if (attributes.contains("NORMAL")) {
+    const auto normals = elements<3>(glb.json, binary, attributes["NORMAL"], {quantized ? int8 : float32});
     CHECK(normals.size() == positions.size());
-    glb.normals.insert(glb.normals.end(), normals.begin(), normals.end());
+    for (const auto& n : normals) add(n, glb.normals);
   }
   const auto append_colors = [&]<std::size_t Components>(std::size_t accessor) {
-    const auto colors = elements<std::array<float, Components>>(glb.json, binary, accessor, floats);
+    const auto colors = elements<Components>(glb.json, binary, accessor, {uint8, uint16, float32});
     CHECK(colors.size() == positions.size());
-    for (const auto& color : colors) glb.colors.insert(glb.colors.end(), color.begin(), color.end());
+    for (const auto& color : colors) {
+      for (const double component : color) glb.colors.push_back(static_cast<float>(component));
+    }
   };
-  if (primitive["attributes"].contains("COLOR_0")) {
-    const std::size_t accessor = primitive["attributes"]["COLOR_0"];
+  if (attributes.contains("COLOR_0")) {
+    const std::size_t accessor = attributes["COLOR_0"];
+    glb.color_type = glb.json["accessors"][accessor]["componentType"];
     if (glb.json["accessors"][accessor]["type"] == "VEC4") {
       append_colors.operator()<4>(accessor);
     } else {
       append_colors.operator()<3>(accessor);
     }
   }
+  CHECK(primitive["material"] == 0);
   ++glb.primitives;
 }
 
@@ -147,6 +186,7 @@ inline GlbFile glb_file(const std::string& file) {
   const std::string binary = file.substr(at + 8);
   CHECK(glb.json["buffers"][0]["byteLength"] == binary_bytes);
   CHECK(glb.json["asset"]["version"] == "2.0");
+  CHECK(glb.json["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] == 0);
 
   const auto& node = glb.json["nodes"][glb.json["scenes"][0]["nodes"][0].get<std::size_t>()];
   if (node.contains("translation")) glb.offset = node["translation"].get<Point>();

@@ -25,7 +25,7 @@ std::string format_of(Format format, const std::string& path, const Encoding& en
                                                         {"glTF", "glb"}}) {
     if (header.starts_with(begin)) return name;
   }
-  return "none";
+  return header.empty() ? "m" : "none";
 }
 
 ErrorKind refusal(Format format, const std::string& path, const Encoding& encoding = {}) {
@@ -41,6 +41,7 @@ TEST_CASE("the name's ending chooses the format") {
     CHECK(format_of(Format::automatic, path) == "ply");
   CHECK(format_of(Format::automatic, "a.obj") == "obj");
   CHECK(format_of(Format::automatic, "a.OFF.gz") == "off");
+  CHECK(format_of(Format::automatic, "a.M.zst") == "m");
   CHECK(format_of(Format::automatic, "a.glb") == "glb");
   CHECK(format_of(Format::stl, "a.ply") == "stl");
   CHECK(format_of(Format::ply, "a.stl") == "ply");
@@ -64,10 +65,16 @@ TEST_CASE("text and doubles are for formats that have them") {
   CHECK(refusal(Format::gltf, "-", doubles) == ErrorKind::usage);
   CHECK(refusal(Format::automatic, "a.stl", doubles) == ErrorKind::usage);
   const Encoding packed{.compression = Compression::meshopt};
-  for (const Format format : {Format::ply, Format::obj, Format::off}) {
+  for (const Format format : {Format::ply, Format::obj, Format::off, Format::m}) {
     CHECK_NOTHROW(make_encoder(format, "-", doubles));
     CHECK(refusal(format, "-", packed) == ErrorKind::usage);
   }
+  for (const Format format : {Format::ply, Format::stl, Format::obj, Format::off, Format::m}) {
+    CHECK(refusal(format, "-", {.quantize = 12}) == ErrorKind::usage);
+    CHECK(refusal(format, "-", {.up = UpAxis::z}) == ErrorKind::usage);
+  }
+  for (const unsigned bits : {0U, 17U})
+    CHECK(refusal(Format::gltf, "-", {.quantize = bits}) == ErrorKind::usage);
   CHECK(make_encoder(Format::gltf, "-", packed)->blocks() != nullptr);
   CHECK(make_encoder(Format::gltf, "-")->blocks() == nullptr);
 }

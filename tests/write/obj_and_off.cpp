@@ -116,10 +116,10 @@ TEST_CASE("a written OBJ and a written OFF say the mesh that they are of") {
 TEST_CASE("indices of OBJ and OFF go beyond 32 bits") {
   const MeshFace face{{0, 4294967295, 1099511627775}};
   std::vector<std::byte> bytes;
-  make_obj_encoder()->faces({}, {&face, 1}, {}, bytes);
+  make_obj_encoder()->faces({}, 0, {&face, 1}, {}, bytes);
   CHECK(text_of(bytes) == "f 1 4294967296 1099511627776\n");
   bytes.clear();
-  make_off_encoder()->faces({}, {&face, 1}, {}, bytes);
+  make_off_encoder()->faces({}, 0, {&face, 1}, {}, bytes);
   CHECK(text_of(bytes) == "3 0 4294967295 1099511627775\n");
 }
 

@@ -56,9 +56,9 @@ TEST_CASE("a PLY in text is what its header says, in as few digits as say it") {
   CHECK(encoder->header(shape).starts_with("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"));
   std::vector<std::byte> bytes;
   const MeshVertex vertex{{0.1F, -2, 1e-20F}, {0, 0, 1}};
-  encoder->vertices(shape, {&vertex, 1}, bytes);
+  encoder->vertices(shape, 0, {&vertex, 1}, bytes);
   const MeshFace face{{0, 5, 4294967295}};
-  encoder->faces(shape, {&face, 1}, {}, bytes);
+  encoder->faces(shape, 0, {&face, 1}, {}, bytes);
   CHECK(text_of(bytes) == "0.1 -2 1e-20 0 0 1\n3 0 5 4294967295\n");
 }
 
@@ -72,9 +72,9 @@ TEST_CASE("a PLY is what its header says, byte for byte") {
         "vertex_indices\nend_header\n");
   std::vector<std::byte> bytes;
   const MeshVertex vertex{{1, -2, 0.5}, {0, 0, 1}};
-  encoder->vertices(shape, {&vertex, 1}, bytes);
+  encoder->vertices(shape, 0, {&vertex, 1}, bytes);
   const MeshFace face{{0x01020304, 5, 0xfffffffe}};
-  encoder->faces(shape, {&face, 1}, {}, bytes);
+  encoder->faces(shape, 0, {&face, 1}, {}, bytes);
   const std::array<unsigned char, 37> right{0, 0, 0x80, 0x3f, 0, 0, 0, 0xc0, 0,    0,    0,    0x3f, 0,
                                             0, 0, 0,    0,    0, 0, 0, 0,    0,    0x80, 0x3f, 3,    4,
                                             3, 2, 1,    5,    0, 0, 0, 0xfe, 0xff, 0xff, 0xff};

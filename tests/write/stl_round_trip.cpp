@@ -20,11 +20,11 @@ std::string encoded(const std::vector<Corners>& corners, Random& random, bool as
   std::string text = encoder->header(shape);
   std::vector<std::byte> bytes;
   const std::vector<MeshVertex> vertices(10);
-  encoder->vertices(shape, vertices, bytes);
+  encoder->vertices(shape, 0, vertices, bytes);
   REQUIRE(bytes.empty());  // the format has none
   std::size_t at = 0;
   for (const std::size_t part : random.parts(corners.size(), 100)) {
-    encoder->faces(shape, std::vector<MeshFace>(part), std::span(corners).subspan(at, part), bytes);
+    encoder->faces(shape, at, std::vector<MeshFace>(part), std::span(corners).subspan(at, part), bytes);
     at += part;
   }
   return text + text_of(bytes) + encoder->footer(shape);

@@ -67,7 +67,7 @@ void add_generate(CLI::App& app) {
       ->type_name("SURFACE");
   command
       ->add_option("-o,--output", arguments->output,
-                   "PLY, STL, OBJ or OFF by the name's ending, also in .gz or .zst; - is standard output")
+                   "PLY, STL, OBJ, OFF or .m by the name's ending, also in .gz or .zst; - is standard output")
       ->required()
       ->type_name("OUT");
   const std::string result = "What the result is";
@@ -89,7 +89,7 @@ void add_generate(CLI::App& app) {
       ->type_name("X,Y,Z")
       ->group(result);
   command->add_option("--to", arguments->to, "Output format, where the name's ending does not tell")
-      ->check(one_of({"auto", "ply", "stl", "obj", "off"}))
+      ->check(one_of({"auto", "ply", "stl", "obj", "off", "m"}))
       ->type_name("FORMAT")
       ->group(result);
   command->add_flag("--force", arguments->force, "Replace the output if it exists")->group(result);

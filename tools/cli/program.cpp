@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -143,10 +144,10 @@ constexpr std::array<std::pair<std::string_view, Format>, 7> formats{{{"ply", Fo
                                                                       {"stl", Format::stl},
                                                                       {"obj", Format::obj},
                                                                       {"off", Format::off},
+                                                                      {"m", Format::m},
                                                                       {"glb", Format::gltf},
-                                                                      {"gltf", Format::gltf},
-                                                                      {"m", Format::m}}};
-constexpr std::size_t written_formats = 5;
+                                                                      {"gltf", Format::gltf}}};
+constexpr std::size_t written_formats = 6;
 
 // The first so many, by name.
 std::vector<std::string> names_of(std::size_t count) {
@@ -188,6 +189,15 @@ void OutputOptions::add_to(CLI::App& command, const std::string& group) {
       ->check(one_of({"none", "meshopt"}))
       ->type_name("HOW")
       ->group(group);
+  command
+      .add_option("--quantize", quantize,
+                  "GLB: positions in 1 to 16 bits, normals in 8 (KHR_mesh_quantization)")
+      ->type_name("BITS")
+      ->group(group);
+  command.add_option("--up", up, "GLB: the axis of the model that points up: y (default) or z")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->type_name("AXIS")
+      ->group(group);
   command.add_flag("--force", force, "Replace the output if it exists")->group(group);
 }
 
@@ -195,6 +205,13 @@ Encoding OutputOptions::encoding() const {
   Encoding encoding;
   encoding.ascii = ascii;
   if (compress == "meshopt") encoding.compression = Compression::meshopt;
+  if (up == "z") encoding.up = UpAxis::z;
+  if (!quantize.empty()) {
+    const double bits = parse_number("--quantize", quantize, "1 to 16 bits");
+    if (!(bits >= 1 && bits <= 16 && bits == std::floor(bits)))
+      throw Error(ErrorKind::usage, "--quantize takes 1 to 16 bits, not '" + quantize + "'");
+    encoding.quantize = static_cast<unsigned>(bits);
+  }
   if (positions == "float") encoding.positions = Positions::floats;
   if (positions == "double") encoding.positions = Positions::doubles;
   return encoding;

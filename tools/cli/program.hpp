@@ -54,7 +54,7 @@ Format format_called(const std::string& text);
 
 // How the output is written: the same options wherever a mesh is.
 struct OutputOptions {
-  std::string to, positions, compress;
+  std::string to, positions, compress, up, quantize;
   bool ascii = false, force = false;
 
   void add_to(CLI::App& command, const std::string& group);
@@ -63,7 +63,7 @@ struct OutputOptions {
 
 // What every command says of its output.
 inline constexpr const char* output_help =
-    "PLY, STL, OBJ, OFF or GLB by the name's ending, also in .gz or .zst; - is standard output";
+    "PLY, STL, OBJ, OFF, .m or GLB by the name's ending, also in .gz or .zst; - is standard output";
 
 // For reports: standard output, or standard error where standard output carries the mesh.
 std::ostream& report_stream(const std::string& output);

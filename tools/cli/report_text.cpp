@@ -78,6 +78,10 @@ void Lines::notes(const std::vector<std::string>& notes) const {
   for (const std::string& note : notes) (*this)("note", note);
 }
 
+void show_quantized(const Lines& line, double position_error) {
+  if (position_error > 0) line("quantized", "no vertex moves by more than " + show_length(position_error));
+}
+
 std::string show_time(double seconds, std::uint64_t faces) {
   return show_seconds(seconds) + "  (" + show_rate(static_cast<double>(faces) / seconds) + "faces/s)";
 }

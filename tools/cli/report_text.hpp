@@ -36,11 +36,13 @@ Json json_of_bad_faces(const BadFaces& bad);
 // How large a written mesh is.
 template <typename Output>
 Json json_of_output(const Output& output, const std::string& name) {
-  return {{"file", name},
-          {"format", output.format},
-          {"faces", output.faces},
-          {"vertices", output.vertices},
-          {"bytes", output.bytes}};
+  Json json{{"file", name},
+            {"format", output.format},
+            {"faces", output.faces},
+            {"vertices", output.vertices},
+            {"bytes", output.bytes}};
+  if constexpr (requires { output.position_error; }) json["position_error"] = output.position_error;
+  return json;
 }
 
 // Lines of a name and what is said of it, which begins in the same column.
@@ -55,6 +57,9 @@ class Lines {
   std::ostream& out_;
   std::size_t column_;
 };
+
+// Where positions were rounded to whole numbers.
+void show_quantized(const Lines& line, double position_error);
 
 // "0.45 s  (12 Mfaces/s)"
 std::string show_time(double seconds, std::uint64_t faces);

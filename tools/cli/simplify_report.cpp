@@ -165,6 +165,7 @@ void show(const SimplifyReport& report, std::ostream& out) {
   if (report.input.vertices > 0) vertices = show_count(report.input.vertices) + " -> " + vertices;
   line("vertices", vertices);
   line("file", show_bytes(report.input.bytes) + " -> " + show_bytes(report.output.bytes));
+  show_quantized(line, report.output.position_error);
   if (report.weld.distance > 0) {
     line("welded", show_count(report.weld.vertices) + " vertices nearer than " +
                        show_length(report.weld.distance) + " to another; " + show_count(report.weld.faces) +

@@ -27,7 +27,7 @@ simplify --cell 1 --threads 9999
 simplify --cell 1 --threads -1
 echo "# names"
 simplify --cell 1 --from blend
-simplify --cell 1 --to m
+simplify --cell 1 --to fbx
 simplify --cell 1 --placement best
 simplify --cell 1 --progress sometimes
 simplify --cell 1 --scratch nowhere

@@ -1,0 +1,41 @@
+// .m, the text format of Hugues Hoppe's mesh programs: vertices and faces count from 1.
+#include "write/append_text.hpp"
+
+namespace winnow {
+
+namespace {
+
+class MEncoder final : public MeshEncoder {
+ public:
+  [[nodiscard]] std::string header(const MeshShape& /*shape*/) const override { return {}; }
+
+  void vertices(const MeshShape& shape, std::uint64_t first, std::span<const MeshVertex> vertices,
+                std::vector<std::byte>& out) const override {
+    for (const MeshVertex& vertex : vertices) {
+      append_text(out, "Vertex ");
+      append_number(out, ++first);
+      append_text(out, " ");
+      append_position(out, vertex.position, shape.double_positions);
+      append_text(out, "\n");
+    }
+  }
+
+  void faces(const MeshShape& /*shape*/, std::uint64_t first, std::span<const MeshFace> faces,
+             std::span<const Corners> /*corners*/, std::vector<std::byte>& out) const override {
+    for (const MeshFace& face : faces) {
+      append_text(out, "Face ");
+      append_number(out, ++first);
+      append_text(out, " ");
+      append_triple(out, std::array{face.vertex[0] + 1, face.vertex[1] + 1, face.vertex[2] + 1});
+      append_text(out, "\n");
+    }
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<MeshEncoder> make_m_encoder() {
+  return std::make_unique<MEncoder>();
+}
+
+}  // namespace winnow

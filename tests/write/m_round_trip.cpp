@@ -1,0 +1,39 @@
+// What is written as .m is read back as the same mesh, to the last bit.
+#include "support/encoding.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace winnow {
+
+using namespace test;
+
+TEST_CASE("a written .m is the mesh that it is of") {
+  Random random(650);
+  for (const bool doubles : {false, true}) {
+    for (const std::size_t count : {3, 1000}) {
+      CAPTURE(doubles, count);
+      const EncodedExample mesh = example_mesh(random, count, 2 * count, false, doubles, {431000, 0, -3});
+      const std::string file = encoded(*make_m_encoder(), mesh, random);
+      CHECK(file.starts_with("Vertex 1 "));
+      const std::vector<SeenFace> faces = faces_of(file);
+      REQUIRE(faces.size() == mesh.faces.size());
+      for (std::size_t i = 0; i < faces.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Point& written = mesh.vertices[mesh.faces[i].vertex[k]].position;
+          if (faces[i].status == FaceStatus::good) CHECK(faces[i].corner[k] == written);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a .m counts its vertices and faces on from part to part") {
+  std::vector<std::byte> bytes;
+  MeshVertex vertex;
+  vertex.position = {0.1, 2, -3e-7};
+  make_m_encoder()->vertices({.double_positions = true}, 6, std::vector{vertex, vertex}, bytes);
+  make_m_encoder()->faces({}, 41, std::vector{MeshFace{{0, 6, 7}}}, {}, bytes);
+  CHECK(text_of(bytes) == "Vertex 7 0.1 2 -3e-07\nVertex 8 0.1 2 -3e-07\nFace 42 1 7 8\n");
+}
+
+}  // namespace winnow
