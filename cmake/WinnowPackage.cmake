@@ -15,14 +15,13 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 string(CONCAT CPACK_COMPONENT_PROGRAM_DESCRIPTION
        "Reads a triangle mesh of any size from front to back, and writes a small\n"
-       "one as PLY, STL, OBJ, OFF or GLB. Memory stays within a budget, and the\n"
+       "one as PLY, STL, OBJ, OFF, .m or GLB. Memory stays within a budget, and the\n"
        "result does not depend on it.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libwinnow-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libtbb-dev, libboost-iostreams-dev, libembree-dev, libmeshoptimizer-dev, libpng-dev, \
-libzstd-dev, \
-zlib1g-dev")
+    "libtbb-dev, libboost-iostreams-dev, libembree-dev, libmeshoptimizer-dev, \
+libcairo2-dev, libzstd-dev, zlib1g-dev")
 string(CONCAT CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
        "The library that the program winnow is made of, with its headers and\n"
        "what CMake and pkg-config read.")

@@ -12,11 +12,22 @@
 
 namespace winnow {
 
+// From where the picture shows both meshes. y is up, or z where the box is less than half as high in z as it
+// is wide in x and in y. The front is at +z, or at -y where z is up.
+enum class View {
+  iso,    // from the right, the front and above alike
+  front,  // from the front
+  top,    // from above
+  from,   // from any direction
+};
+
 struct CompareOptions {
   std::uint64_t samples = 1'000'000;  // about so many points on each surface, evenly by area
   std::string colored;                // a PLY of the simplified mesh coloured by its distance; empty: none
-  std::string picture;  // a PNG: original left, simplified right, coloured by distance; empty: none
-  bool force = false;   // replace existing files
+  std::string picture;                // a PNG of both meshes, coloured by distance; empty: none
+  View view = View::iso;
+  std::array<double, 3> viewer{};  // View::from: the direction from the meshes to the viewer, not 0,0,0
+  bool force = false;              // replace existing files
   Format from_original = Format::automatic, from_simplified = Format::automatic;
 };
 

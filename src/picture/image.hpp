@@ -1,37 +1,43 @@
 // A picture in memory.
 #pragma once
 
-#include "base/heat_color.hpp"
+#include "base/viridis.hpp"
 #include "io/byte_sink.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
-#include <vector>
+#include <memory>
+#include <string>
+
+#include <cairo.h>
 
 namespace winnow {
 
 class Image {
  public:
   Image(std::size_t width, std::size_t height, const Color& background);
-
-  [[nodiscard]] std::size_t width() const { return width_; }
-  [[nodiscard]] std::size_t height() const { return height_; }
+  static std::uint64_t memory(std::uint64_t pixels);  // with what writing takes
 
   // What lies outside of the picture is left out.
   void set(std::size_t x, std::size_t y, const Color& color);
   void fill(std::size_t x, std::size_t y, std::size_t width, std::size_t height, const Color& color);
 
-  // Digits, signs, points, `e` and `%` in seven segments, so that no font has to be there. Returns the width;
-  // other characters are left blank.
-  std::size_t number(std::size_t x, std::size_t y, std::size_t height, std::string_view text,
-                     const Color& color);
+  enum class Align { left, centre };
+  // ASCII, in Cairo's own font, so that it looks the same on every machine. `size` is the height of a line,
+  // `y` where its letters stand.
+  void text(double x, double y, double size, const std::string& text, const Color& color,
+            Align align = Align::left);
 
   void write_png(ByteSink& sink) const;
 
  private:
+  struct Destroy {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* pen) const { cairo_destroy(pen); }
+  };
+
   std::size_t width_, height_;
-  std::vector<std::uint8_t> bytes_;  // rows from the top, three a pixel
+  std::unique_ptr<cairo_surface_t, Destroy> surface_;
 };
 
 }  // namespace winnow

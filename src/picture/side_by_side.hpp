@@ -1,28 +1,37 @@
 // Two surfaces in one picture, coloured by one scale.
 #pragma once
 
-#include "base/box.hpp"
 #include "io/byte_sink.hpp"
+#include "picture/camera.hpp"
+#include "picture/image.hpp"
 #include "picture/surface_view.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace winnow {
 
 class SideBySide {
  public:
-  // Both are looked at from one place, so that `box` fills either half.
-  explicit SideBySide(const Box& box);
+  // Both are seen from one place, as large as the frame allows: what is wide stands one above the other.
+  explicit SideBySide(const Frame& frame);
   static std::uint64_t memory();  // with what writing takes
 
-  [[nodiscard]] SurfaceView& left() { return left_; }
-  [[nodiscard]] SurfaceView& right() { return right_; }
+  [[nodiscard]] SurfaceView& original() { return original_; }
+  [[nodiscard]] SurfaceView& simplified() { return simplified_; }
 
-  // A PNG, with a bar that shows the colours from 0 to `most`.
-  void write_png(ByteSink& sink, double most) const;
+  // A PNG, with a scale that shows the colours from 0 to `most`; both lengths in model units.
+  void write_png(ByteSink& sink, double most, double diagonal) const;
 
  private:
-  SurfaceView left_, right_;
+  struct Layout {
+    explicit Layout(const Box& seen);
+    std::size_t view_width, view_height;
+    bool stacked;
+  };
+
+  Layout layout_;
+  SurfaceView original_, simplified_;
 };
 
 }  // namespace winnow

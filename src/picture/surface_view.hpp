@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "picture/camera.hpp"
 #include "picture/image.hpp"
 
 #include <array>
@@ -14,13 +15,12 @@
 
 namespace winnow {
 
-// Faces come one after the other, so a surface of any size can be looked at. Seen from afar, a little from
-// the right and from above: y is up, or z for what is flat.
+// Faces come one after the other, so a surface of any size can be looked at.
 class SurfaceView {
  public:
-  // The box from `low` to `high` fills a square of `pixels` by `pixels`.
-  SurfaceView(const Point& low, const Point& high, std::size_t pixels);
-  static std::uint64_t memory(std::size_t pixels) { return pixels * pixels * sizeof(Pixel); }
+  // The frame's box is as large as fits, with a narrow margin around it.
+  SurfaceView(const Frame& frame, std::size_t width, std::size_t height);
+  static std::uint64_t memory(std::uint64_t pixels) { return pixels * sizeof(Pixel); }
 
   // A face with a number of its own and a value at each corner; from any thread. Of faces that are equally
   // near the lowest number is seen, so no order of drawing shows.
@@ -30,7 +30,7 @@ class SurfaceView {
   // is called before each.
   void revalue(const std::function<double(const Point&)>& value, const std::function<void()>& begin_row);
 
-  // Into `image`, by the heat colours of the values up to `most`, with the light beside the viewer.
+  // Into `image`, by the colours of the values up to `most`, with a light above the viewer's left shoulder.
   void paint(Image& image, std::size_t left, std::size_t top, double most) const;
 
  private:
@@ -41,9 +41,13 @@ class SurfaceView {
     float light = 0;
   };
 
-  Point right_{}, up_{}, towards_{}, centre_{};
+  [[nodiscard]] double middle_column() const { return static_cast<double>(width_) / 2; }
+  [[nodiscard]] double middle_row() const { return static_cast<double>(height_) / 2; }
+
+  Camera camera_;
+  Point centre_{}, light_{};
   double scale_ = 0;  // pixels a unit
-  std::size_t pixels_;
+  std::size_t width_, height_;
   std::vector<Pixel> all_;
   std::unique_ptr<std::mutex[]> rows_;
 };

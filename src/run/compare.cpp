@@ -16,6 +16,7 @@
 #include "measure/surface_totals.hpp"
 #include "measure/surface_tree.hpp"
 #include "measure/welded_mesh.hpp"
+#include "picture/camera.hpp"
 #include "picture/side_by_side.hpp"
 #include "read/for_each_batch.hpp"
 #include "read/good_faces.hpp"
@@ -123,6 +124,7 @@ class Comparison {
       picture_ = std::make_unique<ByteSink>(job_, options_.picture, options_.force);
       picture_->refuse_terminal();
       views_memory_ = job_.budget.reserve(SideBySide::memory(), "the picture");
+      framing_ = std::make_unique<Framing>(options_.view, options_.viewer);
     }
     if (!options_.colored.empty()) {
       sink_ = std::make_unique<ByteSink>(job_, options_.colored, options_.force);
@@ -141,6 +143,7 @@ class Comparison {
                         [&](const FaceBatch& faces) {
                           const GoodFaces good(faces);
                           intake.add(good);
+                          if (framing_ != nullptr) framing_->add(good.faces());
                           if (!simplified_->add(good.faces())) refuse(2 * simplified_->room());
                         },
                         {});
@@ -214,6 +217,7 @@ class Comparison {
                         [&](const FaceBatch& faces) {
                           const GoodFaces good(faces);
                           intake.add(good);
+                          if (framing_ != nullptr) framing_->add(good.faces());
                           if (!whole) take_some(good.faces(), step, chunk);
                         },
                         {});
@@ -222,7 +226,7 @@ class Comparison {
     check_size(intake.totals(), name);
     report_.diagonal = intake.totals().box().diagonal();
     if (report_.original.faces == 0) refuse_without_faces(*reader, "compared");
-    if (picture_ != nullptr) views_ = std::make_unique<SideBySide>(intake.totals().box());
+    if (framing_ != nullptr) views_ = std::make_unique<SideBySide>(framing_->frame());
     if (chunk.size() > 0) points.approach(chunk.span());
     chunk.clear();
 
@@ -259,14 +263,14 @@ class Comparison {
   void draw_original(std::span<const NumberedFace> faces) {
     for (const NumberedFace& face : faces) {
       job_.progress.check_cancelled();
-      views_->left().draw(face.corner, face.number, {});
+      views_->original().draw(face.corner, face.number, {});
     }
   }
 
   // What is seen of the original is measured pixel by pixel, of the simplified mesh at its vertices.
   void draw_picture(const SurfaceTree& tree, const WeldedMesh& mesh, std::span<const double> squared) {
     job_.progress.begin("picture", 0, "pixels");
-    views_->left().revalue(
+    views_->original().revalue(
         [&tree](const Point& point) {
           NearestFace nearest;
           tree.search(point, nearest);
@@ -277,10 +281,10 @@ class Comparison {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       job_.progress.check_cancelled();
       const auto& [a, b, c] = mesh.faces()[f];
-      views_->right().draw(faces[f].corner, f,
-                           {std::sqrt(squared[a]), std::sqrt(squared[b]), std::sqrt(squared[c])});
+      views_->simplified().draw(faces[f].corner, f,
+                                {std::sqrt(squared[a]), std::sqrt(squared[b]), std::sqrt(squared[c])});
     }
-    views_->write_png(*picture_, 3 * std::max(report_.forward.rms, report_.backward.rms));
+    views_->write_png(*picture_, 3 * std::max(report_.forward.rms, report_.backward.rms), report_.diagonal);
   }
 
   void combine() {
@@ -304,6 +308,7 @@ class Comparison {
   std::uint64_t loose_places_ = 0;  // what a mesh with more vertices than faces takes besides
   std::unique_ptr<ByteSink> sink_, picture_;
   Reservation views_memory_;
+  std::unique_ptr<Framing> framing_;
   std::unique_ptr<SideBySide> views_;
   std::unique_ptr<FaceStore> simplified_;
   DistanceSums forward_, backward_;
@@ -321,6 +326,8 @@ CompareReport compare(Context& context, const std::string& original, const std::
                 "--samples takes 100 to 1,000,000,000,000, not " + grouped(options.samples));
   check_ending("--colored", options.colored, {".ply", ".ply.gz", ".ply.zst"});
   check_ending("--picture", options.picture, {".png"});
+  if (options.view == View::from && (!finite(options.viewer) || options.viewer == std::array<double, 3>{}))
+    throw Error(ErrorKind::usage, "--view takes a direction of finite numbers that are not all 0");
   if (!options.colored.empty() && same_place(options.colored, options.picture))
     throw Error(ErrorKind::usage, "the coloured mesh and the picture need a name each");
   const Stopwatch watch;

@@ -1,8 +1,8 @@
 #include "write/colored_ply.hpp"
 
 #include "base/exact_sum.hpp"
-#include "base/heat_color.hpp"
 #include "base/text.hpp"
+#include "base/viridis.hpp"
 #include "write/append.hpp"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ void write_colored_ply(Job& job, std::span<const Point> vertices,
     const double distance = std::sqrt(squared_distances[v]);
     for (const double coordinate : vertices[v]) append(bytes, coordinate);
     append(bytes, static_cast<float>(distance));
-    for (const std::uint8_t channel : heat_color(distance, most)) append(bytes, channel);
+    for (const std::uint8_t channel : viridis(distance, most)) append(bytes, channel);
     flush(flush_at);
   }
   for (const auto& face : faces) {

@@ -5,17 +5,20 @@
 #include "program.hpp"
 #include "report_text.hpp"
 
+#include <array>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace winnow::cli {
 
 namespace {
 
 struct CompareArguments {
-  std::string original, simplified, colored, picture;
+  std::string original, simplified, colored, picture, view;
   std::string samples = "1M", fail_above;
   bool force = false;
   CommonOptions common;
@@ -143,6 +146,19 @@ std::string show(const Distance& distance) {
   return distance.relative ? show_length(100 * distance.value) + " %" : show_length(distance.value);
 }
 
+void set_view(const std::string& text, CompareOptions& options) {
+  constexpr std::array<std::pair<std::string_view, View>, 3> views{
+      {{"front", View::front}, {"top", View::top}, {"iso", View::iso}}};
+  for (const auto& [name, view] : views) {
+    if (text != name) continue;
+    options.view = view;
+    return;
+  }
+  options.view = View::from;
+  options.viewer =
+      parse_triple("--view", text, "front, top, iso, or X,Y,Z like 1,-2,0.5, the direction to the viewer");
+}
+
 void run_compare(const CompareArguments& arguments) {
   std::optional<Distance> fail_above;
   if (!arguments.fail_above.empty()) {
@@ -153,6 +169,10 @@ void run_compare(const CompareArguments& arguments) {
   options.samples = parse_count("--samples", arguments.samples);
   options.colored = arguments.colored;
   options.picture = arguments.picture;
+  if (!arguments.view.empty()) {
+    if (arguments.picture.empty()) throw Error(ErrorKind::usage, "--view goes with --picture");
+    set_view(arguments.view, options);
+  }
   options.force = arguments.force;
   Context context;
   prepare(context, arguments.common, arguments.colored.empty() ? "-" : arguments.colored);
@@ -206,6 +226,11 @@ void add_compare(CLI::App& app) {
                    "Draw the original and the simplified mesh side by side, coloured by distance")
       ->type_name("FILE.png");
   command
+      ->add_option("--view", arguments->view,
+                   "Where the picture is seen from: front, top, iso (default), or X,Y,Z, the direction to "
+                   "the viewer")
+      ->type_name("VIEW:{front,top,iso,...}");
+  command
       ->add_option("--fail-above", arguments->fail_above,
                    "End with exit code 1 if the symmetric RMS distance is above this: 0.5 (model units) or "
                    "0.1% (of the diagonal)")
@@ -215,11 +240,13 @@ void add_compare(CLI::App& app) {
   command->footer(
       "A distance is that of a point on one surface to the nearest point of the other: forward from the\n"
       "original to the simplified mesh, backward the other way.\n"
+      "In the picture y is up, or z for a mesh that is flat in z.\n"
       "Examples:\n"
       "  winnow compare scan.ply small.ply\n"
       "  winnow compare scan.ply small.ply --json --samples 10M\n"
       "  winnow compare scan.ply small.ply --fail-above 0.1% --quiet || echo too coarse\n"
       "  winnow compare scan.ply small.ply --colored distances.ply --picture distances.png\n"
+      "  winnow compare scan.ply small.ply --picture below.png --view 1,-1,-0.5\n"
       "\nExit codes: 0 done, 1 above --fail-above or failed otherwise, 2 usage, 3 bad input, 4 memory or\n"
       "disk, 130 interrupted.");
   command->callback([arguments] { run_compare(*arguments); });

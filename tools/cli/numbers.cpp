@@ -106,17 +106,34 @@ double parse_number(const std::string& option, const std::string& text, const ch
   return value;
 }
 
-std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const std::string& text) {
-  constexpr const char* examples = "six numbers like 0,0,0,10,10,5: the low and the high corner of a box";
-  std::array<std::array<double, 3>, 2> box{};
+namespace {
+
+template <std::size_t count>
+std::array<double, count> parse_numbers(const std::string& option, const std::string& text,
+                                        const char* examples) {
+  std::array<double, count> numbers{};
   std::size_t at = 0;
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const std::size_t end = std::min(text.find(',', at), text.size());
-    if (at > text.size() || (i == 5) != (end == text.size())) refuse(option, text, examples);
-    box[i / 3][i % 3] = parse_number(option, text.substr(at, end - at), examples);
+    if (at > text.size() || (i + 1 == count) != (end == text.size())) refuse(option, text, examples);
+    const auto [behind, error] = std::from_chars(text.data() + at, text.data() + end, numbers[i]);
+    if (error != std::errc{} || behind != text.data() + end || !std::isfinite(numbers[i]))
+      refuse(option, text, examples);
     at = end + 1;
   }
-  return box;
+  return numbers;
+}
+
+}  // namespace
+
+std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const std::string& text) {
+  const auto [a, b, c, d, e, f] =
+      parse_numbers<6>(option, text, "six numbers like 0,0,0,10,10,5: the low and the high corner of a box");
+  return {{{a, b, c}, {d, e, f}}};
+}
+
+std::array<double, 3> parse_triple(const std::string& option, const std::string& text, const char* examples) {
+  return parse_numbers<3>(option, text, examples);
 }
 
 std::string clean(const std::string& text) {

@@ -31,6 +31,8 @@ double parse_number(const std::string& option, const std::string& text,
                     const char* examples);  // the message says that it takes `examples`
 // The low and the high corner of a box: 0,0,0,1,1,1
 std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const std::string& text);
+std::array<double, 3> parse_triple(const std::string& option, const std::string& text,
+                                   const char* examples);  // 1,-2,0.5
 
 std::string show_count(std::uint64_t count);                   // 1,234,567
 std::string show_list(const std::vector<std::string>& words);  // a, b

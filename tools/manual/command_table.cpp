@@ -15,7 +15,14 @@ void set_value(OptionLine& line, const std::string& type) {
   line.value = type.substr(0, type.find(':'));
   if (open == std::string::npos) return;
   std::istringstream in(type.substr(open + 1, type.find('}') - open - 1));
-  for (std::string choice; std::getline(in, choice, ',');) line.choices.push_back(choice);
+  for (std::string choice; std::getline(in, choice, ',');) {
+    // Values of other forms are in the description, with these.
+    if (choice == "...") {
+      line.open = true;
+    } else {
+      line.choices.push_back(choice);
+    }
+  }
 }
 
 OptionLine line_of(const CLI::Option& option) {

@@ -13,6 +13,7 @@ struct OptionLine {
   std::vector<std::string> names;  // "-o", "--output"; none where it is known by its place
   std::string value;               // "OUT"; empty for a flag
   std::vector<std::string> choices;
+  bool open = false;  // whether it takes more than the choices
   std::string description;
   std::string group;
 

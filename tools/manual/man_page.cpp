@@ -96,7 +96,7 @@ std::string option_entry(const OptionLine& option) {
   for (const std::string& name : option.names) head += (head.empty() ? "" : ", ") + bold(name);
   if (!option.value.empty()) head += (head.empty() ? "" : " ") + italic(option.value);
   std::string text = escaped(option.description);
-  if (!option.choices.empty()) {
+  if (!option.choices.empty() && !option.open) {
     text += "\n.br\nOne of";
     for (const std::string& choice : option.choices)
       text += (&choice == option.choices.data() ? " " : ", ") + bold(choice);

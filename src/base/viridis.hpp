@@ -8,7 +8,8 @@ namespace winnow {
 
 using Color = std::array<std::uint8_t, 3>;  // red, green, blue
 
-// Blue for nothing over green and yellow to red for `most` and more.
-Color heat_color(double value, double most);
+// Viridis: from dark violet for nothing over green to yellow for `most` and more. Equal steps of the value
+// look equal.
+Color viridis(double value, double most);
 
 }  // namespace winnow
