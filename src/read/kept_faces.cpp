@@ -22,9 +22,14 @@ void KeptFaces::add_polygon(std::span<const std::uint32_t> corners) {
   if (corners.size() == 3) return add(corners);
   if (corners.size() < 3) return add_degenerate();
   add_fan(size(), corners.size() - 2);
+  constexpr std::size_t most = 3 * 4096;
   fan_.clear();
-  for (std::size_t i = 2; i < corners.size(); ++i)
+  for (std::size_t i = 2; i < corners.size(); ++i) {
     fan_.insert(fan_.end(), {corners[0], corners[i - 1], corners[i]});
+    if (fan_.size() < most) continue;
+    add(fan_);
+    fan_.clear();
+  }
   add(fan_);
 }
 

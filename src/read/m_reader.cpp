@@ -40,7 +40,7 @@ void parse_m_lines(const TextBlock& block, ParsedLines& lines) {
 }
 
 void parse_m(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
-  TextBlocks blocks(source, text_block_bytes(batch_faces));
+  TextBlocks blocks(mesh.job(), source, text_block_bytes(batch_faces));
   parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_m_lines}, mesh);
 }
 

@@ -72,7 +72,7 @@ bool looks_like_number(std::string_view word) {
 }
 
 void parse_obj(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
-  TextBlocks blocks(source, text_block_bytes(batch_faces));
+  TextBlocks blocks(mesh.job(), source, text_block_bytes(batch_faces));
   const bool colors = !mesh.carried().empty();
   parse_text({[&](TextBlock& block) { return blocks.next(block); },
               [&](const TextBlock& block, ParsedLines& lines) { parse_obj_lines(block, colors, lines); }},

@@ -109,7 +109,7 @@ Colors colors_of(TextLines& lines, const Vertices& vertices) {
 class OffParser {
  public:
   OffParser(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh)
-      : source_(source), blocks_(source, text_block_bytes(batch_faces)), mesh_(mesh) {}
+      : source_(source), blocks_(mesh.job(), source, text_block_bytes(batch_faces)), mesh_(mesh) {}
 
   void parse() {
     read_header();
@@ -135,7 +135,7 @@ class OffParser {
 
  private:
   [[noreturn]] void fail(const TextBlock& block, std::string_view place, const std::string& what) const {
-    ParsedLines(block, source_.name(), mesh_.carried()).fail(place, what);
+    ParsedLines(block, mesh_).fail(place, what);
   }
 
   // The keyword and three counts, on as many lines as they take.

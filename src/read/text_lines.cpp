@@ -11,7 +11,10 @@ namespace winnow {
 
 namespace {
 
-constexpr std::size_t longest_line = std::size_t{1} << 20;
+constexpr std::size_t longest_planned = std::size_t{1} << 20;
+constexpr std::size_t longest_line = std::size_t{1} << 30;
+// The bytes twice while they are read on; a corner of two characters is 8 bytes, and 4 more when handed over.
+constexpr std::uint64_t memory_a_byte = 2 + (8 + 4) / 2;
 
 constexpr std::string_view line_blanks = " \t\v\f";
 
@@ -103,11 +106,13 @@ std::string_view LineWords::next() {
   return word;
 }
 
-TextBlocks::TextBlocks(ByteSource& source, std::size_t bytes) : source_(source), bytes_(bytes) {
+TextBlocks::TextBlocks(Job& job, ByteSource& source, std::size_t bytes)
+    : job_(job), source_(source), bytes_(bytes) {
   skip_byte_order_mark(source_);
 }
 
 bool TextBlocks::next(TextBlock& block) {
+  block.long_line = false;
   for (std::size_t wanted = bytes_;; wanted *= 2) {
     block.block = source_.take(wanted);
     block.block.check_intact(source_.name());
@@ -119,15 +124,46 @@ bool TextBlocks::next(TextBlock& block) {
       block.block.bytes = block.block.bytes.first(cut);
       break;
     }
-    if (wanted > longest_line) {
-      throw Error(ErrorKind::bad_input, "'" + source_.name() + "', line " + grouped(next_line_) +
-                                            ", is longer than " + human_bytes(longest_line) +
-                                            ": this is no mesh as text");
-    }
     source_.give_back(block.block.bytes.size());
+    job_.progress.check_cancelled();
+    if (2 * wanted <= longest_planned) continue;
+    reserve_for_line(2 * wanted);
+    block.long_line = true;
   }
   next_line_ += line_ends(block.text());
   return !block.block.bytes.empty();
+}
+
+// What was reserved for an earlier line is kept: its bytes may be before those of the next block.
+void TextBlocks::reserve_for_line(std::size_t bytes) {
+  if (bytes <= longest_line) {
+    if (long_line_.bytes() >= memory_a_byte * bytes) return;
+    long_line_.release();
+    long_line_ = job_.budget.try_reserve(memory_a_byte * bytes);
+    if (long_line_) return;
+  }
+  // How long is it? Where a backslash joins lines that is not exact.
+  std::size_t length = 0;
+  for (bool ended = false; !ended && length <= longest_line; job_.progress.check_cancelled()) {
+    const Block block = source_.take(std::size_t{1} << 16);
+    const std::string_view text(reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size());
+    std::size_t end = 0;
+    do {
+      end = std::min(text.find_first_of("\r\n", end), text.size());
+    } while (end++ < text.size() && end > 1 && text[end - 2] == '\\');
+    ended = text.empty() || end <= text.size();
+    length += std::min(end, text.size());
+    block.check_intact(source_.name());
+  }
+  if (length > longest_line) {
+    throw Error(ErrorKind::bad_input, "'" + source_.name() + "', line " + grouped(next_line_) +
+                                          ", is longer than " + human_bytes(longest_line) +
+                                          ": this is no mesh as text");
+  }
+  while (bytes < length) bytes *= 2;
+  const std::string what =
+      "line " + grouped(next_line_) + " of '" + source_.name() + "', of " + human_bytes(length) + ",";
+  long_line_ = job_.budget.reserve(memory_a_byte * bytes, what.c_str());
 }
 
 void TextBlocks::give_back(TextBlock& block, std::string_view place) {

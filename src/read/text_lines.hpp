@@ -1,7 +1,9 @@
 // Texts with a record a line, cut into blocks of whole lines that threads take apart.
 #pragma once
 
+#include "base/budget.hpp"
 #include "io/byte_source.hpp"
+#include "io/job.hpp"
 
 #include <cstdint>
 #include <string_view>
@@ -15,6 +17,7 @@ constexpr std::size_t text_head_bytes = std::size_t{1} << 16;
 struct TextBlock {
   Block block;
   std::uint64_t first_line = 1;
+  bool long_line = false;  // larger than planned, so only one at a time
 
   [[nodiscard]] std::string_view text() const {
     return {reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size()};
@@ -53,17 +56,23 @@ class TextBlocks {
  public:
   // Blocks have about `bytes`; a longer line makes a longer one.
   // Begins behind a byte order mark.
-  TextBlocks(ByteSource& source, std::size_t bytes);
+  TextBlocks(Job& job, ByteSource& source, std::size_t bytes);
 
-  // False at the end. Throws Error(bad_input) where a line is longer than any mesh's.
+  // False at the end. For a long line it reserves what reading and parsing it takes. Throws
+  // Error(resources) where the budget does not hold that, naming one that does, and Error(bad_input) where
+  // a line is longer than any mesh's.
   bool next(TextBlock& block);
 
   // Leaves the last block's text from `place` on for the next block.
   void give_back(TextBlock& block, std::string_view place);
 
  private:
+  void reserve_for_line(std::size_t bytes);
+
+  Job& job_;
   ByteSource& source_;
   std::size_t bytes_;
+  Reservation long_line_;
   std::uint64_t next_line_ = 1;
 };
 

@@ -9,9 +9,22 @@
 #include "read/text_tokens.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <limits>
+#include <utility>
 
 namespace winnow {
+
+namespace {
+
+constexpr std::size_t corners_between_questions = 1 << 16;
+
+}  // namespace
+
+ParsedLines::ParsedLines(const TextBlock& block, const KeptMesh& mesh) : block_(block), mesh_(mesh) {
+  // A vector that grows would hold three times as much.
+  if (block.long_line) corners_.reserve(block.text().size() / 2);
+}
 
 void ParsedLines::add_position(LineWords& words) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -24,7 +37,7 @@ void ParsedLines::add_position(LineWords& words) {
 }
 
 void ParsedLines::add_attributes(LineWords& words, bool required) {
-  for (const bool carried : carried_) {
+  for (const bool carried : mesh_.carried()) {
     const std::string_view word = words.next();
     if (!carried) continue;
     const std::optional<double> value = parse_real(word);
@@ -37,7 +50,7 @@ void ParsedLines::add_attributes(LineWords& words, bool required) {
 void ParsedLines::add_corner(std::int64_t vertex, bool relative) {
   corners_.push_back(2 * std::clamp<std::int64_t>(vertex, -1 - std::int64_t{no_vertex}, no_vertex) +
                      (relative ? 1 : 0));
-  ++open_;
+  if (++open_ % corners_between_questions == 0) mesh_.job().progress.check_cancelled();
 }
 
 void ParsedLines::end_face() {
@@ -51,7 +64,8 @@ void ParsedLines::pass_over(const char* what) {
 }
 
 void ParsedLines::fail(std::string_view place, const std::string& what) const {
-  throw Error(ErrorKind::bad_input, "'" + name_ + "', line " + grouped(block_.line_of(place)) + ": " + what);
+  throw Error(ErrorKind::bad_input,
+              "'" + mesh_.name() + "', line " + grouped(block_.line_of(place)) + ": " + what);
 }
 
 void ParsedLines::fail_number(std::string_view word, std::string_view place) const {
@@ -69,7 +83,9 @@ void ParsedLines::hand_over(KeptMesh& mesh) const {
   std::size_t at = 0;
   for (const std::uint32_t size : sizes_) {
     polygon.clear();
+    polygon.reserve(size);
     for (const std::size_t end = at + size; at < end; ++at) {
+      if ((at + 1) % corners_between_questions == 0) mesh.job().progress.check_cancelled();
       const std::int64_t vertex = (corners_[at] >> 1) + ((corners_[at] & 1) != 0 ? base : 0);
       polygon.push_back(vertex < 0 || vertex > no_vertex ? no_vertex : static_cast<std::uint32_t>(vertex));
     }
@@ -96,26 +112,45 @@ std::string first_lines(ByteSource& source) {
 }
 
 void parse_text(const TextParser& parser, KeptMesh& mesh) {
-  pipeline<Item>(
-      batches_in_flight(mesh.job().threads), [&](Item& item) { return parser.next(item.block); },
-      [&](Item& item) {
-        item.lines.emplace(item.block, mesh.name(), mesh.carried());
-        item.error.reset();
-        try {
-          parser.parse(item.block, *item.lines);
-        } catch (const Error& error) {
-          item.error = error;
-        }
-        item.block.block.check_intact(mesh.name());
-      },
-      // Of several wrong lines the first is told.
-      [&](Item& item) {
-        if (item.error) throw Error(*item.error);
-        item.lines->hand_over(mesh);
-        mesh.job().progress.advance(item.block.block.bytes.size());
-        item.lines.reset();
-        item.block = {};
-      });
+  std::optional<TextBlock> alone;
+  std::exception_ptr failure;
+  const auto fill = [&](Item& item) {
+    try {
+      if (!parser.next(item.block)) return false;
+    } catch (const Error&) {
+      failure = std::current_exception();  // what is wrong before it comes first
+      return false;
+    }
+    if (!item.block.long_line) return true;
+    alone = std::exchange(item.block, {});
+    return false;
+  };
+  const auto parse = [&](Item& item) {
+    item.lines.emplace(item.block, mesh);
+    item.error.reset();
+    try {
+      parser.parse(item.block, *item.lines);
+    } catch (const Error& error) {
+      item.error = error;
+    }
+    item.block.block.check_intact(mesh.name());
+  };
+  // Of several wrong lines the first is told.
+  const auto hand_over = [&](Item& item) {
+    if (item.error) throw Error(*item.error);
+    item.lines->hand_over(mesh);
+    mesh.job().progress.advance(item.block.block.bytes.size());
+    item.lines.reset();
+    item.block = {};
+  };
+  for (;;) {
+    pipeline<Item>(batches_in_flight(mesh.job().threads), fill, parse, hand_over);
+    if (failure) std::rethrow_exception(failure);
+    if (!alone) break;
+    Item item{*std::exchange(alone, {}), {}, {}};
+    parse(item);
+    hand_over(item);
+  }
 }
 
 }  // namespace winnow

@@ -16,9 +16,7 @@ namespace winnow {
 // What one block of lines holds.
 class ParsedLines {
  public:
-  // `carried`: as KeptMesh has it, and as long-lived as this.
-  ParsedLines(const TextBlock& block, const std::string& name, const std::vector<bool>& carried)
-      : block_(block), name_(name), carried_(carried) {}
+  ParsedLines(const TextBlock& block, const KeptMesh& mesh);
 
   // Three coordinates, the next words of a line.
   void add_position(LineWords& words);
@@ -49,8 +47,7 @@ class ParsedLines {
 
  private:
   const TextBlock& block_;
-  const std::string& name_;
-  const std::vector<bool>& carried_;
+  const KeptMesh& mesh_;
   std::vector<double> xyz_;
   std::vector<double> attributes_;
   bool some_lack_attributes_ = false;
@@ -62,7 +59,8 @@ class ParsedLines {
   std::vector<const char*> passed_over_;
 };
 
-// Cuts blocks off, parses them in parallel and hands them over in their order. `parse` takes a block apart.
+// Cuts blocks off, parses them in parallel, a long line alone, and hands them over in their order. `parse`
+// takes a block apart.
 struct TextParser {
   std::function<bool(TextBlock&)> next;
   std::function<void(const TextBlock&, ParsedLines&)> parse;

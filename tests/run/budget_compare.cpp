@@ -7,27 +7,6 @@
 
 namespace winnow::test {
 
-namespace {
-
-// What the message asks for, asked again where only then shows what else is needed.
-std::string enough_memory(const Words& arguments) {
-  std::string memory = "8M";
-  for (int tries = 0; tries < 4; ++tries) {
-    const Run run = run_winnow(arguments + Words{"--memory", memory});
-    INFO(joined(arguments) << " --memory " << memory << ": " << run.err);
-    if (run.code == 0) return memory;
-    REQUIRE(run.code == 4);
-    const std::size_t at = run.err.find("--memory ") + 9;
-    const std::string more = run.err.substr(at, run.err.find('M', at) + 1 - at);
-    REQUIRE(bytes_of_size(more) > bytes_of_size(memory));
-    memory = more;
-  }
-  FAIL("four times a larger budget was asked for");
-  return memory;
-}
-
-}  // namespace
-
 TEST_CASE("a comparison stays within the budget", "[budget]") {
   const Directory directory;
   const std::string original = directory.file("scan.ply");

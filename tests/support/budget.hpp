@@ -23,6 +23,23 @@ inline void check_peak(const Run& run, const std::string& memory) {
   CHECK(reported > mebibyte);
 }
 
+// What the message asks for, asked again where only then shows what else is needed.
+inline std::string enough_memory(const Words& arguments) {
+  std::string memory = "8M";
+  for (int tries = 0; tries < 4; ++tries) {
+    const Run run = run_winnow(arguments + Words{"--memory", memory});
+    INFO(joined(arguments) << " --memory " << memory << ": " << run.err);
+    if (run.code == 0) return memory;
+    REQUIRE(run.code == 4);
+    const std::size_t at = run.err.find("--memory ") + 9;
+    const std::string more = run.err.substr(at, run.err.find('M', at) + 1 - at);
+    REQUIRE(bytes_of_size(more) > bytes_of_size(memory));
+    memory = more;
+  }
+  FAIL("four times a larger budget was asked for");
+  return memory;
+}
+
 // Runs `winnow simplify` on a file with this --memory, or with the smallest that works where it is
 // "smallest".
 inline Run check_budget(const Directory& directory, const std::string& input, const Words& options,
