@@ -10,7 +10,7 @@ namespace winnow::test {
 
 namespace {
 
-void check_same(const Point& a, const Point& b) {
+void check_same_point(const Point& a, const Point& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) CHECK(a[axis] == Approx(b[axis]).margin(1e-12));
 }
 
@@ -28,8 +28,8 @@ TEST_CASE("a camera has three directions at right angles, whatever it looks alon
   for (const Upright upright : {Upright::y, Upright::z}) {
     for (const Point& viewer : viewers) {
       const Camera camera = camera_for(View::from, viewer, upright);
-      check_same(cross(camera.right, camera.up), camera.towards);
-      check_same({length(camera.right), length(camera.up), length(camera.towards)}, {1, 1, 1});
+      check_same_point(cross(camera.right, camera.up), camera.towards);
+      check_same_point({length(camera.right), length(camera.up), length(camera.towards)}, {1, 1, 1});
       CHECK(dot(camera.towards, {viewer[0] / 2, viewer[1] / 2, viewer[2] / 2}) > 0);
     }
   }
@@ -37,17 +37,17 @@ TEST_CASE("a camera has three directions at right angles, whatever it looks alon
 
 TEST_CASE("what is up is up, and from above the front is below") {
   const Camera front = camera_for(View::front, {}, Upright::y);
-  check_same(front.up, {0, 1, 0});
-  check_same(front.right, {1, 0, 0});
+  check_same_point(front.up, {0, 1, 0});
+  check_same_point(front.right, {1, 0, 0});
   const Camera tall = camera_for(View::front, {}, Upright::z);
-  check_same(tall.up, {0, 0, 1});
-  check_same(tall.right, {1, 0, 0});
+  check_same_point(tall.up, {0, 0, 1});
+  check_same_point(tall.right, {1, 0, 0});
   const Camera top = camera_for(View::top, {}, Upright::y);
-  check_same(top.up, {0, 0, -1});
-  check_same(top.right, {1, 0, 0});
+  check_same_point(top.up, {0, 0, -1});
+  check_same_point(top.right, {1, 0, 0});
   const Camera map = camera_for(View::top, {}, Upright::z);
-  check_same(map.up, {0, 1, 0});
-  check_same(map.right, {1, 0, 0});
+  check_same_point(map.up, {0, 1, 0});
+  check_same_point(map.right, {1, 0, 0});
 }
 
 TEST_CASE("from the default view the three axes are equally long") {

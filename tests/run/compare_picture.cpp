@@ -113,7 +113,7 @@ std::vector<Triangle> box_faces(const Point& size) {
   return faces;
 }
 
-std::vector<Triangle> scaled(std::vector<Triangle> faces, double by) {
+std::vector<Triangle> enlarged(std::vector<Triangle> faces, double by) {
   for (Triangle& face : faces) {
     for (Point& corner : face) corner = by * corner;
   }
@@ -137,7 +137,7 @@ TEST_CASE("the picture names both meshes above them") {
 TEST_CASE("numbers beside the scale are of this comparison, in both units") {
   const auto scale = [](double size, double off) {
     const Picture picture =
-        Pictured(scaled(box_faces({1, 1, 1}), size), scaled(box_faces({1, 1, 1 + off}), size)).draw();
+        Pictured(enlarged(box_faces({1, 1, 1}), size), enlarged(box_faces({1, 1, 1 + off}), size)).draw();
     const std::size_t top = picture.height - 64;
     return std::pair(picture.text(0, top + 4, picture.width, top + 28).pixels,
                      picture.text(0, top + 34, picture.width, picture.height).pixels);
