@@ -1,9 +1,9 @@
 // What this machine allows: the yardstick for every rate that winnow reports.
 //   bench_limits FILE [--threads N] [--repeats N] [--only sums|warm|reads|memory]
-// A loop that maps the file and only sums what a simplifier must at least look at, in million faces a second
-// for 1..N threads (mapping, page faults and unmapping counted); reading the file warm, cold and past the
-// page cache; and the memory itself, read, copied and in STREAM's triad. Of every limit the best of several
-// runs is given, null where it cannot be had.
+// A loop that maps the file and only sums what a simplifier must at least look at, in million faces
+// a second for 1..N threads (mapping, page faults and unmapping counted); reading the file warm,
+// cold and past the page cache; and the memory itself, read, copied and in STREAM's triad. Of every
+// limit the best of several runs is given, null where it cannot be had.
 #include "peers/driver.hpp"
 #include "peers/mesh_file.hpp"
 
@@ -16,7 +16,8 @@
 namespace {
 
 using bench::Layout;
-using Slice = std::function<double(const unsigned char* file, std::uint64_t part, std::uint64_t parts)>;
+using Slice =
+    std::function<double(const unsigned char* file, std::uint64_t part, std::uint64_t parts)>;
 
 double best_of(unsigned repeats, const std::function<double()>& rate) {
   double best = 0;
@@ -35,7 +36,8 @@ void in_threads(unsigned threads, const std::function<double(unsigned)>& work) {
   for (const double result : results) sink = sink + result;
 }
 
-// Sums in many independent lanes: one chain of additions would be slower than the memory it measures.
+// Sums in many independent lanes: one chain of additions would be slower than the memory it
+// measures.
 template <std::size_t N>
 struct Lanes {
   std::array<float, N> sums{};
@@ -100,7 +102,8 @@ double sum_through_indices(const Layout& layout, const unsigned char* file, Rang
     const unsigned char* face = file + layout.faces_at + i * layout.face_stride + layout.indices_at;
     const auto indices = bench::load<std::array<std::uint32_t, 3>>(face);
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k].add(file + layout.vertices_at + indices[k] * layout.vertex_stride + layout.xyz_at[0]);
+      corners[k].add(file + layout.vertices_at + indices[k] * layout.vertex_stride +
+                     layout.xyz_at[0]);
     }
   }
   return corners[0].total() + corners[1].total() + corners[2].total();
@@ -139,25 +142,29 @@ class Bench {
 
  private:
   bench::Json all_sums() {
-    const Slice corners = [this](const unsigned char* file, std::uint64_t part, std::uint64_t parts) {
+    const Slice corners = [this](const unsigned char* file, std::uint64_t part,
+                                 std::uint64_t parts) {
       return sum_corners(layout_, file, share(layout_.faces, part, parts));
     };
-    const Slice straight = [this](const unsigned char* file, std::uint64_t part, std::uint64_t parts) {
+    const Slice straight = [this](const unsigned char* file, std::uint64_t part,
+                                  std::uint64_t parts) {
       const Range vertices = share(layout_.vertices, part, parts);
       const double sum = layout_.packed_floats() ? sum_packed_vertices(layout_, file, vertices)
                                                  : sum_vertices(layout_, file, vertices);
       return sum + sum_indices(layout_, file, share(layout_.faces, part, parts));
     };
-    const Slice through_indices = [this](const unsigned char* file, std::uint64_t part, std::uint64_t parts) {
+    const Slice through_indices = [this](const unsigned char* file, std::uint64_t part,
+                                         std::uint64_t parts) {
       return sum_through_indices(layout_, file, share(layout_.faces, part, parts));
     };
     bench::Json sums;
     if (!layout_.is_ply) return sums.add("corners", map_and_sum(corners));
-    return sums.add("straight", map_and_sum(straight)).add("through_indices", map_and_sum(through_indices));
+    return sums.add("straight", map_and_sum(straight))
+        .add("through_indices", map_and_sum(through_indices));
   }
 
-  // "mapped" takes a page fault for every few pages; in "populated" every thread first asks the kernel to map
-  // its share in one go.
+  // "mapped" takes a page fault for every few pages; in "populated" every thread first asks the
+  // kernel to map its share in one go.
   bench::Json map_and_sum(const Slice& slice) {
     bench::Json mapped, populated;
     for (unsigned threads = 1; threads <= threads_; ++threads) {
@@ -178,7 +185,8 @@ class Bench {
       constexpr std::uint64_t kPage = 4096;
       const Range pages = share((layout_.bytes + kPage - 1) / kPage, i, threads);
       if (populate) {
-        ::madvise(bytes + pages.begin * kPage, (pages.end - pages.begin) * kPage, MADV_POPULATE_READ);
+        ::madvise(bytes + pages.begin * kPage, (pages.end - pages.begin) * kPage,
+                  MADV_POPULATE_READ);
       }
       return slice(bytes, i, threads);
     });
@@ -209,8 +217,8 @@ class Bench {
     return read_rate(flags, block_bytes);
   }
 
-  // Past the page cache (and with nothing in it, which the kernel would have to respect), with the block that
-  // suits the disk best.
+  // Past the page cache (and with nothing in it, which the kernel would have to respect), with the
+  // block that suits the disk best.
   double direct_rate() {
     double best = 0;
     for (const std::size_t block : {1u << 20, 4u << 20, 16u << 20}) {
@@ -223,8 +231,8 @@ class Bench {
     bench::Json reading, copying, triad;
   };
 
-  // GB/s by threads of reading memory, of copying it, and of a = b + 3 c; read and written bytes count alike,
-  // what the processor reads of a line before it writes there does not, as in STREAM.
+  // GB/s by threads of reading memory, of copying it, and of a = b + 3 c; read and written bytes
+  // count alike, what the processor reads of a line before it writes there does not, as in STREAM.
   Memory memory_rates() {
     struct sysinfo machine {};
     ::sysinfo(&machine);
@@ -249,7 +257,8 @@ class Bench {
     Memory rates;
     rates.reading = by_threads(1, [&](Range part) {
       std::uint64_t sum = 0;  // whole numbers: the compiler may add them in any order, and does
-      for (std::uint64_t i = part.begin; i < part.end; ++i) sum += std::bit_cast<std::uint64_t>(b[i]);
+      for (std::uint64_t i = part.begin; i < part.end; ++i)
+        sum += std::bit_cast<std::uint64_t>(b[i]);
       return double(sum);
     });
     rates.copying = by_threads(2, [&](Range part) {
@@ -275,7 +284,8 @@ class Bench {
 int main(int argc, char** argv) {
   return bench::guarded("bench_limits", [&] {
     const bench::Arguments arguments(argc, argv, {}, {"--threads", "--repeats", "--only"});
-    if (arguments.files().size() != 1) throw std::runtime_error("usage: FILE [--threads N] [--repeats N]");
+    if (arguments.files().size() != 1)
+      throw std::runtime_error("usage: FILE [--threads N] [--repeats N]");
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     const auto threads = static_cast<unsigned>(arguments.number("--threads", cores));
     const auto repeats = static_cast<unsigned>(arguments.number("--repeats", 5));

@@ -39,7 +39,8 @@ class Values {
 
 struct Maker {
   const char* name;
-  std::vector<std::pair<std::string, double>> usual;  // keys, and what they are where nothing is said
+  std::vector<std::pair<std::string, double>>
+      usual;  // keys, and what they are where nothing is said
   Shape (*make)(const Values&);
 };
 
@@ -48,7 +49,9 @@ const std::vector<Maker> makers{
     {"thin_shell",
      {{"n", 400}, {"wall", 0.01}},
      [](V v) { return shapes::thin_shell(v.count(0), v.real(1)); }},
-    {"plate", {{"n", 300}, {"thickness", 0.001}}, [](V v) { return shapes::plate(v.count(0), v.real(1)); }},
+    {"plate",
+     {{"n", 300}, {"thickness", 0.001}},
+     [](V v) { return shapes::plate(v.count(0), v.real(1)); }},
     {"ball_on_ground",
      {{"n", 32}, {"cells", 30}, {"side", 1000}},
      [](V v) { return shapes::ball_on_ground(v.count(0), v.count(1), v.real(2)); }},
@@ -56,7 +59,9 @@ const std::vector<Maker> makers{
     {"pipe",
      {{"sides", 12}, {"rings", 400}, {"length", 1000}},
      [](V v) { return shapes::pipe(v.count(0), v.count(1), v.real(2)); }},
-    {"capped_cylinder", {{"sides", 25'000}}, [](V v) { return shapes::capped_cylinder(v.count(0)); }},
+    {"capped_cylinder",
+     {{"sides", 25'000}},
+     [](V v) { return shapes::capped_cylinder(v.count(0)); }},
     {"open_fan", {{"n", 100'000}}, [](V v) { return shapes::open_fan(v.count(0)); }},
     {"book", {{"pages", 1000}}, [](V v) { return shapes::book(v.count(0)); }},
     {"hub", {{"n", 100'000}, {"seed", 1}}, [](V v) { return shapes::hub(v.count(0), v.count(1)); }},
@@ -75,12 +80,16 @@ const std::vector<Maker> makers{
     {"zero_area_border_square", {}, [](V) { return shapes::zero_area_border_square(); }},
     {"polygon_square", {{"points", 3}}, [](V v) { return shapes::polygon_square(v.count(0)); }},
     {"disc", {{"n", 60}, {"rings", 20}}, [](V v) { return shapes::disc(v.count(0), v.count(1)); }},
-    {"strip", {{"n", 100}, {"width", 0.02}}, [](V v) { return shapes::strip(v.count(0), v.real(1)); }},
+    {"strip",
+     {{"n", 100}, {"width", 0.02}},
+     [](V v) { return shapes::strip(v.count(0), v.real(1)); }},
     {"double_sided", {{"n", 17}}, [](V v) { return shapes::double_sided(v.count(0)); }},
     {"far_vertex",
      {{"n", 100}, {"far", 1e6}, {"used", 1}},
      [](V v) { return shapes::far_vertex(v.count(0), v.real(1), v.count(2) != 0); }},
-    {"hills", {{"n", 800}, {"height", 0.1}}, [](V v) { return shapes::hills(v.count(0), v.real(1)); }}};
+    {"hills", {{"n", 800}, {"height", 0.1}}, [](V v) {
+       return shapes::hills(v.count(0), v.real(1));
+     }}};
 
 // Of a word KEY=NUMBER.
 std::pair<std::string, double> setting(const std::string& word) {
@@ -97,8 +106,8 @@ using Settings = std::vector<std::pair<std::string, double>>;
 
 // Of a key, which is gone then; `usual` where it is not there.
 double take(Settings& settings, const std::string& key, double usual) {
-  const auto found =
-      std::find_if(settings.begin(), settings.end(), [&](const auto& one) { return one.first == key; });
+  const auto found = std::find_if(settings.begin(), settings.end(),
+                                  [&](const auto& one) { return one.first == key; });
   if (found == settings.end()) return usual;
   const double value = found->second;
   settings.erase(found);

@@ -12,8 +12,9 @@ inline std::string test_data(const std::string& name) {
   return std::string(WINNOW_TEST_DATA) + '/' + name;
 }
 
-// A file of the folder of larger meshes that CMake's WINNOW_MESHES names. Where that is not given or lacks
-// the file, says so in the words by which ctest counts the test as skipped, and returns an empty string:
+// A file of the folder of larger meshes that CMake's WINNOW_MESHES names. Where that is not given
+// or lacks the file, says so in the words by which ctest counts the test as skipped, and returns an
+// empty string:
 //   const std::string mesh = large_mesh("A_classic/rabbit.obj");
 //   if (mesh.empty()) return;
 inline std::string large_mesh(const std::string& name) {

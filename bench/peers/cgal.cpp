@@ -1,8 +1,8 @@
 // CGAL's edge collapse as a whole program from file to file, one thread:
 //   peer_cgal IN OUT --faces N|--ratio R [--cost lindstrom-turk|garland-heckbert]
-// Lindstrom-Turk is the library's default. The reader and the writer are ours, as CGAL's are text-minded;
-// what it takes to make a half-edge mesh of the file (welding, orienting, cutting non-manifold places apart)
-// is the library's and counts as reading.
+// Lindstrom-Turk is the library's default. The reader and the writer are ours, as CGAL's are
+// text-minded; what it takes to make a half-edge mesh of the file (welding, orienting, cutting
+// non-manifold places apart) is the library's and counts as reading.
 #include "peers/driver.hpp"
 #include "peers/mesh_file.hpp"
 
@@ -28,7 +28,8 @@ Mesh read(const bench::MeshFile& file) {
   if (file.layout().is_ply) {
     const auto xyz = file.read_vertices<double>();
     const auto indices = file.read_indices();
-    for (std::size_t i = 0; i < xyz.size(); i += 3) points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+    for (std::size_t i = 0; i < xyz.size(); i += 3)
+      points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
     for (std::size_t f = 0; f < faces.size(); ++f)
       faces[f] = {indices[3 * f], indices[3 * f + 1], indices[3 * f + 2]};
   } else {
@@ -38,7 +39,8 @@ Mesh read(const bench::MeshFile& file) {
     for (std::size_t f = 0; f < faces.size(); ++f) faces[f] = {3 * f, 3 * f + 1, 3 * f + 2};
     processing::merge_duplicate_points_in_polygon_soup(points, faces);
   }
-  if (!processing::is_polygon_soup_a_polygon_mesh(faces)) processing::orient_polygon_soup(points, faces);
+  if (!processing::is_polygon_soup_a_polygon_mesh(faces))
+    processing::orient_polygon_soup(points, faces);
   Mesh mesh;
   processing::polygon_soup_to_polygon_mesh(points, faces, mesh);
   return mesh;
@@ -46,14 +48,16 @@ Mesh read(const bench::MeshFile& file) {
 
 // The stop predicate counts edges; a closed mesh has three for two faces.
 void simplify(Mesh& mesh, std::uint64_t faces, const std::string& cost) {
-  const simplification::Count_stop_predicate<Mesh> stop(static_cast<std::size_t>(double(faces) * 1.5));
+  const simplification::Count_stop_predicate<Mesh> stop(
+      static_cast<std::size_t>(double(faces) * 1.5));
   if (cost == "lindstrom-turk") {
     simplification::edge_collapse(mesh, stop);
     return;
   }
   const simplification::GarlandHeckbert_policies<Mesh, Kernel> policies(mesh);
   simplification::edge_collapse(
-      mesh, stop, CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
+      mesh, stop,
+      CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
 }
 
 void run(const bench::Arguments& arguments) {
@@ -81,7 +85,8 @@ void run(const bench::Arguments& arguments) {
   for (const auto f : mesh.faces()) {
     for (const auto v : vertices_around_face(mesh.halfedge(f), mesh)) indices.push_back(v);
   }
-  bench::write_ply(arguments.files()[1], xyz.data(), xyz.size() / 3, indices.data(), report.faces_out);
+  bench::write_ply(arguments.files()[1], xyz.data(), xyz.size() / 3, indices.data(),
+                   report.faces_out);
   report.write = watch.lap();
   report.json().print();
 }

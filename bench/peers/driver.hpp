@@ -17,8 +17,8 @@
 
 namespace bench {
 
-// "PROGRAM A B --name value --flag": positional arguments in order, options by name. Options in `flags`
-// take no value.
+// "PROGRAM A B --name value --flag": positional arguments in order, options by name. Options in
+// `flags` take no value.
 class Arguments {
  public:
   Arguments(int argc, char** argv, const std::vector<std::string>& flags,
@@ -63,7 +63,8 @@ class Arguments {
     if (suffix == "M") value *= 1e6;
     if (suffix == "G") value *= 1e9;
     if (suffix == "%") value /= 100;
-    const bool known = suffix.empty() || suffix == "k" || suffix == "M" || suffix == "G" || suffix == "%";
+    const bool known =
+        suffix.empty() || suffix == "k" || suffix == "M" || suffix == "G" || suffix == "%";
     if (error != std::errc() || !known || !(value > 0)) {
       throw std::runtime_error(name + ": not a positive number: " + word);
     }
@@ -96,7 +97,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// Builds one JSON object. Names and texts are the program's own or file names without control characters.
+// Builds one JSON object. Names and texts are the program's own or file names without control
+// characters.
 class Json {
  public:
   Json& add(const std::string& name, const std::string& text) {
@@ -147,8 +149,9 @@ struct Report {
   }
 };
 
-// The number of cells along the longest side that makes `count(cells)` come close to `target`. Clustering a
-// surface gives faces in proportion to cells², so each trial is scaled by the square root of what it missed.
+// The number of cells along the longest side that makes `count(cells)` come close to `target`.
+// Clustering a surface gives faces in proportion to cells², so each trial is scaled by the square
+// root of what it missed.
 template <class Count>
 double find_cells(double target, Count count) {
   double cells = std::max(1.0, std::sqrt(target / 6));

@@ -27,7 +27,8 @@ template <class T>
 class Array {
  public:
   Array() = default;
-  explicit Array(std::size_t size) : data_(std::make_unique_for_overwrite<T[]>(size)), size_(size) {}
+  explicit Array(std::size_t size)
+      : data_(std::make_unique_for_overwrite<T[]>(size)), size_(size) {}
   T* data() { return data_.get(); }
   const T* data() const { return data_.get(); }
   std::size_t size() const { return size_; }
@@ -48,8 +49,9 @@ T load(const unsigned char* at) {
   return value;
 }
 
-// Where things lie in a file. Every vertex and every face is a record of fixed size, since all faces are
-// triangles. In STL a face is 50 bytes with its nine coordinates at `corners_at`, and there are no vertices.
+// Where things lie in a file. Every vertex and every face is a record of fixed size, since all
+// faces are triangles. In STL a face is 50 bytes with its nine coordinates at `corners_at`, and
+// there are no vertices.
 struct Layout {
   bool is_ply = false;
   std::uint64_t bytes = 0, vertices = 0, faces = 0;
@@ -134,8 +136,10 @@ inline Layout ply_layout(const std::string& header, std::uint64_t header_bytes) 
     } else if (word == "property" && type == "list") {
       std::string count_type, index_type;
       words >> count_type >> index_type >> name;
-      require(stride == &layout.face_stride && !found_list, "only one list, in the faces, is read here");
-      require(type_size(count_type) == 1 && type_size(index_type) == 4, "faces must be uchar + int lists");
+      require(stride == &layout.face_stride && !found_list,
+              "only one list, in the faces, is read here");
+      require(type_size(count_type) == 1 && type_size(index_type) == 4,
+              "faces must be uchar + int lists");
       found_list = true;
       layout.count_at = layout.face_stride;
       layout.indices_at = layout.count_at + 1;
@@ -151,7 +155,8 @@ inline Layout ply_layout(const std::string& header, std::uint64_t header_bytes) 
       }
     }
   }
-  require(found[0] && found[1] && found[2] && found_list, "no positions or no faces in this PLY file");
+  require(found[0] && found[1] && found[2] && found_list,
+          "no positions or no faces in this PLY file");
   return layout;
 }
 
@@ -164,7 +169,8 @@ class MeshFile {
     if (fd_ < 0) throw std::runtime_error(path + ": " + std::strerror(errno));
     struct stat status {};
     ::fstat(fd_, &status);
-    std::string head(std::min<std::size_t>(static_cast<std::size_t>(status.st_size), 64 << 10), '\0');
+    std::string head(std::min<std::size_t>(static_cast<std::size_t>(status.st_size), 64 << 10),
+                     '\0');
     read_at(0, head.data(), head.size());
     if (head.starts_with("ply")) {
       const std::size_t end = head.find("end_header");
@@ -198,12 +204,13 @@ class MeshFile {
       return xyz;
     }
     Real* out = xyz.data();
-    for_each_record(layout_.vertices_at, layout_.vertices, layout_.vertex_stride, [&](const auto* vertex) {
-      for (const std::uint64_t at : layout_.xyz_at) {
-        *out++ = static_cast<Real>(layout_.is_double ? load<double>(vertex + at)
-                                                     : double(load<float>(vertex + at)));
-      }
-    });
+    for_each_record(
+        layout_.vertices_at, layout_.vertices, layout_.vertex_stride, [&](const auto* vertex) {
+          for (const std::uint64_t at : layout_.xyz_at) {
+            *out++ = static_cast<Real>(layout_.is_double ? load<double>(vertex + at)
+                                                         : double(load<float>(vertex + at)));
+          }
+        });
     return xyz;
   }
 
@@ -220,7 +227,8 @@ class MeshFile {
       out += 3;
     });
     detail::require(triangles, "only triangles are read here");
-    detail::require(layout_.faces == 0 || last < layout_.vertices, "a face names a vertex that is not there");
+    detail::require(layout_.faces == 0 || last < layout_.vertices,
+                    "a face names a vertex that is not there");
     return indices;
   }
 
@@ -243,7 +251,8 @@ class MeshFile {
     for (std::uint64_t done = 0; done < count; done += batch) {
       const std::uint64_t n = std::min(batch, count - done);
       read_at(at + done * stride, block.data(), n * stride);
-      for (std::uint64_t i = 0; i < n; ++i) use(static_cast<const unsigned char*>(block.data() + i * stride));
+      for (std::uint64_t i = 0; i < n; ++i)
+        use(static_cast<const unsigned char*>(block.data() + i * stride));
     }
   }
 
@@ -269,10 +278,11 @@ inline void write_ply(const std::string& path, const float* xyz, std::size_t ver
                       const std::uint32_t* indices, std::size_t faces) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) throw std::runtime_error(path + ": " + std::strerror(errno));
-  std::fprintf(file,
-               "ply\nformat binary_little_endian 1.0\nelement vertex %zu\nproperty float x\nproperty float "
-               "y\nproperty float z\nelement face %zu\nproperty list uchar int vertex_indices\nend_header\n",
-               vertices, faces);
+  std::fprintf(
+      file,
+      "ply\nformat binary_little_endian 1.0\nelement vertex %zu\nproperty float x\nproperty float "
+      "y\nproperty float z\nelement face %zu\nproperty list uchar int vertex_indices\nend_header\n",
+      vertices, faces);
   std::fwrite(xyz, 12, vertices, file);
   std::vector<unsigned char> records(13 * std::min<std::size_t>(faces, 16 << 10));
   for (std::size_t done = 0; done < faces;) {

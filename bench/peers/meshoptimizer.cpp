@@ -1,8 +1,8 @@
 // meshoptimizer as a whole program from file to file, one thread:
 //   peer_meshoptimizer IN OUT --faces N|--ratio R [--method sloppy|edges]
-// `sloppy` is meshopt_simplifySloppy (vertex clustering), `edges` is meshopt_simplify (edge collapse). The
-// library has no file formats, so the reader and the writer are ours. STL is welded first, which counts as
-// reading and is shown apart in seconds_weld.
+// `sloppy` is meshopt_simplifySloppy (vertex clustering), `edges` is meshopt_simplify (edge
+// collapse). The library has no file formats, so the reader and the writer are ours. STL is welded
+// first, which counts as reading and is shown apart in seconds_weld.
 #include "peers/driver.hpp"
 #include "peers/mesh_file.hpp"
 
@@ -29,22 +29,24 @@ Mesh weld(const bench::Array<float>& corners) {
 }
 
 bench::Array<std::uint32_t> simplify(const Mesh& mesh, std::uint64_t faces, bool sloppy) {
-  // No error limit: the face count decides. The library asks for room for every input index; untouched
-  // pages of it cost nothing.
+  // No error limit: the face count decides. The library asks for room for every input index;
+  // untouched pages of it cost nothing.
   const float any_error = std::numeric_limits<float>::max();
   const std::size_t vertices = mesh.xyz.size() / 3;
   bench::Array<std::uint32_t> kept(mesh.indices.size());
-  kept.shrink(sloppy ? meshopt_simplifySloppy(kept.data(), mesh.indices.data(), mesh.indices.size(),
-                                              mesh.xyz.data(), vertices, 12, faces * 3, any_error, nullptr)
-                     : meshopt_simplify(kept.data(), mesh.indices.data(), mesh.indices.size(),
-                                        mesh.xyz.data(), vertices, 12, faces * 3, any_error, 0, nullptr));
+  kept.shrink(
+      sloppy ? meshopt_simplifySloppy(kept.data(), mesh.indices.data(), mesh.indices.size(),
+                                      mesh.xyz.data(), vertices, 12, faces * 3, any_error, nullptr)
+             : meshopt_simplify(kept.data(), mesh.indices.data(), mesh.indices.size(),
+                                mesh.xyz.data(), vertices, 12, faces * 3, any_error, 0, nullptr));
   return kept;
 }
 
 void run(const bench::Arguments& arguments) {
   if (arguments.files().size() != 2) throw std::runtime_error("usage: IN OUT --faces N");
   const std::string method = arguments.text("--method", "sloppy");
-  if (method != "sloppy" && method != "edges") throw std::runtime_error("--method is sloppy or edges");
+  if (method != "sloppy" && method != "edges")
+    throw std::runtime_error("--method is sloppy or edges");
 
   bench::Report report;
   bench::Stopwatch watch;
@@ -65,8 +67,8 @@ void run(const bench::Arguments& arguments) {
 
   auto kept = simplify(mesh, arguments.target_faces(report.faces_in), method == "sloppy");
   bench::Array<float> xyz(mesh.xyz.size());
-  const std::size_t vertices = meshopt_optimizeVertexFetch(xyz.data(), kept.data(), kept.size(),
-                                                           mesh.xyz.data(), mesh.xyz.size() / 3, 12);
+  const std::size_t vertices = meshopt_optimizeVertexFetch(
+      xyz.data(), kept.data(), kept.size(), mesh.xyz.data(), mesh.xyz.size() / 3, 12);
   report.faces_out = kept.size() / 3;
   report.simplify = watch.lap();
 

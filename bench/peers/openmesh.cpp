@@ -1,7 +1,7 @@
 // OpenMesh's decimater with its quadric module as a whole program from file to file, one thread:
 //   peer_openmesh IN OUT --faces N|--ratio R
-// The reader and the writer are ours; building the half-edge mesh counts as reading. Faces that would make it
-// non-manifold are left out, as OpenMesh's own reader does.
+// The reader and the writer are ours; building the half-edge mesh counts as reading. Faces that
+// would make it non-manifold are left out, as OpenMesh's own reader does.
 #include "peers/driver.hpp"
 #include "peers/mesh_file.hpp"
 
@@ -21,7 +21,8 @@ using Corner = std::array<float, 3>;
 std::vector<std::uint32_t> weld(const bench::Array<float>& corners, std::vector<Corner>& places) {
   const std::size_t count = corners.size() / 3;
   const auto place = [&](std::uint32_t i) {
-    return bench::load<Corner>(reinterpret_cast<const unsigned char*>(corners.data() + 3 * std::size_t{i}));
+    return bench::load<Corner>(
+        reinterpret_cast<const unsigned char*>(corners.data() + 3 * std::size_t{i}));
   };
   std::vector<std::uint32_t> order(count);
   for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(i);
@@ -41,7 +42,8 @@ Mesh read(const bench::MeshFile& file) {
   if (file.layout().is_ply) {
     const auto xyz = file.read_vertices<float>();
     const auto found = file.read_indices();
-    for (std::size_t i = 0; i < xyz.size(); i += 3) places.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
+    for (std::size_t i = 0; i < xyz.size(); i += 3)
+      places.push_back({xyz[i], xyz[i + 1], xyz[i + 2]});
     indices.assign(found.data(), found.data() + found.size());
   } else {
     indices = weld(file.read_corners<float>(), places);
@@ -90,7 +92,8 @@ void run(const bench::Arguments& arguments) {
   for (const auto f : mesh.faces()) {
     for (const auto v : mesh.fv_range(f)) indices.push_back(static_cast<std::uint32_t>(v.idx()));
   }
-  bench::write_ply(arguments.files()[1], xyz.data(), xyz.size() / 3, indices.data(), report.faces_out);
+  bench::write_ply(arguments.files()[1], xyz.data(), xyz.size() / 3, indices.data(),
+                   report.faces_out);
   report.write = watch.lap();
   report.json().print();
 }

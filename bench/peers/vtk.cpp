@@ -1,11 +1,14 @@
 // VTK's quadric clustering as a whole program from file to file:
 //   peer_vtk IN OUT --faces N|--ratio R|--divisions N [--stream] [--merge]
-// Cells are cubes, N of them along the longest side. With --faces that N is found by trial (see find_cells)
-// outside the reported times, and reported, so that a timed run can be given --divisions.
+// Cells are cubes, N of them along the longest side. With --faces that N is found by trial (see
+// find_cells) outside the reported times, and reported, so that a timed run can be given
+// --divisions.
 //
-// VTK's own readers and writer are used. STL is read as the soup it is, which the clustering does not mind;
-// --merge lets the reader weld it first, its default, which is several times slower. --stream feeds the
-// filter in pieces (StartAppend, Append, EndAppend) through our reader, since VTK's read whole files.
+// VTK's own readers and writer are used. STL is read as the soup it is, which the clustering does
+// not mind;
+// --merge lets the reader weld it first, its default, which is several times slower. --stream feeds
+// the filter in pieces (StartAppend, Append, EndAppend) through our reader, since VTK's read whole
+// files.
 #include "peers/driver.hpp"
 #include "peers/mesh_file.hpp"
 
@@ -29,8 +32,8 @@ namespace {
 
 using Box = std::array<double, 6>;  // as VTK orders it: x low, x high, y low, ...
 
-// VTK 9.1 leaves to its pipeline what the append calls need too: the divisions in use, the size of a slice of
-// the grid, an input to ask for lone vertices, and an output. Without these it crashes.
+// VTK 9.1 leaves to its pipeline what the append calls need too: the divisions in use, the size of
+// a slice of the grid, an input to ask for lone vertices, and an output. Without these it crashes.
 class StreamedClustering : public vtkQuadricClustering {
  public:
   static StreamedClustering* New() { VTK_STANDARD_NEW_BODY(StreamedClustering); }
@@ -59,7 +62,8 @@ void set_divisions(vtkQuadricClustering* filter, const Box& box, double cells) {
   struct sysinfo machine {};
   ::sysinfo(&machine);
   if (bytes > 0.9 * double(machine.totalram) * machine.mem_unit) {
-    throw std::runtime_error("the filter's grid alone needs " + std::to_string(bytes / 1e9) + " GB");
+    throw std::runtime_error("the filter's grid alone needs " + std::to_string(bytes / 1e9) +
+                             " GB");
   }
   filter->SetNumberOfDivisions(divisions.data());
   filter->AutoAdjustNumberOfDivisionsOff();
@@ -98,7 +102,8 @@ Result simplify_whole(const bench::Arguments& arguments, vtkQuadricClustering* f
   result.cells = arguments.number("--divisions", 0);
   if (result.cells == 0) {
     const auto target = static_cast<double>(arguments.target_faces(result.report.faces_in));
-    result.cells = std::round(bench::find_cells(target, [&](double n) { return cluster(std::round(n)); }));
+    result.cells =
+        std::round(bench::find_cells(target, [&](double n) { return cluster(std::round(n)); }));
   }
   result.seconds_search = watch.lap();
 
@@ -153,18 +158,19 @@ Result simplify_streamed(const bench::Arguments& arguments, StreamedClustering* 
   const bench::Layout& layout = file.layout();
   result.report.faces_in = layout.faces;
 
-  // The box must be known first: from the vertices of a PLY file, which stay in memory for the look-ups, or
-  // from a pass over the corners of an STL file.
+  // The box must be known first: from the vertices of a PLY file, which stay in memory for the
+  // look-ups, or from a pass over the corners of an STL file.
   Box box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
   bench::Array<float> vertices;
   if (layout.is_ply) {
     vertices = file.read_vertices<float>();
     for (std::size_t i = 0; i < vertices.size(); i += 3) extend(box, vertices.data() + i);
   } else {
-    file.for_each_record(layout.faces_at, layout.faces, layout.face_stride, [&](const unsigned char* face) {
-      const auto corners = bench::load<std::array<float, 9>>(face + layout.corners_at);
-      for (std::size_t i = 0; i < 9; i += 3) extend(box, &corners[i]);
-    });
+    file.for_each_record(
+        layout.faces_at, layout.faces, layout.face_stride, [&](const unsigned char* face) {
+          const auto corners = bench::load<std::array<float, 9>>(face + layout.corners_at);
+          for (std::size_t i = 0; i < 9; i += 3) extend(box, &corners[i]);
+        });
   }
   set_divisions(filter, box, result.cells);
   filter->start(box);
@@ -176,18 +182,20 @@ Result simplify_streamed(const bench::Arguments& arguments, StreamedClustering* 
     piece.give(filter);
     result.report.simplify += watch.lap();
   };
-  file.for_each_record(layout.faces_at, layout.faces, layout.face_stride, [&](const unsigned char* face) {
-    if (layout.is_ply) {
-      for (const auto i : bench::load<std::array<std::uint32_t, 3>>(face + layout.indices_at)) {
-        if (i >= layout.vertices) throw std::runtime_error("a face names a vertex that is not there");
-        piece.add(vertices.data() + 3 * std::size_t{i});
-      }
-    } else {
-      const auto corners = bench::load<std::array<float, 9>>(face + layout.corners_at);
-      for (std::size_t i = 0; i < 9; i += 3) piece.add(&corners[i]);
-    }
-    if (piece.full()) flush();
-  });
+  file.for_each_record(
+      layout.faces_at, layout.faces, layout.face_stride, [&](const unsigned char* face) {
+        if (layout.is_ply) {
+          for (const auto i : bench::load<std::array<std::uint32_t, 3>>(face + layout.indices_at)) {
+            if (i >= layout.vertices)
+              throw std::runtime_error("a face names a vertex that is not there");
+            piece.add(vertices.data() + 3 * std::size_t{i});
+          }
+        } else {
+          const auto corners = bench::load<std::array<float, 9>>(face + layout.corners_at);
+          for (std::size_t i = 0; i < 9; i += 3) piece.add(&corners[i]);
+        }
+        if (piece.full()) flush();
+      });
   if (!piece.empty()) flush();
   filter->EndAppend();
   result.report.simplify += watch.lap();
@@ -197,8 +205,8 @@ Result simplify_streamed(const bench::Arguments& arguments, StreamedClustering* 
 void run(const bench::Arguments& arguments) {
   if (arguments.files().size() != 2) throw std::runtime_error("usage: IN OUT --faces N");
   vtkNew<StreamedClustering> filter;  // a plain one, unless start() is called
-  Result result =
-      arguments.has("--stream") ? simplify_streamed(arguments, filter) : simplify_whole(arguments, filter);
+  Result result = arguments.has("--stream") ? simplify_streamed(arguments, filter)
+                                            : simplify_whole(arguments, filter);
   bench::Report& report = result.report;
   report.faces_out = static_cast<std::uint64_t>(filter->GetOutput()->GetNumberOfPolys());
 
@@ -217,6 +225,7 @@ void run(const bench::Arguments& arguments) {
 
 int main(int argc, char** argv) {
   return bench::guarded("peer_vtk", [&] {
-    run(bench::Arguments(argc, argv, {"--stream", "--merge"}, {"--faces", "--ratio", "--divisions"}));
+    run(bench::Arguments(argc, argv, {"--stream", "--merge"},
+                         {"--faces", "--ratio", "--divisions"}));
   });
 }

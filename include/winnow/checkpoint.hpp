@@ -10,30 +10,33 @@ namespace winnow {
 
 // Where a run keeps what it has done.
 struct Checkpoint {
-  // A directory for this run alone: one that is empty, or a new one in a directory that exists. Ought to be
-  // on a disk with room for the clustered mesh twice (48 bytes a vertex and 12 a face; with an error to meet
-  // 80 a vertex more) and 56 bytes for each edge collapsed.
+  // A directory for this run alone: one that is empty, or a new one in a directory that exists.
+  // Ought to be on a disk with room for the clustered mesh twice (48 bytes a vertex and 12 a face;
+  // with an error to meet 80 a vertex more) and 56 bytes for each edge collapsed.
   std::string directory;
-  // Leave the files there when the run is done, instead of removing them: resume() then writes the output
-  // again.
+  // Leave the files there when the run is done, instead of removing them: resume() then writes the
+  // output again.
   bool keep = false;
 };
 
-// The same as simplify() without a checkpoint, and the same bytes; but when it is killed at any moment, or
-// fails for want of room, resume() goes on from the last stage that was done: clustering, each round of
-// refinement, each tile in a round. Until clustering is done nothing is kept: resume() reads the input again,
-// which it can not if that was a pipe.
+// The same as simplify() without a checkpoint, and the same bytes; but when it is killed at any
+// moment, or fails for want of room, resume() goes on from the last stage that was done:
+// clustering, each round of refinement, each tile in a round. Until clustering is done nothing is
+// kept: resume() reads the input again, which it can not if that was a pipe.
 //
-// Throws Error as simplify() does; usage also where the directory cannot be used or holds another run's
-// checkpoint; resources where another run works in it.
-SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
-                        const SimplifyOptions& options, const Checkpoint& settings);
+// Throws Error as simplify() does; usage also where the directory cannot be used or holds another
+// run's checkpoint; resources where another run works in it.
+SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,
+                        const std::string& output, const SimplifyOptions& options,
+                        const Checkpoint& settings);
 
-// Goes on with the run that `settings.directory` is of, with the options it had; memory, threads and
-// scratch are those of `context`. Report: of the whole run, but seconds, scratch and memory of this call.
+// Goes on with the run that `settings.directory` is of, with the options it had; memory, threads
+// and scratch are those of `context`. Report: of the whole run, but seconds, scratch and memory of
+// this call.
 //
-// Throws Error as simplify() does; bad_input also where there is no checkpoint, it is damaged or of another
-// version of winnow, or the input is not what it was; resources where its run is still alive.
+// Throws Error as simplify() does; bad_input also where there is no checkpoint, it is damaged or of
+// another version of winnow, or the input is not what it was; resources where its run is still
+// alive.
 SimplifyReport resume(Context& context, const Checkpoint& settings);
 
 }  // namespace winnow

@@ -12,8 +12,8 @@
 
 namespace winnow {
 
-// From where the picture shows both meshes. y is up, or z where the box is less than half as high in z as it
-// is wide in x and in y. The front is at +z, or at -y where z is up.
+// From where the picture shows both meshes. y is up, or z where the box is less than half as high
+// in z as it is wide in x and in y. The front is at +z, or at -y where z is up.
 enum class View {
   iso,    // from the right, the front and above alike
   front,  // from the front
@@ -23,18 +23,19 @@ enum class View {
 
 struct CompareOptions {
   std::uint64_t samples = 1'000'000;  // about so many points on each surface, evenly by area
-  std::string colored;                // a PLY of the simplified mesh coloured by its distance; empty: none
-  std::string picture;                // a PNG of both meshes, coloured by distance; empty: none
+  std::string colored;  // a PLY of the simplified mesh coloured by its distance; empty: none
+  std::string picture;  // a PNG of both meshes, coloured by distance; empty: none
   View view = View::iso;
-  std::array<double, 3> viewer{};  // View::from: the direction from the meshes to the viewer, not 0,0,0
-  bool force = false;              // replace existing files
+  std::array<double, 3>
+      viewer{};        // View::from: the direction from the meshes to the viewer, not 0,0,0
+  bool force = false;  // replace existing files
   Format from_original = Format::automatic, from_simplified = Format::automatic;
 };
 
 // In model units.
 struct Distances {
   double mean = 0, rms = 0;  // over the samples
-  double max = 0;            // over the samples and all vertices (one-sided Hausdorff distance of those)
+  double max = 0;  // over the samples and all vertices (one-sided Hausdorff distance of those)
 };
 
 struct CompareReport {
@@ -49,12 +50,14 @@ struct CompareReport {
   Mesh original, simplified;
   double diagonal = 0;  // of the original's box, for percentages
 
-  Distances forward;    // from points of the original to the simplified surface
-  Distances backward;   // from points of the simplified mesh to the original surface
-  Distances symmetric;  // mean: of both means; rms: sqrt((forward^2 + backward^2) / 2); max: the larger
+  Distances forward;   // from points of the original to the simplified surface
+  Distances backward;  // from points of the simplified mesh to the original surface
+  Distances
+      symmetric;  // mean: of both means; rms: sqrt((forward^2 + backward^2) / 2); max: the larger
   std::array<double, 3> worst{};  // where the largest distance was found
 
-  // Between the normal of the original at its samples and the normal of the nearest simplified face, degrees.
+  // Between the normal of the original at its samples and the normal of the nearest simplified
+  // face, degrees.
   struct Normals {
     double mean = 0, p95 = 0;  // p95 to a hundredth
   } normal_deviation;
@@ -81,11 +84,11 @@ struct CompareReport {
   std::vector<std::string> notes;
 };
 
-// Compares in the manner of Metro (Cignoni, Rocchini, Scopigno 1998). `original` is streamed twice and may be
-// of any size; `simplified` must fit into the budget, with about 500 bytes a face. Either is a file's name;
-// one may be "-" for standard input, which is copied to scratch first. The report is the same for every
-// number of threads and every budget. Throws Error: usage, bad_input, resources (the message names a budget
-// that is enough), cancelled, failed.
+// Compares in the manner of Metro (Cignoni, Rocchini, Scopigno 1998). `original` is streamed twice
+// and may be of any size; `simplified` must fit into the budget, with about 500 bytes a face.
+// Either is a file's name; one may be "-" for standard input, which is copied to scratch first. The
+// report is the same for every number of threads and every budget. Throws Error: usage, bad_input,
+// resources (the message names a budget that is enough), cancelled, failed.
 CompareReport compare(Context& context, const std::string& original, const std::string& simplified,
                       const CompareOptions& options);
 

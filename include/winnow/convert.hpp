@@ -21,8 +21,9 @@ struct ConvertOptions {
 
 struct ConvertReport {
   struct {
-    std::string format;          // as in InfoReport
-    std::uint64_t faces = 0;     // triangles read, bad ones included; polygons count as their triangles
+    std::string format;  // as in InfoReport
+    std::uint64_t faces =
+        0;  // triangles read, bad ones included; polygons count as their triangles
     std::uint64_t vertices = 0;  // vertices stored; 0 for formats without (STL)
     std::uint64_t bytes = 0;     // after decompression
     BadFaces bad_faces;
@@ -35,7 +36,8 @@ struct ConvertReport {
   } output;
   struct {
     std::vector<std::string> carried;  // "red (uchar)", in the order of the output
-    std::vector<std::string> dropped;  // what was not carried, and why: "properties of faces: flags"
+    std::vector<std::string>
+        dropped;  // what was not carried, and why: "properties of faces: flags"
   } attributes;
   bool welded = false;  // equal positions of an input without vertices became one vertex
   std::uint64_t doubled_faces =
@@ -52,15 +54,16 @@ struct ConvertReport {
 
 // Reads `input`, writes the same mesh to `output`; names, pipes and compression as in simplify().
 //
-// An input with vertices of its own (PLY) keeps them, all of them, and its faces, in their order; polygons
-// become triangles, bad faces are left out. A vertex that is not finite, which no face can use, is written as
-// the first that is finite. An input without (STL) gets vertices: equal positions become one, in the order
-// of a space-filling curve, and its faces come in the order of their lowest vertices, each set of three once.
-// Vertices keep what they carry (normals, colours, texture coordinates, any number; at most 16), as far as
-// the output's format holds it; a note names what is left.
+// An input with vertices of its own (PLY) keeps them, all of them, and its faces, in their order;
+// polygons become triangles, bad faces are left out. A vertex that is not finite, which no face can
+// use, is written as the first that is finite. An input without (STL) gets vertices: equal
+// positions become one, in the order of a space-filling curve, and its faces come in the order of
+// their lowest vertices, each set of three once. Vertices keep what they carry (normals, colours,
+// texture coordinates, any number; at most 16), as far as the output's format holds it; a note
+// names what is left.
 //
-// The bytes depend on the input's content and on `options` alone. Throws Error: usage, bad_input (also for an
-// input without a single good face), resources, cancelled, failed.
+// The bytes depend on the input's content and on `options` alone. Throws Error: usage, bad_input
+// (also for an input without a single good face), resources, cancelled, failed.
 ConvertReport convert(Context& context, const std::string& input, const std::string& output,
                       const ConvertOptions& options);
 

@@ -15,8 +15,8 @@ enum class ErrorKind {
   cancelled = 130  // Context::cancel was called
 };
 
-// Thrown by every function of the library that can fail. The message is one line, names the file and the
-// place (byte, line or face) where there is one, and says the way out.
+// Thrown by every function of the library that can fail. The message is one line, names the file
+// and the place (byte, line or face) where there is one, and says the way out.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}

@@ -18,10 +18,10 @@ enum class Surface {
 
 struct GenerateOptions {
   Surface surface = Surface::scan;
-  std::uint64_t faces = 1'000'000;        // the nearest number that the surface's grid allows is made
-  std::uint32_t seed = 1;                 // another number, another surface of the same kind
-  Format to = Format::automatic;          // by the output's name, else PLY; no GLB
-  bool shuffle = false;                   // faces in a scattered order instead of the scanner's
+  std::uint64_t faces = 1'000'000;  // the nearest number that the surface's grid allows is made
+  std::uint32_t seed = 1;           // another number, another surface of the same kind
+  Format to = Format::automatic;    // by the output's name, else PLY; no GLB
+  bool shuffle = false;             // faces in a scattered order instead of the scanner's
   std::array<double, 3> offset{0, 0, 0};  // added to every position; PLY is then written in double
   bool force = false;                     // replace an existing output file
 };
@@ -32,9 +32,11 @@ struct GenerateReport {
   double seconds = 0;
 };
 
-// Writes the surface to `output`, a file's name or "-" for standard output, in bounded memory. The bytes
-// depend on `options` alone. The surface is about 2 units across; its spacing follows from the count.
-// Throws Error: usage (a count that the format cannot hold), resources, cancelled, failed.
-GenerateReport generate(Context& context, const std::string& output, const GenerateOptions& options);
+// Writes the surface to `output`, a file's name or "-" for standard output, in bounded memory. The
+// bytes depend on `options` alone. The surface is about 2 units across; its spacing follows from
+// the count. Throws Error: usage (a count that the format cannot hold), resources, cancelled,
+// failed.
+GenerateReport generate(Context& context, const std::string& output,
+                        const GenerateOptions& options);
 
 }  // namespace winnow

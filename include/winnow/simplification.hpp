@@ -11,7 +11,8 @@
 
 namespace winnow {
 
-// Takes a mesh of any size in batches of any size, in bounded memory, and simplifies it when all is there:
+// Takes a mesh of any size in batches of any size, in bounded memory, and simplifies it when all is
+// there:
 //
 //   winnow::Simplification simplification(context, "small.ply", options);
 //   while (...) {
@@ -20,17 +21,18 @@ namespace winnow {
 //   }
 //   simplification.finish();
 //
-// What is added is kept in memory while half of the budget lasts and then in scratch, as finding the cell or
-// the price for a face count takes several passes: 12 bytes a vertex (24 in double) and 13 a face, or 50 a
-// triangle without vertices of its own (85 in double).
+// What is added is kept in memory while half of the budget lasts and then in scratch, as finding
+// the cell or the price for a face count takes several passes: 12 bytes a vertex (24 in double) and
+// 13 a face, or 50 a triangle without vertices of its own (85 in double).
 //
-// The output has the same bytes as simplify() gives for a PLY of these vertices and faces, of floats or
-// doubles as they were added; of triangles without vertices, for a binary STL of them, or, in double, for a
-// PLY in which each has three vertices of its own. The size of the batches does not matter.
+// The output has the same bytes as simplify() gives for a PLY of these vertices and faces, of
+// floats or doubles as they were added; of triangles without vertices, for a binary STL of them,
+// or, in double, for a PLY in which each has three vertices of its own. The size of the batches
+// does not matter.
 //
-// To be used by one thread at a time, except for Context::cancel(). After an Error it can only be destroyed;
-// destroyed before finish() was called, it leaves nothing behind. The context must outlive it; its memory,
-// threads and scratch are looked at here and not later.
+// To be used by one thread at a time, except for Context::cancel(). After an Error it can only be
+// destroyed; destroyed before finish() was called, it leaves nothing behind. The context must
+// outlive it; its memory, threads and scratch are looked at here and not later.
 class Simplification {
  public:
   // Throws Error: usage (options, an output that exists), resources (too small a budget).
@@ -39,23 +41,25 @@ class Simplification {
   Simplification(const Simplification&) = delete;
   Simplification& operator=(const Simplification&) = delete;
 
-  // Three coordinates for each vertex. Vertices are numbered from 0 in the order in which they come. All
-  // positions are floats or all are doubles. At most 2^32 - 1 vertices.
+  // Three coordinates for each vertex. Vertices are numbered from 0 in the order in which they
+  // come. All positions are floats or all are doubles. At most 2^32 - 1 vertices.
   void add_vertices(std::span<const float> coordinates);
   void add_vertices(std::span<const double> coordinates);
 
-  // Three numbers of vertices for each face; the vertices may come later. A number that no vertex has got
-  // when all is there makes the face a bad one: counted and left out.
+  // Three numbers of vertices for each face; the vertices may come later. A number that no vertex
+  // has got when all is there makes the face a bad one: counted and left out.
   void add_faces(std::span<const std::uint32_t> corners);
 
   // Instead of both: nine coordinates for each triangle, corner by corner.
   void add_triangles(std::span<const float> coordinates);
   void add_triangles(std::span<const double> coordinates);
 
-  // All of these throw Error: usage (a span that ends inside a vertex or face, floats and doubles or both
-  // kinds of mesh in one, more vertices than are counted), resources (disk full), cancelled.
+  // All of these throw Error: usage (a span that ends inside a vertex or face, floats and doubles
+  // or both kinds of mesh in one, more vertices than are counted), resources (disk full),
+  // cancelled.
 
-  // Simplifies and writes; the last call. options.from has no meaning here. Throws what simplify() throws.
+  // Simplifies and writes; the last call. options.from has no meaning here. Throws what simplify()
+  // throws.
   SimplifyReport finish();
 
  private:

@@ -14,9 +14,10 @@ std::vector<ScalarType> types_of(std::span<const Attribute> attributes) {
 
 std::optional<std::size_t> component_named(std::string_view name) {
   using Names = std::array<std::string_view, 4>;
-  constexpr std::array<Names, 3> all{Names{"red", "green", "blue", "alpha"},
-                                     Names{"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
-                                     Names{"r", "g", "b", "a"}};
+  constexpr std::array<Names, 3> all{
+      Names{"red", "green", "blue", "alpha"},
+      Names{"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
+      Names{"r", "g", "b", "a"}};
   for (const Names& names : all) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());

@@ -18,9 +18,11 @@ namespace winnow {
 // What the mean of several values is.
 enum class AttributeKind {
   value,   // that of the numbers
-  color,   // that of the light: a component as sRGB has it, whole numbers from 0 to the type's highest
+  color,   // that of the light: a component as sRGB has it, whole numbers from 0 to the type's
+           // highest
   normal,  // that of the vectors, as long as 1: nx, ny and nz, all three
-  light,   // that of the numbers, which are of light already, from 0 to the type's highest; a color elsewhere
+  light,   // that of the numbers, which are of light already, from 0 to the type's highest; a color
+           // elsewhere
   label    // there is none: the heaviest value counts, of equally heavy ones the smallest
 };
 
@@ -29,7 +31,8 @@ struct Attribute {
   std::string name;
   ScalarType type = ScalarType::float32;
   AttributeKind kind = AttributeKind::value;
-  // What a colour's component has where all of it is there. 0: what the type has, see full_component().
+  // What a colour's component has where all of it is there. 0: what the type has, see
+  // full_component().
   double full = 0;
   std::optional<double> no_data{};  // a number that says that there is none
 
@@ -75,8 +78,8 @@ inline bool carries_normals(std::span<const Attribute> attributes) {
 double full_component(ScalarType type);
 double full_component(const Attribute& attribute);
 
-// By the names that programs give them (red, diffuse_red or r, ...) which component a number is: 0 red,
-// 1 green, 2 blue, 3 alpha.
+// By the names that programs give them (red, diffuse_red or r, ...) which component a number is: 0
+// red, 1 green, 2 blue, 3 alpha.
 std::optional<std::size_t> component_named(std::string_view name);
 // Whether numbers of this type can be one.
 inline bool may_be_component(ScalarType type) {
@@ -88,8 +91,8 @@ inline bool is_color(const Attribute& attribute) {
   return attribute.kind == AttributeKind::color || attribute.kind == AttributeKind::light;
 }
 
-// From the number in a file to that whose means are taken, and from there to what is written, still to be
-// rounded: of light, too, that is a colour as sRGB has it.
+// From the number in a file to that whose means are taken, and from there to what is written, still
+// to be rounded: of light, too, that is a colour as sRGB has it.
 double mean_of_stored(const Attribute& attribute, double stored);
 double stored_of_mean(const Attribute& attribute, double mean);
 

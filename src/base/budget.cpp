@@ -23,8 +23,9 @@ Reservation Budget::try_reserve(std::uint64_t bytes) {
 Reservation Budget::reserve(std::uint64_t bytes, const char* what) {
   Reservation reservation = try_reserve(bytes);
   if (!reservation) {
-    throw Error(ErrorKind::resources, std::string(what) + " needs " + human_bytes(bytes) + " more memory; " +
-                                          human_bytes(left()) + " of " + human_bytes(total_) +
+    throw Error(ErrorKind::resources, std::string(what) + " needs " + human_bytes(bytes) +
+                                          " more memory; " + human_bytes(left()) + " of " +
+                                          human_bytes(total_) +
                                           " are left; the smallest that works is --memory " +
                                           size_option(enough_for(bytes)));
   }

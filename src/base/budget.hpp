@@ -48,14 +48,18 @@ class Budget {
   // An empty reservation where the budget does not hold it: then the caller spills.
   [[nodiscard]] Reservation try_reserve(std::uint64_t bytes);
 
-  // For what the plan has already made room for; throws Error(resources) naming `what` where it does not fit.
+  // For what the plan has already made room for; throws Error(resources) naming `what` where it
+  // does not fit.
   [[nodiscard]] Reservation reserve(std::uint64_t bytes, const char* what);
 
-  // What the run will ask for besides, at the least: messages then name a budget that is really enough.
+  // What the run will ask for besides, at the least: messages then name a budget that is really
+  // enough.
   void expect(std::uint64_t bytes) { expected_ = bytes; }
   // held(total): what the run holds at the most, beside what it is going to ask for, under a budget
   // of `total`. Parts of a run grow with its budget. Used in place of the above until it is empty.
-  void expect_held(std::function<std::uint64_t(std::uint64_t total)> held) { held_ = std::move(held); }
+  void expect_held(std::function<std::uint64_t(std::uint64_t total)> held) {
+    held_ = std::move(held);
+  }
 
   [[nodiscard]] std::uint64_t total() const { return total_; }
   [[nodiscard]] std::uint64_t used() const { return used_.load(std::memory_order_relaxed); }

@@ -5,8 +5,8 @@
 
 namespace winnow {
 
-// The point of the triangle nearest to `p`, by the region of its plane that `p` stands over (Ericson 2005,
-// 5.1.5). Triangles of no area are what they look like: a segment or a point.
+// The point of the triangle nearest to `p`, by the region of its plane that `p` stands over
+// (Ericson 2005, 5.1.5). Triangles of no area are what they look like: a segment or a point.
 Point closest_point(const Point& p, const Triangle& triangle);
 
 }  // namespace winnow

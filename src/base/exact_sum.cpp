@@ -9,7 +9,8 @@ void ExactSum::add(double value) {
   if (value == 0) return;
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const auto exponent = static_cast<unsigned>(bits >> 52 & 0x7ff);
-  const std::uint64_t mantissa = (bits & 0x000fffffffffffff) | (exponent == 0 ? 0 : std::uint64_t{1} << 52);
+  const std::uint64_t mantissa =
+      (bits & 0x000fffffffffffff) | (exponent == 0 ? 0 : std::uint64_t{1} << 52);
   // The mantissa's lowest bit stands for 2^(place - 1074).
   const unsigned place = exponent == 0 ? 0 : exponent - 1;
   const unsigned shift = place % 32;
@@ -25,7 +26,8 @@ void ExactSum::add(double value) {
 
 void ExactSum::settle() {
   for (std::size_t i = 0; i + 1 < digits; ++i) {
-    const std::int64_t carry = digit_[i] >> 32;  // towards minus infinity: what stays is not negative
+    const std::int64_t carry =
+        digit_[i] >> 32;  // towards minus infinity: what stays is not negative
     digit_[i] -= carry * (std::int64_t{1} << 32);
     digit_[i + 1] += carry;
   }
@@ -49,7 +51,8 @@ double ExactSum::value() const {
   }
   std::size_t top = digits;
   while (top > 0 && whole.digit_[top - 1] == 0) --top;
-  // Three digits hold 64 bits and more of the leading ones; the rest cannot change more than the last bit.
+  // Three digits hold 64 bits and more of the leading ones; the rest cannot change more than the
+  // last bit.
   double sum = 0;
   for (std::size_t i = top < 3 ? 0 : top - 3; i < top; ++i) {
     sum += std::ldexp(static_cast<double>(whole.digit_[i]), static_cast<int>(32 * i) - 1074);

@@ -6,8 +6,9 @@
 
 namespace winnow {
 
-// A fixed-point number wide enough for every finite double (Kulisch's long accumulator), in 32-bit digits
-// whose carries wait in 64 bits. At most 2^31 additions between two calls of merge() or value().
+// A fixed-point number wide enough for every finite double (Kulisch's long accumulator), in 32-bit
+// digits whose carries wait in 64 bits. At most 2^31 additions between two calls of merge() or
+// value().
 class ExactSum {
  public:
   void add(double value);  // finite

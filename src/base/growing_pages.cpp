@@ -22,7 +22,8 @@ constexpr std::size_t round_up(std::size_t bytes) {
 GrowingPages::GrowingPages(Budget& budget, std::size_t limit)
     : budget_(&budget), limit_(limit / step * step) {
   if (limit_ == 0) return;
-  void* memory = ::mmap(nullptr, limit_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  void* memory =
+      ::mmap(nullptr, limit_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) {
     throw Error(ErrorKind::resources, "the system refused addresses for " + human_bytes(limit_));
   }

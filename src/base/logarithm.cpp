@@ -6,8 +6,8 @@
 namespace winnow {
 
 double natural_logarithm(double value) {
-  // value = m 2^e with m in [1/sqrt 2, sqrt 2); ln m = 2 artanh((m - 1) / (m + 1)) by its series, whose terms
-  // fall by at least (0.172)^2 each.
+  // value = m 2^e with m in [1/sqrt 2, sqrt 2); ln m = 2 artanh((m - 1) / (m + 1)) by its series,
+  // whose terms fall by at least (0.172)^2 each.
   const auto bits = std::bit_cast<std::uint64_t>(value);
   auto exponent = static_cast<int>(bits >> 52) - 1023;
   double m = std::bit_cast<double>((bits & 0x000fffffffffffff) | 0x3ff0000000000000);

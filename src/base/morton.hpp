@@ -47,7 +47,8 @@ constexpr PackedCell pack_cell(std::uint32_t x, std::uint32_t y, std::uint32_t z
 }
 
 constexpr CellKey morton_key(PackedCell cell) {
-  return spread_bits(cell) | spread_bits(cell >> axis_bits) << 1 | spread_bits(cell >> (2 * axis_bits)) << 2;
+  return spread_bits(cell) | spread_bits(cell >> axis_bits) << 1 |
+         spread_bits(cell >> (2 * axis_bits)) << 2;
 }
 
 }  // namespace winnow

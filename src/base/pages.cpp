@@ -21,7 +21,8 @@ Pages::Pages(Reservation reservation, std::size_t bytes)
     throw Error(ErrorKind::resources, "the system refused " + human_bytes(bytes) + " of memory");
   }
   data_ = static_cast<std::byte*>(memory);
-  // Random access over megabytes is bound by address translation; a refusal costs nothing but speed.
+  // Random access over megabytes is bound by address translation; a refusal costs nothing but
+  // speed.
   if (bytes >= 4 * huge_page) ::madvise(memory, bytes, MADV_HUGEPAGE);
 }
 

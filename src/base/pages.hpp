@@ -8,8 +8,8 @@
 
 namespace winnow {
 
-// Whole pages straight from the system: zeroed, resident only once touched, and really given back when
-// they go, which the heap does not promise.
+// Whole pages straight from the system: zeroed, resident only once touched, and really given back
+// when they go, which the heap does not promise.
 class Pages {
  public:
   Pages() = default;
@@ -33,8 +33,9 @@ class Pages {
     return {reinterpret_cast<T*>(data_), size_ / sizeof(T)};
   }
 
-  // Makes all of it resident at once, which is much cheaper than one fault a page where every page is going
-  // to be written, here and there: reading a fresh page and then writing it even takes two.
+  // Makes all of it resident at once, which is much cheaper than one fault a page where every page
+  // is going to be written, here and there: reading a fresh page and then writing it even takes
+  // two.
   void touch();
 
   void clear();  // zero again, by handing the pages back

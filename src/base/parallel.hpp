@@ -1,9 +1,9 @@
-// The ways in which the library runs in parallel: oneTBB's, and under ThreadSanitizer the order that they
-// give.
+// The ways in which the library runs in parallel: oneTBB's, and under ThreadSanitizer the order
+// that they give.
 //
-// Debian's oneTBB is not built for ThreadSanitizer, which therefore does not see that a task starts after
-// what was before its call, and ends before what comes behind it. Each task tells it so, and nothing more:
-// tasks that run at the same time stay unordered, and their races are found.
+// Debian's oneTBB is not built for ThreadSanitizer, which therefore does not see that a task starts
+// after what was before its call, and ends before what comes behind it. Each task tells it so, and
+// nothing more: tasks that run at the same time stay unordered, and their races are found.
 #pragma once
 
 #include <atomic>
@@ -43,8 +43,8 @@ struct TaskOrder {};
 struct CallOrder {};
 #endif
 
-// What travels through a pipeline, owned outside of it: a pipeline that ends with an exception drops its
-// items without destroying them, so they are pointers to these.
+// What travels through a pipeline, owned outside of it: a pipeline that ends with an exception
+// drops its items without destroying them, so they are pointers to these.
 template <typename Item>
 class PipelineItems {
  public:
@@ -100,31 +100,33 @@ inline void run_pipeline(std::size_t items, const tbb::filter<void, void>& steps
 template <typename Item, typename Fill, typename Work>
 void pipeline(std::size_t items, const Fill& fill, const Work& work) {
   PipelineItems<Item> pool;
-  run_pipeline(items, step<void, Item*>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
-                        Item* item = pool.take();
-                        if (!fill(*item)) control.stop();
-                        return item;
-                      }) & step<Item*, void>(tbb::filter_mode::parallel, [&](Item* item) {
-                        work(*item);
-                        pool.give_back(item);
-                      }));
+  run_pipeline(
+      items, step<void, Item*>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
+               Item* item = pool.take();
+               if (!fill(*item)) control.stop();
+               return item;
+             }) & step<Item*, void>(tbb::filter_mode::parallel, [&](Item* item) {
+               work(*item);
+               pool.give_back(item);
+             }));
 }
 
 // The same, and then finish(item), in order, one at a time.
 template <typename Item, typename Fill, typename Work, typename Finish>
 void pipeline(std::size_t items, const Fill& fill, const Work& work, const Finish& finish) {
   PipelineItems<Item> pool;
-  run_pipeline(items, step<void, Item*>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
-                        Item* item = pool.take();
-                        if (!fill(*item)) control.stop();
-                        return item;
-                      }) & step<Item*, Item*>(tbb::filter_mode::parallel, [&](Item* item) {
-                        work(*item);
-                        return item;
-                      }) & step<Item*, void>(tbb::filter_mode::serial_in_order, [&](Item* item) {
-                        finish(*item);
-                        pool.give_back(item);
-                      }));
+  run_pipeline(
+      items, step<void, Item*>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
+               Item* item = pool.take();
+               if (!fill(*item)) control.stop();
+               return item;
+             }) & step<Item*, Item*>(tbb::filter_mode::parallel, [&](Item* item) {
+               work(*item);
+               return item;
+             }) & step<Item*, void>(tbb::filter_mode::serial_in_order, [&](Item* item) {
+               finish(*item);
+               pool.give_back(item);
+             }));
 }
 
 }  // namespace winnow

@@ -10,8 +10,8 @@
 
 namespace winnow {
 
-// By the arena's slots, not by threads: however many threads come and go, there are never more objects than
-// the plan has room for. Made on first use. Only for code that runs inside the arena.
+// By the arena's slots, not by threads: however many threads come and go, there are never more
+// objects than the plan has room for. Made on first use. Only for code that runs inside the arena.
 template <typename T>
 class PerSlot {
  public:

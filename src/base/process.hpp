@@ -5,7 +5,8 @@
 
 namespace winnow {
 
-std::uint64_t peak_resident_bytes();  // largest resident set so far; 0 where the system does not tell
-unsigned processors();                // processors this process may run on; at least 1
+std::uint64_t
+peak_resident_bytes();  // largest resident set so far; 0 where the system does not tell
+unsigned processors();  // processors this process may run on; at least 1
 
 }  // namespace winnow

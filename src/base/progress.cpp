@@ -17,8 +17,13 @@ void ProgressMeter::begin(const char* stage, std::uint64_t total, const char* un
   if (context_.progress) context_.progress({stage_, 0, total_, unit_});
 }
 
-ProgressMeter::Inner::Inner(ProgressMeter& meter, const char* stage, std::uint64_t total, const char* unit)
-    : meter_(meter), stage_(meter.stage_), unit_(meter.unit_), total_(meter.total_), done_(meter.done_) {
+ProgressMeter::Inner::Inner(ProgressMeter& meter, const char* stage, std::uint64_t total,
+                            const char* unit)
+    : meter_(meter),
+      stage_(meter.stage_),
+      unit_(meter.unit_),
+      total_(meter.total_),
+      done_(meter.done_) {
   meter.begin(stage, total, unit);
 }
 

@@ -40,7 +40,8 @@ class ProgressMeter {
     if (cancelled()) stop();
   }
 
-  // `before` for sorting: what many gibibytes take to sort is longer than a caller waits who wants to stop.
+  // `before` for sorting: what many gibibytes take to sort is longer than a caller waits who wants
+  // to stop.
   template <typename Before>
   [[nodiscard]] auto cancellable(Before before) const {
     return [this, before](const auto& a, const auto& b) {

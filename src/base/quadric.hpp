@@ -1,5 +1,6 @@
-// The summed squared distances from planes (Garland and Heckbert 1997), each weighted by the area it stands
-// for. Seen from the vertex that has it, so that nothing cancels however far away the origin is.
+// The summed squared distances from planes (Garland and Heckbert 1997), each weighted by the area
+// it stands for. Seen from the vertex that has it, so that nothing cancels however far away the
+// origin is.
 #pragma once
 
 #include "base/vector.hpp"
@@ -12,8 +13,8 @@ namespace winnow {
 // At t (from its vertex): t'At - 2 b't + c.
 struct Quadric {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  // A, the sum of weight * n n'
-  Point b{};                                              // the sum of weight * (n . place of the plane) n
-  double c = 0;                                           // the error at the vertex itself: at least 0
+  Point b{};     // the sum of weight * (n . place of the plane) n
+  double c = 0;  // the error at the vertex itself: at least 0
 
   // Of the plane with the unit normal `normal` through `at` (from the vertex).
   void add_plane(const Point& normal, const Point& at, double weight) {

@@ -9,8 +9,8 @@
 
 namespace winnow {
 
-// By how much a coordinate may be off, beside its size, and twice that for what was turned or moved before it
-// was rounded.
+// By how much a coordinate may be off, beside its size, and twice that for what was turned or moved
+// before it was rounded.
 inline constexpr double rounding_of_float = 0x1p-23;
 inline constexpr double rounding_of_double = 0x1p-51;
 
@@ -18,8 +18,9 @@ inline double coordinate_rounding(bool single) {
   return single ? rounding_of_float : rounding_of_double;
 }
 
-// Whether a face is no higher than its corners' coordinates may be off: its normal is made of rounding. For
-// each axis by itself: a place far off in the plane says nothing of heights. `doubled`: doubled_area().
+// Whether a face is no higher than its corners' coordinates may be off: its normal is made of
+// rounding. For each axis by itself: a place far off in the plane says nothing of heights.
+// `doubled`: doubled_area().
 inline bool thinner_than_rounding(const Triangle& t, const Point& doubled, double rounding) {
   Point off;
   Point extent;

@@ -29,7 +29,8 @@ void store(double value, std::byte* at) {
   constexpr auto high = static_cast<double>(std::numeric_limits<Number>::max());
   Number number{};
   if constexpr (std::numeric_limits<Number>::is_integer) {
-    if (!std::isnan(value)) number = static_cast<Number>(std::clamp(std::nearbyint(value), low, high));
+    if (!std::isnan(value))
+      number = static_cast<Number>(std::clamp(std::nearbyint(value), low, high));
   } else {
     number = static_cast<Number>(std::isfinite(value) ? std::clamp(value, low, high) : value);
   }

@@ -5,8 +5,8 @@
 
 namespace winnow {
 
-// The first number from `low` on for which before(number) is false, or `high`; it must be true below some
-// number and false from there on.
+// The first number from `low` on for which before(number) is false, or `high`; it must be true
+// below some number and false from there on.
 template <typename Before>
 std::uint64_t first_not_before(std::uint64_t low, std::uint64_t high, const Before& before) {
   while (low < high) {

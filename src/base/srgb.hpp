@@ -3,8 +3,8 @@
 
 namespace winnow {
 
-// Light, in proportion, of a colour component; 1 stays 1. Continued below 0 as an odd function, and beyond 1.
-// To within a few units in the last place.
+// Light, in proportion, of a colour component; 1 stays 1. Continued below 0 as an odd function, and
+// beyond 1. To within a few units in the last place.
 double light_of_component(double component);
 
 // The other way round.

@@ -18,7 +18,8 @@ std::string human_bytes(std::uint64_t bytes) {
     ++unit;
   }
   std::array<char, 64> text{};
-  const bool whole = value >= 100 || value - static_cast<double>(static_cast<std::uint64_t>(value)) < 0.05;
+  const bool whole =
+      value >= 100 || value - static_cast<double>(static_cast<std::uint64_t>(value)) < 0.05;
   std::snprintf(text.data(), text.size(), whole ? "%.0f %s" : "%.1f %s", value, units.at(unit));
   return text.data();
 }

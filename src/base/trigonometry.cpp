@@ -3,7 +3,8 @@
 namespace winnow {
 
 double cosine(double angle) {
-  // cos(a) = 1 - 2 sin(a/2)^2, twice, so that the series is asked for an eighth of a turn at the most.
+  // cos(a) = 1 - 2 sin(a/2)^2, twice, so that the series is asked for an eighth of a turn at the
+  // most.
   const double x = angle / 4;
   const double xx = x * x;
   double series = 1;

@@ -37,8 +37,8 @@ inline bool finite(const Point& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-// The nearest float. GCC 12 takes two such conversions and back, side by side, for none at all; the empty
-// instruction keeps them apart.
+// The nearest float. GCC 12 takes two such conversions and back, side by side, for none at all; the
+// empty instruction keeps them apart.
 inline double nearest_float(double value) {
   auto single = static_cast<float>(value);
   asm("" : "+x"(single));

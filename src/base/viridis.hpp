@@ -8,8 +8,8 @@ namespace winnow {
 
 using Color = std::array<std::uint8_t, 3>;  // red, green, blue
 
-// Viridis: from dark violet for nothing over green to yellow for `most` and more. Equal steps of the value
-// look equal.
+// Viridis: from dark violet for nothing over green to yellow for `most` and more. Equal steps of
+// the value look equal.
 Color viridis(double value, double most);
 
 }  // namespace winnow

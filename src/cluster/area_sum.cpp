@@ -19,9 +19,12 @@ template <typename Real>
 void doubled_areas(const FaceBatch::Positions<Real>& p, std::size_t count,
                    std::array<double, FaceBatch::capacity>& area) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double ux = double{p[1][0][i]} - double{p[0][0][i]}, vx = double{p[2][0][i]} - double{p[0][0][i]};
-    const double uy = double{p[1][1][i]} - double{p[0][1][i]}, vy = double{p[2][1][i]} - double{p[0][1][i]};
-    const double uz = double{p[1][2][i]} - double{p[0][2][i]}, vz = double{p[2][2][i]} - double{p[0][2][i]};
+    const double ux = double{p[1][0][i]} - double{p[0][0][i]},
+                 vx = double{p[2][0][i]} - double{p[0][0][i]};
+    const double uy = double{p[1][1][i]} - double{p[0][1][i]},
+                 vy = double{p[2][1][i]} - double{p[0][1][i]};
+    const double uz = double{p[1][2][i]} - double{p[0][2][i]},
+                 vz = double{p[2][2][i]} - double{p[0][2][i]};
     const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
     area[i] = std::sqrt(x * x + y * y + z * z);
   }
@@ -56,7 +59,8 @@ void AreaSum::add(const FaceBatch& faces) {
   std::int64_t small = scale_ > 0 ? 1 : 0;
   for (std::size_t i = 0; i < faces.count; ++i) {
     const double scaled = 0.5 * area[i] * scale_;
-    units += std::bit_cast<std::uint64_t>(scaled + rounding) - std::bit_cast<std::uint64_t>(rounding);
+    units +=
+        std::bit_cast<std::uint64_t>(scaled + rounding) - std::bit_cast<std::uint64_t>(rounding);
     small &= static_cast<std::int64_t>(scaled < most_units);
   }
   if (small != 0) {
@@ -65,7 +69,8 @@ void AreaSum::add(const FaceBatch& faces) {
     for (std::size_t i = 0; i < faces.count; ++i) {
       const double scaled = 0.5 * area[i] * scale_;
       if (scale_ > 0 && scaled < most_units) {
-        part.units += std::bit_cast<std::int64_t>(scaled + rounding) - std::bit_cast<std::int64_t>(rounding);
+        part.units +=
+            std::bit_cast<std::int64_t>(scaled + rounding) - std::bit_cast<std::int64_t>(rounding);
       } else if (std::isfinite(area[i])) {
         part.large.add(0.5 * area[i]);
       }

@@ -60,7 +60,8 @@ class CursorOf final : public AttributeCursor {
 template <typename Sum>
 class AttributeMeansOf final : public AttributeMeans {
  public:
-  AttributeMeansOf(Job& job, const CarriedAttributes& carried, Keys keys, const AttributeMemory& memory)
+  AttributeMeansOf(Job& job, const CarriedAttributes& carried, Keys keys,
+                   const AttributeMemory& memory)
       : job_(job),
         keys_(keys),
         scales_(scales_of(carried)),
@@ -75,19 +76,23 @@ class AttributeMeansOf final : public AttributeMeans {
       if (faces.status[i] != FaceStatus::good || kind > close_corners) continue;
       if (kind == close_corners && faces.repeats_a_corner(i)) continue;
       Weights weight;
-      for (std::size_t c = 0; c < 3; ++c) weight[c] = static_cast<std::uint64_t>(corners.weight[c][i]);
+      for (std::size_t c = 0; c < 3; ++c)
+        weight[c] = static_cast<std::uint64_t>(corners.weight[c][i]);
       if (kind == one_cell) {
         add_corners(worker, faces, i, static_cast<PackedCell>(corners.cell[0][i]), weight, 0, 3);
         continue;
       }
       for (std::size_t c = 0; c < 3; ++c)
-        add_corners(worker, faces, i, static_cast<PackedCell>(corners.cell[c][i]), weight, c, c + 1);
+        add_corners(worker, faces, i, static_cast<PackedCell>(corners.cell[c][i]), weight, c,
+                    c + 1);
     }
   }
 
-  void add(const FaceBatch& faces, std::size_t face, const std::array<std::uint64_t, 3>& numbers) override {
+  void add(const FaceBatch& faces, std::size_t face,
+           const std::array<std::uint64_t, 3>& numbers) override {
     Worker& worker = workers_.local();
-    for (std::size_t c = 0; c < 3; ++c) add_corners(worker, faces, face, numbers[c], {1, 1, 1}, c, c + 1);
+    for (std::size_t c = 0; c < 3; ++c)
+      add_corners(worker, faces, face, numbers[c], {1, 1, 1}, c, c + 1);
   }
 
   [[nodiscard]] bool wants_to_spill() const override { return table_.nearly_full(); }
@@ -178,8 +183,8 @@ std::uint64_t AttributeMemory::smallest_table(std::size_t parts, std::size_t att
   return parts * 4096 * entry_size(attributes);
 }
 
-std::unique_ptr<AttributeMeans> AttributeMeans::make(Job& job, const CarriedAttributes& carried, Keys keys,
-                                                     const AttributeMemory& memory) {
+std::unique_ptr<AttributeMeans> AttributeMeans::make(Job& job, const CarriedAttributes& carried,
+                                                     Keys keys, const AttributeMemory& memory) {
   return with_size(carried.attributes.size(), [&](auto size) -> std::unique_ptr<AttributeMeans> {
     return std::make_unique<AttributeMeansOf<AttributeSum<size>>>(job, carried, keys, memory);
   });

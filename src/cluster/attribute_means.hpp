@@ -31,8 +31,8 @@ class AttributeCursor {
  public:
   virtual ~AttributeCursor() = default;
 
-  // Writes the means at `key`, which never falls from call to call. Where nothing finite was added they are
-  // 0.
+  // Writes the means at `key`, which never falls from call to call. Where nothing finite was added
+  // they are 0.
   virtual void find(CellKey key, std::span<double> means) = 0;
 };
 
@@ -43,12 +43,13 @@ class AttributeMeans {
                                               const AttributeMemory& memory);
   virtual ~AttributeMeans() = default;
 
-  // Both from any thread of the arena the job runs in. Keys are those of the cells of the corners: the good
-  // faces of a batch, corner by corner, as the corner kernel weighs them.
+  // Both from any thread of the arena the job runs in. Keys are those of the cells of the corners:
+  // the good faces of a batch, corner by corner, as the corner kernel weighs them.
   virtual void add(const FaceBatch& faces, const CornerSums& corners) = 0;
 
   // Keys are numbers: those of the corners of one face, each of which weighs 1.
-  virtual void add(const FaceBatch& faces, std::size_t face, const std::array<std::uint64_t, 3>& numbers) = 0;
+  virtual void add(const FaceBatch& faces, std::size_t face,
+                   const std::array<std::uint64_t, 3>& numbers) = 0;
 
   // Between batches, when no add() is running.
   [[nodiscard]] virtual bool wants_to_spill() const = 0;

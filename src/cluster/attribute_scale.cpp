@@ -20,7 +20,8 @@ AttributeScale::AttributeScale(const Attribute& attribute, double largest) : att
     return;
   }
   int exponent = 0;
-  std::frexp(std::min(mean_of_stored(attribute, largest), std::numeric_limits<double>::max()), &exponent);
+  std::frexp(std::min(mean_of_stored(attribute, largest), std::numeric_limits<double>::max()),
+             &exponent);
   const int shift = mean_bits - exponent;
   const std::array<int, 2> half{shift / 2, shift - shift / 2};
   for (std::size_t i = 0; i < half.size(); ++i) {
@@ -37,7 +38,8 @@ double AttributeScale::mean(Int128 sum, std::uint64_t weight) const {
   // Divided as whole numbers, so that the mean of equal numbers is that number.
   const auto divisor = static_cast<Int128>(weight);
   const Int128 half = sum < 0 ? -divisor / 2 : divisor / 2;
-  return static_cast<double>(static_cast<std::int64_t>((sum + half) / divisor)) * down_[0] * down_[1];
+  return static_cast<double>(static_cast<std::int64_t>((sum + half) / divisor)) * down_[0] *
+         down_[1];
 }
 
 std::vector<AttributeScale> scales_of(const CarriedAttributes& carried) {

@@ -12,9 +12,9 @@
 
 namespace winnow {
 
-// Of one attribute: what its means are taken of (of labels the values themselves), times a power of two at
-// which the largest number of the input takes 62 bits. So floats of 2^-38 of the largest are still exact, and
-// what is lost of any number is below 2^-61 of the largest.
+// Of one attribute: what its means are taken of (of labels the values themselves), times a power of
+// two at which the largest number of the input takes 62 bits. So floats of 2^-38 of the largest are
+// still exact, and what is lost of any number is below 2^-61 of the largest.
 class AttributeScale {
  public:
   // `largest`: the largest size of a number in the input; larger ones are none.
@@ -45,7 +45,8 @@ class AttributeScale {
   }
 
   Attribute attribute_;
-  // The power of two, and one by it, as products of two: of tiny numbers it is more than a double holds.
+  // The power of two, and one by it, as products of two: of tiny numbers it is more than a double
+  // holds.
   std::array<double, 2> up_{}, down_{};
   std::vector<std::int64_t> table_;  // of all numbers there are, where colours are whole
 };

@@ -20,9 +20,10 @@ inline std::int64_t unbiased(std::uint64_t number) {
   return static_cast<std::int64_t>(number ^ (std::uint64_t{1} << 63));
 }
 
-// The sum of weights stays under 2^41, as in CellSum, so that sums of 62-bit numbers stay under 2^103.
-// Of a label there is no sum but its heaviest corner: the greatest number that has the corner's weight above
-// the 64 bits of what the smallest label is the greatest of. It is `absent` everywhere, as a mark.
+// The sum of weights stays under 2^41, as in CellSum, so that sums of 62-bit numbers stay under
+// 2^103. Of a label there is no sum but its heaviest corner: the greatest number that has the
+// corner's weight above the 64 bits of what the smallest label is the greatest of. It is `absent`
+// everywhere, as a mark.
 inline constexpr std::uint64_t label_mark = UINT64_MAX;
 
 inline Int128 weighed_label(std::uint64_t weight, std::int64_t label) {
@@ -34,13 +35,16 @@ inline std::int64_t label_of(Int128 weighed) {
 
 template <std::size_t Attributes>
 struct AttributeSum {
-  CellKey key;                                   // while it is in a FrontCache: the PackedCell
-  std::uint64_t weight;                          // 0: this entry is empty
-  std::array<std::uint64_t, Attributes> absent;  // the part of `weight` that has no number; or label_mark
-  std::array<Int128, Attributes> sum;            // weight times number; or the heaviest label
+  CellKey key;           // while it is in a FrontCache: the PackedCell
+  std::uint64_t weight;  // 0: this entry is empty
+  std::array<std::uint64_t, Attributes>
+      absent;                          // the part of `weight` that has no number; or label_mark
+  std::array<Int128, Attributes> sum;  // weight times number; or the heaviest label
 
   [[nodiscard]] bool empty() const { return weight == 0; }
-  [[nodiscard]] bool has_room(std::uint64_t more) const { return weight + more < CellSum::weight_bound; }
+  [[nodiscard]] bool has_room(std::uint64_t more) const {
+    return weight + more < CellSum::weight_bound;
+  }
 
   static bool before(const AttributeSum& a, const AttributeSum& b) { return a.key < b.key; }
 

@@ -31,7 +31,8 @@ bool BatchBoxes::may_meet(const RawBatch& batch, const std::vector<Box>& boxes) 
   for (std::uint64_t b = batch.first / block_faces; b <= last; ++b) {
     if (b >= blocks_.size() || !blocks_[b].known) return true;
     const Block& block = blocks_[b];
-    if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return boxes_meet(block.box, box); }))
+    if (std::any_of(boxes.begin(), boxes.end(),
+                    [&](const Box& box) { return boxes_meet(block.box, box); }))
       return true;
   }
   return false;

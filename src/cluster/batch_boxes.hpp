@@ -1,5 +1,5 @@
-// Where the faces of an input lie, block by block in its order: so that a pass for a few places needs to look
-// at a few blocks only.
+// Where the faces of an input lie, block by block in its order: so that a pass for a few places
+// needs to look at a few blocks only.
 #pragma once
 
 #include "base/box.hpp"

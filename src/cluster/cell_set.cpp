@@ -35,7 +35,8 @@ void CellSet::grow() {
 
 std::size_t CellSet::slot_of(PackedCell cell) const {
   std::size_t at = scaled_hash(mixed_hash(cell), slots_.size());
-  while (slots_[at].cell != empty && slots_[at].cell != cell) at = at + 1 == slots_.size() ? 0 : at + 1;
+  while (slots_[at].cell != empty && slots_[at].cell != cell)
+    at = at + 1 == slots_.size() ? 0 : at + 1;
   return at;
 }
 

@@ -11,7 +11,8 @@
 
 namespace winnow {
 
-// A hash table with a bit for each cell before it, as most cells that it is asked for are not in it.
+// A hash table with a bit for each cell before it, as most cells that it is asked for are not in
+// it.
 class CellSet {
  public:
   explicit CellSet(Job& job);

@@ -1,4 +1,5 @@
-// What a grid cell knows of the surface in it: fixed-point sums, the same in whatever order they are made.
+// What a grid cell knows of the surface in it: fixed-point sums, the same in whatever order they
+// are made.
 #pragma once
 
 #include "base/morton.hpp"
@@ -9,8 +10,9 @@
 
 namespace winnow {
 
-// One cache line. The highest bit of `weight` says that an output face uses the cell; the sum below it stays
-// under 2^41. A cell needing more has several entries, and the last merge adds them up in 128 bits.
+// One cache line. The highest bit of `weight` says that an output face uses the cell; the sum below
+// it stays under 2^41. A cell needing more has several entries, and the last merge adds them up in
+// 128 bits.
 struct alignas(64) CellSum {
   CellKey key;                           // while it is in a FrontCache: the PackedCell
   std::uint64_t weight;                  // units of 2^-24 cell areas; 0: this entry is empty
@@ -21,7 +23,9 @@ struct alignas(64) CellSum {
   static constexpr std::uint64_t weight_bound = std::uint64_t{1} << 41;
 
   [[nodiscard]] bool empty() const { return weight == 0; }
-  [[nodiscard]] bool has_room(std::uint64_t more) const { return (weight & ~used_bit) + more < weight_bound; }
+  [[nodiscard]] bool has_room(std::uint64_t more) const {
+    return (weight & ~used_bit) + more < weight_bound;
+  }
 
   // Sums that are known to fit; the key and the highest bit of `weight` stay.
   void add(const CellSum& more) {
@@ -44,8 +48,8 @@ struct alignas(64) CellSum {
   // Adds `from`, of the same cell; false, and nothing done, where the sum could overflow.
   static bool combine(CellSum& into, const CellSum& from) {
     if (!into.has_room(from.weight & ~used_bit)) return false;
-    into.weight =
-        ((into.weight & ~used_bit) + (from.weight & ~used_bit)) | ((into.weight | from.weight) & used_bit);
+    into.weight = ((into.weight & ~used_bit) + (from.weight & ~used_bit)) |
+                  ((into.weight | from.weight) & used_bit);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       into.position[axis] += from.position[axis];
       into.normal[axis] += from.normal[axis];
@@ -55,8 +59,9 @@ struct alignas(64) CellSum {
 };
 static_assert(sizeof(CellSum) == 64);
 
-// A CellSum with the summed plane quadrics of its faces beside it, seen from the middle of the cell: the
-// squares of the unit normal (the sixth follows, they add up to the weight) and distance times normal.
+// A CellSum with the summed plane quadrics of its faces beside it, seen from the middle of the
+// cell: the squares of the unit normal (the sixth follows, they add up to the weight) and distance
+// times normal.
 struct alignas(64) QuadricCellSum : CellSum {
   std::array<std::int64_t, 5> squares;  // nx nx, nx ny, nx nz, ny ny, ny nz
   std::array<std::int64_t, 3> moment;
@@ -81,8 +86,8 @@ struct alignas(64) QuadricCellSum : CellSum {
 };
 static_assert(sizeof(QuadricCellSum) == 128);
 
-// A face whose corners fell into three cells, by their keys in ascending order, and how often it did so:
-// turned like the ascending order (an even permutation of it), or against it.
+// A face whose corners fell into three cells, by their keys in ascending order, and how often it
+// did so: turned like the ascending order (an even permutation of it), or against it.
 struct CellFace {
   std::array<CellKey, 3> cell;
   std::uint32_t along, against;

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t first_capacity = 512;
 
-// Linear probing stays short up to here, and from here to full() there is room for what is under way when
-// spilling is asked for.
+// Linear probing stays short up to here, and from here to full() there is room for what is under
+// way when spilling is asked for.
 constexpr std::size_t high_water(std::size_t capacity) {
   return capacity - capacity / 4;
 }
@@ -40,9 +40,9 @@ Sum& CellTable<Sum>::slot(Part& part, CellKey key) const {
   return entries[at];
 }
 
-// Fourfold while there is plenty, as every growth clears and fills pages anew; then by half: with doubling, a
-// budget would on average hold the table three quarters empty. The last step goes as far as leaves room for
-// the old and the new memory of a part or two at once.
+// Fourfold while there is plenty, as every growth clears and fills pages anew; then by half: with
+// doubling, a budget would on average hold the table three quarters empty. The last step goes as
+// far as leaves room for the old and the new memory of a part or two at once.
 template <typename Sum>
 bool CellTable<Sum>::grow(Part& part) {
   const std::size_t share = budget_.total() / parts_.size() / sizeof(Sum);
@@ -87,7 +87,8 @@ void CellTable<Sum>::add(std::span<Sum> entries) {
   for (const Sum& entry : entries) ++start[(mixed_hash(entry.key) & mask) + 1];
   for (std::size_t i = 0; i <= mask; ++i) start[i + 1] += start[i];
   std::array<std::uint32_t, 257> next = start;
-  for (std::uint32_t i = 0; i < entries.size(); ++i) order[next[mixed_hash(entries[i].key) & mask]++] = i;
+  for (std::uint32_t i = 0; i < entries.size(); ++i)
+    order[next[mixed_hash(entries[i].key) & mask]++] = i;
 
   for (std::size_t p = 0; p <= mask; ++p) {
     if (start[p] == start[p + 1]) continue;
@@ -138,7 +139,8 @@ std::vector<std::unique_ptr<RecordCursor<Sum>>> CellTable<Sum>::sort_parts() {
   for (Part& part : parts_) {
     const std::span<const Sum> entries = part.memory.template as<Sum>().first(part.count);
     if (!entries.empty()) sources.push_back(std::make_unique<MemoryCursor<Sum>>(entries));
-    if (!part.overflow.empty()) sources.push_back(std::make_unique<MemoryCursor<Sum>>(part.overflow));
+    if (!part.overflow.empty())
+      sources.push_back(std::make_unique<MemoryCursor<Sum>>(part.overflow));
   }
   return sources;
 }

@@ -16,7 +16,8 @@
 
 namespace winnow {
 
-// A hash table in parts, each with a lock of its own; open addressing, one cache line (or two) an entry.
+// A hash table in parts, each with a lock of its own; open addressing, one cache line (or two) an
+// entry.
 template <typename Sum>
 class CellTable {
  public:
@@ -31,8 +32,8 @@ class CellTable {
   // Writes everything to scratch as one sorted run. While no add() is running.
   void spill();
 
-  // All cells in key order, in memory and in scratch, when nothing is added any more. A cell can come more
-  // than once, one after the other.
+  // All cells in key order, in memory and in scratch, when nothing is added any more. A cell can
+  // come more than once, one after the other.
   std::unique_ptr<RecordCursor<Sum>> finish();
 
   void release();  // all memory, when the cursor of finish() is gone

@@ -24,7 +24,8 @@ void add_corner(CellSum& sum, const CornerSums& face, std::size_t corner, std::s
   const std::int64_t weight = face.weight[corner][i];
   sum.weight += static_cast<std::uint64_t>(weight);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    sum.position[axis] += weight * (face.place[corner][axis][i] & ((std::int64_t{1} << fraction_bits) - 1));
+    sum.position[axis] +=
+        weight * (face.place[corner][axis][i] & ((std::int64_t{1} << fraction_bits) - 1));
     sum.normal[axis] += weight * face.normal[axis][i];
   }
 }
@@ -107,8 +108,8 @@ class ClustererOf final : public Clusterer {
       bad += (kind > three_cells) | !good;
     }
     const auto give_way = [&](const Sum& line) { worker.give_way(line, table_); };
-    // Neighbours in the file are mostly neighbours in space: what follows in the same cell is added up before
-    // the cell is looked for.
+    // Neighbours in the file are mostly neighbours in space: what follows in the same cell is added
+    // up before the cell is looked for.
     for (std::size_t k = 0; k < inside;) {
       const std::int64_t cell = worker.corners.cell[0][worker.inside[k]];
       Sum run{};
@@ -193,7 +194,8 @@ class ClustererOf final : public Clusterer {
 
  private:
   struct Worker {
-    Worker(Job& job, std::uint64_t face_memory, SortedRuns<CellFace>& runs) : faces(job, face_memory, runs) {
+    Worker(Job& job, std::uint64_t face_memory, SortedRuns<CellFace>& runs)
+        : faces(job, face_memory, runs) {
       pending.reserve(pending_entries);
     }
 
@@ -223,9 +225,11 @@ class ClustererOf final : public Clusterer {
     Sum both{};
     add_face(both, face, i);
     both.subtract(alone);
-    worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]), alone.weight, give_way).add(alone);
+    worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]), alone.weight, give_way)
+        .add(alone);
     const std::size_t another = corner == 0 ? 1 : 0;
-    worker.cache.entry(static_cast<PackedCell>(face.cell[another][i]), both.weight, give_way).add(both);
+    worker.cache.entry(static_cast<PackedCell>(face.cell[another][i]), both.weight, give_way)
+        .add(both);
   }
 
   // Of any face, corner by corner.
@@ -261,7 +265,8 @@ class ClustererOf final : public Clusterer {
         const std::array<double, 3> xyz = faces.corner(corner, i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
           finite &= std::isfinite(xyz[axis]);
-          farthest = std::max(farthest, std::abs(settings_.grid.place(xyz[axis], axis) - axis_cells / 2));
+          farthest =
+              std::max(farthest, std::abs(settings_.grid.place(xyz[axis], axis) - axis_cells / 2));
         }
       }
       if (finite) {
@@ -274,14 +279,15 @@ class ClustererOf final : public Clusterer {
       ++worker.counts.bad.degenerate;
       what = "repeats a corner";
     }
-    if (faces.first + i < worker.counts.first_bad.face) worker.counts.first_bad = {faces.first + i, what};
+    if (faces.first + i < worker.counts.first_bad.face)
+      worker.counts.first_bad = {faces.first + i, what};
   }
 
   static void count_clamped(Worker& worker, const FaceBatch& faces) {
     for (std::size_t i = 0; i < faces.count; ++i) {
       if (faces.status[i] != FaceStatus::good) continue;
-      const std::int32_t largest =
-          std::max({worker.corners.weight[0][i], worker.corners.weight[1][i], worker.corners.weight[2][i]});
+      const std::int32_t largest = std::max(
+          {worker.corners.weight[0][i], worker.corners.weight[1][i], worker.corners.weight[2][i]});
       if (worker.corners.kind[i] <= close_corners && largest >= 1 << weight_limit_bits)
         ++worker.counts.clamped;
     }
@@ -302,8 +308,9 @@ class ClustererOf final : public Clusterer {
 
 std::uint64_t ClusterMemory::per_thread(bool quadrics) {
   const std::uint64_t line = quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
-  return sizeof(CornerSums) + (line << FrontCache<CellSum>::index_bits) + 2 * pending_entries * line +
-         sizeof(FaceBatch) + (std::uint64_t{256} << 10);  // stack, scratch of the kernel
+  return sizeof(CornerSums) + (line << FrontCache<CellSum>::index_bits) +
+         2 * pending_entries * line + sizeof(FaceBatch) +
+         (std::uint64_t{256} << 10);  // stack, scratch of the kernel
 }
 
 std::uint64_t ClusterMemory::smallest_table(std::size_t parts, bool quadrics) {

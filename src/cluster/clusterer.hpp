@@ -43,7 +43,8 @@ struct ClusterCounts {
   std::uint64_t cropped = 0;
   std::uint64_t clamped = 0;
   FirstBad first_bad;
-  // The farthest finite corner outside of the lattice, in cells from its middle; 0 where there is none.
+  // The farthest finite corner outside of the lattice, in cells from its middle; 0 where there is
+  // none.
   double outside = 0;
 
   void add(const ClusterCounts& other);
@@ -60,15 +61,16 @@ struct ClusteredMesh {
   std::unique_ptr<VertexIndex> vertices;
   std::unique_ptr<Spool> quadrics;  // of each vertex the Quadric of its cell; only for refinement
   std::unique_ptr<Spool>
-      attributes;                // of each vertex the mean of each, a double; only where some are carried
-  std::unique_ptr<Spool> faces;  // three uint32 a face, the lowest first; in ascending order of that
+      attributes;  // of each vertex the mean of each, a double; only where some are carried
+  std::unique_ptr<Spool>
+      faces;  // three uint32 a face, the lowest first; in ascending order of that
   std::uint64_t face_count = 0;
   std::uint64_t cells = 0;
   std::uint64_t turned = 0;
   std::uint64_t fused = 0;       // pairs of opposite faces that left one face
   std::uint64_t flat_pairs = 0;  // those without area that left none; only where welded
-  // Only where clustered for refinement: the faces that several fell onto, a FusedFace each, in the order of
-  // faces; and the keys of cells that no face of three cells touches, in ascending order.
+  // Only where clustered for refinement: the faces that several fell onto, a FusedFace each, in the
+  // order of faces; and the keys of cells that no face of three cells touches, in ascending order.
   std::unique_ptr<Spool> several{};
   std::unique_ptr<Spool> vanished{};
   Folds folds{};
@@ -78,8 +80,8 @@ struct ClusterSettings {
   Grid grid;
   Placement placement = Placement::mean;
   bool double_positions = false;  // round positions to float otherwise
-  // Faces keep the windings that they inherit: every edge of a closed surface is still passed once in either
-  // direction.
+  // Faces keep the windings that they inherit: every edge of a closed surface is still passed once
+  // in either direction.
   bool for_refinement = false;
   bool keep_quadrics = false;  // of the cells; with Placement::quadric
   CarriedAttributes attributes{};

@@ -7,7 +7,8 @@
 
 namespace winnow {
 
-Components::Components(Job& job, std::uint64_t memory) : job_(job), memory_(memory / 2), links_(make()) {}
+Components::Components(Job& job, std::uint64_t memory)
+    : job_(job), memory_(memory / 2), links_(make()) {}
 
 Components::Links Components::make() const {
   return std::make_unique<SortedRecords<Link>>(job_, memory_);
@@ -60,7 +61,8 @@ bool Components::small_star(Links& links) const {
   return changed;
 }
 
-void Components::finish(const std::function<void(std::uint64_t first, std::uint64_t other)>& member) {
+void Components::finish(
+    const std::function<void(std::uint64_t first, std::uint64_t other)>& member) {
   for (bool changed = true; changed; ++rounds_) {
     changed = large_star(links_);
     changed |= small_star(links_);

@@ -1,4 +1,5 @@
-// The faces that join three cells, or three vertices: kept by each thread for itself, sorted, counted once.
+// The faces that join three cells, or three vertices: kept by each thread for itself, sorted,
+// counted once.
 #pragma once
 
 #include "cluster/cell_sum.hpp"

@@ -1,5 +1,5 @@
-// A small table before the big one: what neighbouring faces add to the same cells stays in the core's own
-// cache, and the big table sees one addition in many.
+// A small table before the big one: what neighbouring faces add to the same cells stays in the
+// core's own cache, and the big table sees one addition in many.
 #pragma once
 
 #include "base/hash.hpp"
@@ -11,7 +11,8 @@
 
 namespace winnow {
 
-// Direct-mapped; one for each thread. `Overflow` takes the entries that give way, keyed by PackedCell.
+// Direct-mapped; one for each thread. `Overflow` takes the entries that give way, keyed by
+// PackedCell.
 template <typename Sum>
 class FrontCache {
  public:
@@ -20,7 +21,8 @@ class FrontCache {
 
   FrontCache() : lines_(std::size_t{1} << index_bits) {}
 
-  // The entry of `cell`, with room for `weight` more. An entry that has to go is handed to `give_way`.
+  // The entry of `cell`, with room for `weight` more. An entry that has to go is handed to
+  // `give_way`.
   template <typename GiveWay>
   Sum& entry(PackedCell cell, std::uint64_t weight, GiveWay&& give_way) {
     Sum& line = lines_[quick_hash(cell) >> (64 - index_bits)];

@@ -20,10 +20,10 @@ double Grid::cell_of(double coordinate, std::size_t axis) const {
 
 void refuse_cell(double cell, double side) {
   // A part in a thousand more, so that the named edge works whatever is rounded on the way.
-  throw Error(ErrorKind::usage, "cells of " + shortest(cell) + " are too small for a model " +
-                                    shortest(side) +
-                                    " across: at most 2,097,152 cells an axis; the smallest that work are " +
-                                    shortest(side / axis_cells * 1.001));
+  throw Error(ErrorKind::usage,
+              "cells of " + shortest(cell) + " are too small for a model " + shortest(side) +
+                  " across: at most 2,097,152 cells an axis; the smallest that work are " +
+                  shortest(side / axis_cells * 1.001));
 }
 
 namespace {
@@ -45,7 +45,8 @@ Grid Grid::around(const std::array<double, 3>& first, double cell) {
     grid.origin[axis] = (std::floor(first[axis] * grid.inverse) - half) * cell;
     // Where a step of one cell is below what a double holds, cells lose their meaning.
     if (!(std::abs(first[axis]) * grid.inverse < 4.0e15)) {
-      throw Error(ErrorKind::usage, "cells of " + shortest(cell) + " are too small for coordinates like " +
+      throw Error(ErrorKind::usage, "cells of " + shortest(cell) +
+                                        " are too small for coordinates like " +
                                         shortest(first[axis]));
     }
   }

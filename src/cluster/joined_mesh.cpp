@@ -53,7 +53,8 @@ class VertexCursor {
   std::vector<double> carried;
 };
 
-// Of the vertices of one of two meshes that are merged: which are kept, and their numbers afterwards.
+// Of the vertices of one of two meshes that are merged: which are kept, and their numbers
+// afterwards.
 class KeptVertices {
  public:
   static std::uint64_t memory(std::uint64_t vertices) {
@@ -62,7 +63,8 @@ class KeptVertices {
 
   explicit KeptVertices(std::uint64_t vertices) : blocks_(vertices / 64 + 1) {}
 
-  // In order, for those that are kept; `before`: how many vertices of the other mesh come before it.
+  // In order, for those that are kept; `before`: how many vertices of the other mesh come before
+  // it.
   void keep(std::uint64_t vertex, std::uint64_t before) {
     if (others_.empty() || others_.back().count != before) others_.push_back({kept_, before});
     Block& block = blocks_[vertex / 64];
@@ -82,7 +84,8 @@ class KeptVertices {
   [[nodiscard]] std::uint32_t number(std::uint64_t vertex) const {
     const Block& block = blocks_[vertex / 64];
     const std::uint64_t below = (std::uint64_t{1} << (vertex % 64)) - 1;
-    const std::uint64_t at = block.kept + static_cast<std::uint64_t>(std::popcount(block.bits & below));
+    const std::uint64_t at =
+        block.kept + static_cast<std::uint64_t>(std::popcount(block.bits & below));
     std::size_t i = block.others;
     while (i + 1 < others_.size() && others_[i + 1].kept <= at) ++i;
     return static_cast<std::uint32_t>(at + others_[i].count);
@@ -131,7 +134,8 @@ class Joiner {
         shift_(shift),
         attributes_(attributes),
         reserved_(job.budget.reserve(KeptVertices::memory(coarse.vertices->size()) +
-                                         KeptVertices::memory(fine.vertices->size()) + 64 * split.size(),
+                                         KeptVertices::memory(fine.vertices->size()) +
+                                         64 * split.size(),
                                      "joining parts of cells")),
         kept_coarse_(coarse.vertices->size()),
         kept_fine_(fine.vertices->size()) {}
@@ -168,8 +172,8 @@ class Joiner {
     bool more_coarse = next_coarse();
     bool more_fine = fine.next();
     while (more_coarse || more_fine) {
-      const CellKey name =
-          std::min(more_coarse ? coarse.vertex.key : UINT64_MAX, more_fine ? fine.vertex.key : UINT64_MAX);
+      const CellKey name = std::min(more_coarse ? coarse.vertex.key : UINT64_MAX,
+                                    more_fine ? fine.vertex.key : UINT64_MAX);
       const bool in_coarse = more_coarse && coarse.vertex.key == name;
       const bool in_fine = more_fine && fine.vertex.key == name;
       const bool split = splits(name);
@@ -196,14 +200,16 @@ class Joiner {
     if (quadrics) out_.quadrics->finish();
     if (attributes_ > 0) out_.attributes->finish();
     if (out_.vertices->size() > UINT32_MAX) {
-      throw Error(ErrorKind::failed, "the result has " + grouped(out_.vertices->size()) +
-                                         " vertices, more than output formats can count; choose fewer faces");
+      throw Error(ErrorKind::failed,
+                  "the result has " + grouped(out_.vertices->size()) +
+                      " vertices, more than output formats can count; choose fewer faces");
     }
   }
 
   // chosen(face, new numbers) for the faces of a mesh, from several threads: whether it counts.
   template <typename Chosen>
-  std::unique_ptr<Spool> renumbered(const ClusteredMesh& mesh, std::uint64_t memory, const Chosen& chosen) {
+  std::unique_ptr<Spool> renumbered(const ClusteredMesh& mesh, std::uint64_t memory,
+                                    const Chosen& chosen) {
     auto faces = std::make_unique<Spool>(job_, memory);
     struct Chunk {
       std::vector<Numbers> old, now;
@@ -212,7 +218,8 @@ class Joiner {
     pipeline<Chunk>(
         2 * std::size_t{job_.threads},
         [&](Chunk& chunk) {
-          const std::uint64_t count = std::min<std::uint64_t>(chunk_records, mesh.face_count - next);
+          const std::uint64_t count =
+              std::min<std::uint64_t>(chunk_records, mesh.face_count - next);
           chunk.old = read_records<Numbers>(*mesh.faces, next, count);
           next += count;
           job_.progress.check_cancelled();
@@ -245,20 +252,23 @@ class Joiner {
       Readers(const VertexIndex& from, const VertexIndex& to) : old(from), now(to) {}
       VertexIndex::Reader old, now;
     };
-    PerSlot<Readers> readers(job_.threads,
-                             [&] { return std::make_unique<Readers>(*fine_.vertices, *out_.vertices); });
-    const std::unique_ptr<Spool> fine = renumbered(fine_, memory / 4, [&](const Numbers& face, Numbers& now) {
-      if (!kept_fine_.has(face[0]) && !kept_fine_.has(face[1]) && !kept_fine_.has(face[2])) return false;
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (kept_fine_.has(face[i])) {
-          now[i] = kept_fine_.number(face[i]);
-        } else {
-          Readers& reader = readers.local();
-          now[i] = static_cast<std::uint32_t>(reader.now.find(reader.old.at(face[i]).key).number);
-        }
-      }
-      return true;
-    });
+    PerSlot<Readers> readers(
+        job_.threads, [&] { return std::make_unique<Readers>(*fine_.vertices, *out_.vertices); });
+    const std::unique_ptr<Spool> fine =
+        renumbered(fine_, memory / 4, [&](const Numbers& face, Numbers& now) {
+          if (!kept_fine_.has(face[0]) && !kept_fine_.has(face[1]) && !kept_fine_.has(face[2]))
+            return false;
+          for (std::size_t i = 0; i < 3; ++i) {
+            if (kept_fine_.has(face[i])) {
+              now[i] = kept_fine_.number(face[i]);
+            } else {
+              Readers& reader = readers.local();
+              now[i] =
+                  static_cast<std::uint32_t>(reader.now.find(reader.old.at(face[i]).key).number);
+            }
+          }
+          return true;
+        });
     out_.faces = std::make_unique<Spool>(job_, memory / 2);
     Appender<Numbers> append(job_, *out_.faces);
     SpoolCursor<Numbers> from_coarse(job_, *coarse);
@@ -290,9 +300,9 @@ class Joiner {
 
 }  // namespace
 
-ClusteredMesh joined(Job& job, const ClusteredMesh& coarse, unsigned shift, const ClusteredMesh& fine,
-                     const SplitCells& names, const CellSet& split, std::size_t attributes,
-                     const JoinedMemory& memory) {
+ClusteredMesh joined(Job& job, const ClusteredMesh& coarse, unsigned shift,
+                     const ClusteredMesh& fine, const SplitCells& names, const CellSet& split,
+                     std::size_t attributes, const JoinedMemory& memory) {
   return Joiner(job, coarse, shift, fine, names, split, attributes).run(memory);
 }
 

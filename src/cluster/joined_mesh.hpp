@@ -15,12 +15,12 @@ struct JoinedMemory {
   std::uint64_t faces = 0;
 };
 
-// `fine` is of the faces near cells of `split` and has names for keys (cluster/split_cells.hpp). So has
-// `coarse`, or keys of cells, which become names when they are shifted by `shift` bits. Folds of either are
-// left out. Of `fine` the vertices count that are in cells of `split`, or not in `coarse`, and the faces that
-// have one for a corner; of `coarse` all others.
-ClusteredMesh joined(Job& job, const ClusteredMesh& coarse, unsigned shift, const ClusteredMesh& fine,
-                     const SplitCells& names, const CellSet& split, std::size_t attributes,
-                     const JoinedMemory& memory);
+// `fine` is of the faces near cells of `split` and has names for keys (cluster/split_cells.hpp). So
+// has `coarse`, or keys of cells, which become names when they are shifted by `shift` bits. Folds
+// of either are left out. Of `fine` the vertices count that are in cells of `split`, or not in
+// `coarse`, and the faces that have one for a corner; of `coarse` all others.
+ClusteredMesh joined(Job& job, const ClusteredMesh& coarse, unsigned shift,
+                     const ClusteredMesh& fine, const SplitCells& names, const CellSet& split,
+                     std::size_t attributes, const JoinedMemory& memory);
 
 }  // namespace winnow

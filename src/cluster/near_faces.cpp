@@ -48,8 +48,8 @@ void NearFaces::keep(Worker& worker) {
   worker.numbers.clear();
 }
 
-void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid, const CellSet& split,
-                       BatchBoxes* boxes) {
+void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid,
+                       const CellSet& split, BatchBoxes* boxes) {
   const PositionKernel& kernel = best_position_kernel();
   const double origin[3] = {grid.origin[0], grid.origin[1], grid.origin[2]};
   Box box;
@@ -59,7 +59,8 @@ void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid,
     for (std::size_t axis = 0; axis < 3; ++axis) {
       input.axis[axis] = faces.position[c][axis].data();
       if (!faces.single) continue;
-      std::copy_n(faces.single_position[c][axis].begin(), faces.count, worker.position[c][axis].begin());
+      std::copy_n(faces.single_position[c][axis].begin(), faces.count,
+                  worker.position[c][axis].begin());
       input.axis[axis] = worker.position[c][axis].data();
     }
     input.count = faces.count;
@@ -81,7 +82,8 @@ void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid,
     for (std::size_t c = 0; c < 3; ++c) {
       const std::array<double, 3> corner = faces.corner(c, i);
       worker.numbers.insert(worker.numbers.end(), corner.begin(), corner.end());
-      if (!split.has(static_cast<PackedCell>(cell[c]))) worker.add_beside(static_cast<PackedCell>(cell[c]));
+      if (!split.has(static_cast<PackedCell>(cell[c])))
+        worker.add_beside(static_cast<PackedCell>(cell[c]));
     }
     for (std::size_t a = 0; a < attributes_; ++a) {
       for (std::size_t c = 0; c < 3; ++c) worker.numbers.push_back(faces.attribute(a, c, i));
@@ -105,19 +107,21 @@ void NearFaces::choose_all(const EachBatch& each_batch, const Grid& grid, const 
 void NearFaces::read(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside,
                      BatchBoxes& boxes) {
   reader.begin_faces();
-  choose_all([&](const FaceSink& sink) { for_each_face_batch(job_, reader, sink, {}); }, grid, split, beside,
-             &boxes);
+  choose_all([&](const FaceSink& sink) { for_each_face_batch(job_, reader, sink, {}); }, grid,
+             split, beside, &boxes);
 }
 
-void NearFaces::read_near(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside,
-                          const BatchBoxes& boxes, const std::vector<Box>& places) {
+void NearFaces::read_near(MeshReader& reader, const Grid& grid, const CellSet& split,
+                          CellSet& beside, const BatchBoxes& boxes,
+                          const std::vector<Box>& places) {
   reader.begin_faces();
   const auto wanted = [&](const RawBatch& batch) { return boxes.may_meet(batch, places); };
-  choose_all([&](const FaceSink& sink) { for_each_face_batch(job_, reader, sink, {}, wanted); }, grid, split,
-             beside);
+  choose_all([&](const FaceSink& sink) { for_each_face_batch(job_, reader, sink, {}, wanted); },
+             grid, split, beside);
 }
 
-void NearFaces::take(const NearFaces& others, const Grid& grid, const CellSet& split, CellSet& beside) {
+void NearFaces::take(const NearFaces& others, const Grid& grid, const CellSet& split,
+                     CellSet& beside) {
   choose_all([&](const FaceSink& sink) { others.for_each_batch(sink); }, grid, split, beside);
 }
 
@@ -148,7 +152,8 @@ bool NearFaces::for_each_batch(const FaceSink& sink, const std::function<bool()>
           batch.count = std::min<std::size_t>(FaceBatch::capacity, chunk.count - at);
           for (std::size_t i = 0; i < batch.count; ++i) {
             const double* face = all.data() + (at + i) * numbers;
-            for (std::size_t k = 0; k < corner_numbers; ++k) batch.position[k / 3][k % 3][i] = face[k];
+            for (std::size_t k = 0; k < corner_numbers; ++k)
+              batch.position[k / 3][k % 3][i] = face[k];
             for (std::size_t k = 0; k < 3 * attributes_; ++k)
               batch.attributes[k * FaceBatch::capacity + i] = face[corner_numbers + k];
           }

@@ -26,10 +26,11 @@ class NearFaces {
   // `attributes`: that vertices carry. Uses at most `memory` bytes of the budget, and scratch.
   NearFaces(Job& job, std::size_t attributes, std::uint64_t memory);
 
-  // Keeps those of all faces that have a corner in a cell of `split`. The other cells of their corners are
-  // added to `beside`. The first pass over `reader` finds `boxes`; later ones, for few cells, look at the
-  // blocks near `places`, the boxes of these cells.
-  void read(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside, BatchBoxes& boxes);
+  // Keeps those of all faces that have a corner in a cell of `split`. The other cells of their
+  // corners are added to `beside`. The first pass over `reader` finds `boxes`; later ones, for few
+  // cells, look at the blocks near `places`, the boxes of these cells.
+  void read(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside,
+            BatchBoxes& boxes);
   void read_near(MeshReader& reader, const Grid& grid, const CellSet& split, CellSet& beside,
                  const BatchBoxes& boxes, const std::vector<Box>& places);
   // The same of those that another has kept.
@@ -37,19 +38,21 @@ class NearFaces {
 
   [[nodiscard]] std::uint64_t size() const { return count_; }
 
-  // sink(batch) from several threads, until `stop` says so between batches: true then, and the next call goes
-  // on. Begins anew behind the end.
+  // sink(batch) from several threads, until `stop` says so between batches: true then, and the next
+  // call goes on. Begins anew behind the end.
   bool for_each_batch(const FaceSink& sink, const std::function<bool()>& stop = {}) const;
 
  private:
   struct Worker;
-  [[nodiscard]] std::size_t numbers_a_face() const { return bytes_a_face(attributes_) / sizeof(double); }
+  [[nodiscard]] std::size_t numbers_a_face() const {
+    return bytes_a_face(attributes_) / sizeof(double);
+  }
   void keep(Worker& worker);
   void choose(Worker& worker, const FaceBatch& faces, const Grid& grid, const CellSet& split,
               BatchBoxes* boxes);
   template <typename EachBatch>
-  void choose_all(const EachBatch& each_batch, const Grid& grid, const CellSet& split, CellSet& beside,
-                  BatchBoxes* boxes = nullptr);
+  void choose_all(const EachBatch& each_batch, const Grid& grid, const CellSet& split,
+                  CellSet& beside, BatchBoxes* boxes = nullptr);
 
   Job& job_;
   std::size_t attributes_;

@@ -47,7 +47,8 @@ void NearLinks::find(std::span<const NumberedPoint> points, const Link& link) {
     join(nodes_[build(0, leaves_.size())]);
   }
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (const std::uint32_t first = root(i); first != i) link(points[first].number, points[i].number);
+    if (const std::uint32_t first = root(i); first != i)
+      link(points[first].number, points[i].number);
   }
 }
 
@@ -70,11 +71,13 @@ std::uint32_t NearLinks::build(std::size_t begin, std::size_t end) {
   nodes_.push_back(node);
   if (node.single) return number;
   const Point side = node.high - node.low;
-  const auto axis = static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
+  const auto axis =
+      static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
   const std::size_t middle = begin + (end - begin) / 2;
   const auto at = [&](std::size_t i) { return leaves_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(middle), at(end),
-                   [axis](const Leaf& a, const Leaf& b) { return a.position[axis] < b.position[axis]; });
+  std::nth_element(at(begin), at(middle), at(end), [axis](const Leaf& a, const Leaf& b) {
+    return a.position[axis] < b.position[axis];
+  });
   const std::uint32_t lower = build(begin, middle);
   const std::uint32_t upper = build(middle, end);
   nodes_[number].half = {lower, upper};
@@ -103,8 +106,8 @@ void NearLinks::join(std::uint32_t a, std::uint32_t b) {
     if (root(from) != root(to) && any_near(a, b)) unite(from, to);
     return;
   }
-  const bool first =
-      !one.together && (other.together || largest_squared(one, one) >= largest_squared(other, other));
+  const bool first = !one.together &&
+                     (other.together || largest_squared(one, one) >= largest_squared(other, other));
   for (const std::uint32_t half : first ? one.half : other.half) {
     if (first) {
       join(half, b);

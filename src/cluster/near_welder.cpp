@@ -51,7 +51,8 @@ struct Move {
 class Cells {
  public:
   explicit Cells(double distance)
-      : reach_(0.75 * distance), edge_(std::min(16 * distance, std::numeric_limits<double>::max() / 4)) {}
+      : reach_(0.75 * distance),
+        edge_(std::min(16 * distance, std::numeric_limits<double>::max() / 4)) {}
 
   template <typename Visit>
   void for_each(const Point& p, const Visit& visit) const {
@@ -60,8 +61,9 @@ class Cells {
       range[axis] = {cell(p[axis] - reach_), cell(p[axis] + reach_)};
     // At most two cells an axis. Where a cell's number has no successor, both ends are one.
     for_each_of(range[0], [&](double x) {
-      for_each_of(range[1],
-                  [&](double y) { for_each_of(range[2], [&](double z) { visit(hash(x, y, z)); }); });
+      for_each_of(range[1], [&](double y) {
+        for_each_of(range[2], [&](double z) { visit(hash(x, y, z)); });
+      });
     });
   }
 
@@ -79,7 +81,8 @@ class Cells {
 
   static std::uint64_t hash(double x, double y, double z) {
     std::uint64_t value = 0;
-    for (const double each : {x, y, z}) value = mixed_hash(value ^ std::bit_cast<std::uint64_t>(each));
+    for (const double each : {x, y, z})
+      value = mixed_hash(value ^ std::bit_cast<std::uint64_t>(each));
     return value;
   }
 
@@ -170,7 +173,8 @@ class NearWeld {
   void gather(MeshReader& reader, const Grid& grid) {
     job_.progress.begin("gather vertices", reader.facts().faces.value_or(0), "faces");
     ThreadedRecords<KeyedPosition> sorted(job_, memory_.sorting);
-    PerSlot<RecentPositions> recent(job_.threads, [] { return std::make_unique<RecentPositions>(); });
+    PerSlot<RecentPositions> recent(job_.threads,
+                                    [] { return std::make_unique<RecentPositions>(); });
     reader.begin_faces();
     const FaceSink sink = [&](const FaceBatch& batch) {
       SortedList<KeyedPosition>& list = sorted.local();
@@ -201,8 +205,11 @@ class NearWeld {
       SpoolCursor<KeyedPosition> positions(job_, positions_);
       KeyedPosition at{};
       for (std::uint64_t number = 0; positions.next(at); ++number) {
-        cells.for_each(at.position, [&](std::uint64_t cell) { sorted.add({cell, {number, at.position}}); });
-        if (number % chunk_records == 0) job_.progress.advance(std::min(chunk_records, count - number));
+        cells.for_each(at.position, [&](std::uint64_t cell) {
+          sorted.add({cell, {number, at.position}});
+        });
+        if (number % chunk_records == 0)
+          job_.progress.advance(std::min(chunk_records, count - number));
       }
     }
     MergedCursor<CellPosition> merged = sorted.merged();
@@ -292,14 +299,16 @@ class NearWeld {
 
 class MovingReader final : public NearWeldedReader {
  public:
-  MovingReader(Job& job, std::unique_ptr<MeshReader> reader, double distance, const NearWeldMemory& memory)
+  MovingReader(Job& job, std::unique_ptr<MeshReader> reader, double distance,
+               const NearWeldMemory& memory)
       : reader_(std::move(reader)),
         finders_(job.threads, [this] { return std::make_unique<MovedFinder>(moved_, grid_); }) {
     const InputFacts& facts = reader_->facts();
     facts_ = facts;
     facts_.faces.reset();  // how many are left shows when they are read
     first_ = reader_->first_finite_position();
-    const Box box = measure_box_of_most(job, *reader_, facts.vertices.value_or(facts.faces.value_or(0)));
+    const Box box =
+        measure_box_of_most(job, *reader_, facts.vertices.value_or(facts.faces.value_or(0)));
     if (box.empty) return;
     grid_ = lattice_over(box);
     moved_ = NearWeld(job, distance, memory).run(*reader_, grid_);
@@ -310,7 +319,8 @@ class MovingReader final : public NearWeldedReader {
 
   void begin_positions(PassCorners corners) override { reader_->begin_positions(corners); }
   bool next_positions(RawBatch& batch) override { return reader_->next_positions(batch); }
-  void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override {
+  void decode_positions(const RawBatch& batch, FaceBatch& slice,
+                        const PositionSink& sink) const override {
     if (moved_.size() == 0) return reader_->decode_positions(batch, slice, sink);
     std::array<std::array<double, FaceBatch::capacity>, 3> welded;
     MovedFinder& finder = finders_.local();
@@ -319,7 +329,10 @@ class MovingReader final : public NearWeldedReader {
         const Point p = finder.find({view.axis[0][i], view.axis[1][i], view.axis[2][i]});
         for (std::size_t axis = 0; axis < 3; ++axis) welded[axis][i] = p[axis];
       }
-      sink({{welded[0].data(), welded[1].data(), welded[2].data()}, view.count, view.first, view.corner});
+      sink({{welded[0].data(), welded[1].data(), welded[2].data()},
+            view.count,
+            view.first,
+            view.corner});
     });
   }
 
@@ -375,7 +388,8 @@ class MovingReader final : public NearWeldedReader {
       moved = true;
       // That of another input may be of doubles.
       if (slice.single) to_doubles(slice);
-      for (std::size_t axis = 0; axis < 3; ++axis) slice.position[corner][axis][face] = target[axis];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        slice.position[corner][axis][face] = target[axis];
     }
     if (!moved || repeated || !slice.repeats_a_corner(face)) return;
     slice.status[face] = FaceStatus::cropped;
@@ -406,8 +420,8 @@ std::uint64_t near_weld_scratch(std::uint64_t faces) {
   return faces * 3 * (2 * cells + position);
 }
 
-std::unique_ptr<NearWeldedReader> weld_near(Job& job, std::unique_ptr<MeshReader> reader, double distance,
-                                            const NearWeldMemory& memory) {
+std::unique_ptr<NearWeldedReader> weld_near(Job& job, std::unique_ptr<MeshReader> reader,
+                                            double distance, const NearWeldMemory& memory) {
   return std::make_unique<MovingReader>(job, std::move(reader), distance, memory);
 }
 

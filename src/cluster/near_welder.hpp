@@ -35,7 +35,7 @@ class NearWeldedReader : public MeshReader {
 };
 
 // Reads all faces once, and all positions once, before it returns. `reader` has to allow that.
-std::unique_ptr<NearWeldedReader> weld_near(Job& job, std::unique_ptr<MeshReader> reader, double distance,
-                                            const NearWeldMemory& memory);
+std::unique_ptr<NearWeldedReader> weld_near(Job& job, std::unique_ptr<MeshReader> reader,
+                                            double distance, const NearWeldMemory& memory);
 
 }  // namespace winnow

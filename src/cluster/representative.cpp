@@ -11,9 +11,9 @@ namespace {
 constexpr double fraction_scale = 1 << fraction_bits;
 constexpr double normal_scale = 1 << normal_bits;
 
-// Pulls the minimiser towards the mean where the planes leave it free (along an edge, on a flat face), as a
-// part of the planes' total weight. 10^-3 to 10^-2 are equally good by measurement (bench/RESULTS.md);
-// below, nearly flat cells throw their vertex to the cell's wall.
+// Pulls the minimiser towards the mean where the planes leave it free (along an edge, on a flat
+// face), as a part of the planes' total weight. 10^-3 to 10^-2 are equally good by measurement
+// (bench/RESULTS.md); below, nearly flat cells throw their vertex to the cell's wall.
 constexpr double pull = 5e-3;
 
 // Solves the symmetric positive definite system m x = b by Cholesky's method.
@@ -34,11 +34,12 @@ std::array<double, 3> solve(double xx, double xy, double xz, double yy, double y
   return {x0, x1, x2};
 }
 
-// The number of type Real nearest to `coordinate` that is in the part of its cell by Grid's own formula.
-// There is one: the coordinates of the corners in it are of that type. A few steps reach it; far from the
-// origin, where the lattice is finer than a float, they are steps of the float.
+// The number of type Real nearest to `coordinate` that is in the part of its cell by Grid's own
+// formula. There is one: the coordinates of the corners in it are of that type. A few steps reach
+// it; far from the origin, where the lattice is finer than a float, they are steps of the float.
 template <typename Real>
-double round_into_cell(double coordinate, const Grid& grid, std::size_t axis, const SplitCells::Part& part) {
+double round_into_cell(double coordinate, const Grid& grid, std::size_t axis,
+                       const SplitCells::Part& part) {
   auto value = static_cast<Real>(coordinate);
   constexpr Real infinity = std::numeric_limits<Real>::infinity();
   for (int step = 0; step < 64; ++step) {
@@ -82,12 +83,13 @@ void WholeCell::add(const QuadricCellSum& sum) {
 std::array<double, 3> WholeCell::mean_place() const {
   const double scale = static_cast<double>(weight_) * fraction_scale;
   std::array<double, 3> place{};
-  for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = static_cast<double>(position_[axis]) / scale;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = static_cast<double>(position_[axis]) / scale;
   return place;
 }
 
-// Garland and Heckbert's quadric of the planes n·x = d, each with its corner's weight: minimises the mean of
-// (n·x - d)^2 plus pull * |x - mean|^2, by x = mean + t with (A + pull) t = b - A mean.
+// Garland and Heckbert's quadric of the planes n·x = d, each with its corner's weight: minimises
+// the mean of (n·x - d)^2 plus pull * |x - mean|^2, by x = mean + t with (A + pull) t = b - A mean.
 std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean) const {
   const double scale = static_cast<double>(weight_) * normal_scale;
   std::array<double, 5> a{};
@@ -95,7 +97,8 @@ std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean
   const auto [xx, xy, xz, yy, yz] = a;
   // The squares of a unit normal add up to one; corners without a normal leave a little less.
   const double zz = std::max(0.0, 1 - xx - yy);
-  const std::array<double, 3> m{mean[0] - 0.5, mean[1] - 0.5, mean[2] - 0.5};  // from the cell's middle
+  const std::array<double, 3> m{mean[0] - 0.5, mean[1] - 0.5,
+                                mean[2] - 0.5};  // from the cell's middle
   const std::array<double, 3> rest{
       static_cast<double>(moment_[0]) / scale - (xx * m[0] + xy * m[1] + xz * m[2]),
       static_cast<double>(moment_[1]) / scale - (xy * m[0] + yy * m[1] + yz * m[2]),

@@ -24,12 +24,13 @@ class WholeCell {
   [[nodiscard]] CellKey key() const { return key_; }
   [[nodiscard]] bool used() const { return used_; }  // by an output face
 
-  // The mean of the corners, or, with quadrics, the point nearest to the planes; in its cell in any case, and
-  // rounded to what will be written, so that two cells never share a position.
+  // The mean of the corners, or, with quadrics, the point nearest to the planes; in its cell in any
+  // case, and rounded to what will be written, so that two cells never share a position.
   [[nodiscard]] IndexedVertex vertex(const ClusterSettings& settings) const;
 
-  // The planes of the cell's faces as a quadric in model units, seen from `position`. Cells do not sum up the
-  // squares of the planes' distances; so the least value is taken to be 0, and costs count from there.
+  // The planes of the cell's faces as a quadric in model units, seen from `position`. Cells do not
+  // sum up the squares of the planes' distances; so the least value is taken to be 0, and costs
+  // count from there.
   [[nodiscard]] Quadric quadric(const Grid& grid, const Point& position) const;
 
  private:

@@ -17,7 +17,8 @@ namespace {
 constexpr std::uint64_t crude_points = 1 << 15;
 // A clustered surface has about two faces a vertex, as any closed triangle mesh.
 constexpr double faces_a_cell = 2;
-// Of fewer points nothing is said to lie far off; of more, what lies so many times what most of them take.
+// Of fewer points nothing is said to lie far off; of more, what lies so many times what most of
+// them take.
 constexpr std::size_t few_points = 100;
 constexpr double far_off = 64;
 // Far enough to ask whether faces use what lies there.
@@ -71,8 +72,9 @@ void add_to_box(const PositionKernel& kernel, const FaceBatch& faces, Box& box) 
   }
 }
 
-// One position out of every `step`, at a place in its stretch that a hash picks, so that rows of a scanner
-// are not hit in step. Positions without vertices are those of first corners: enough to meet every vertex.
+// One position out of every `step`, at a place in its stretch that a hash picks, so that rows of a
+// scanner are not hit in step. Positions without vertices are those of first corners: enough to
+// meet every vertex.
 void pick_points(const PositionView& view, std::uint64_t step, std::vector<Point>& points) {
   if (view.corner != 0) return;
   const std::uint64_t end = view.first + view.count;
@@ -121,8 +123,9 @@ PickedPoints pick_points(Job& job, MeshReader& reader, std::uint64_t positions) 
   return all;
 }
 
-// Counts different values by the share of a bitmap that their hashes leave empty (linear counting: Whang,
-// Vander-Zanden, Taylor 1990); with a bit and more for each value its error is far below a percent.
+// Counts different values by the share of a bitmap that their hashes leave empty (linear counting:
+// Whang, Vander-Zanden, Taylor 1990); with a bit and more for each value its error is far below a
+// percent.
 class DistinctCounter {
  public:
   static constexpr std::uint64_t most_bits = std::uint64_t{1} << 25;
@@ -135,7 +138,9 @@ class DistinctCounter {
   explicit DistinctCounter(std::uint64_t bits)
       : words_(bits / 64), shift_(64 - static_cast<unsigned>(std::countr_zero(bits))) {}
 
-  void add(std::uint64_t hash) { words_[hash >> shift_ >> 6] |= std::uint64_t{1} << (hash >> shift_ & 63); }
+  void add(std::uint64_t hash) {
+    words_[hash >> shift_ >> 6] |= std::uint64_t{1} << (hash >> shift_ & 63);
+  }
 
   void merge(const DistinctCounter& other) {
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
@@ -174,8 +179,8 @@ Box measure_box(Job& job, MeshReader& reader) {
   job.progress.begin("measure", 0, "positions");
   PerSlot<Box> boxes(job.threads, [] { return std::make_unique<Box>(); });
   const PositionKernel& kernel = best_position_kernel();
-  for_each_position_batch(job, reader,
-                          [&](const PositionView& view) { add_to_box(kernel, view, boxes.local()); });
+  for_each_position_batch(
+      job, reader, [&](const PositionView& view) { add_to_box(kernel, view, boxes.local()); });
   Box box;
   for (const Box* part : boxes.all()) box.add(*part);
   return box;
@@ -186,8 +191,8 @@ Box measure_box_of_faces(Job& job, MeshReader& reader) {
   PerSlot<Box> boxes(job.threads, [] { return std::make_unique<Box>(); });
   const PositionKernel& kernel = best_position_kernel();
   reader.begin_faces();
-  for_each_face_batch(job, reader, [&](const FaceBatch& batch) { add_to_box(kernel, batch, boxes.local()); },
-                      {});
+  for_each_face_batch(
+      job, reader, [&](const FaceBatch& batch) { add_to_box(kernel, batch, boxes.local()); }, {});
   Box box;
   for (const Box* part : boxes.all()) box.add(*part);
   return box;
@@ -227,8 +232,8 @@ void take_surface(Job& job, MeshReader& reader, PickedPoints& picked) {
   picked.box = measure_box_of_faces(job, reader);
   const Box& box = picked.box;
   std::erase_if(picked.points, [&](const Point& p) {
-    return box.empty || p[0] < box.low[0] || p[1] < box.low[1] || p[2] < box.low[2] || p[0] > box.high[0] ||
-           p[1] > box.high[1] || p[2] > box.high[2];
+    return box.empty || p[0] < box.low[0] || p[1] < box.low[1] || p[2] < box.low[2] ||
+           p[0] > box.high[0] || p[1] > box.high[1] || p[2] > box.high[2];
   });
 }
 
@@ -254,7 +259,8 @@ std::uint64_t CellCounts::memory(unsigned threads) {
   return threads * sizes * DistinctCounter::most_bits / 8 + 4 * crude_points * sizeof(Point);
 }
 
-CellCounts::CellCounts(Job& job, MeshReader& reader, std::uint64_t positions, std::uint64_t wanted_faces) {
+CellCounts::CellCounts(Job& job, MeshReader& reader, std::uint64_t positions,
+                       std::uint64_t wanted_faces) {
   job.progress.begin("sample", positions, "positions");
   PickedPoints picked = pick_points(job, reader, positions);
   take_surface(job, reader, picked);
@@ -264,8 +270,8 @@ CellCounts::CellCounts(Job& job, MeshReader& reader, std::uint64_t positions, st
   count_cells(job, reader, crude_cell(picked.points, cells), cells);
 }
 
-// From points picked blindly: good while cells hold many of them; smaller cells are extrapolated, as on a
-// surface four times as many are half as wide.
+// From points picked blindly: good while cells hold many of them; smaller cells are extrapolated,
+// as on a surface four times as many are half as wide.
 double CellCounts::crude_cell(const std::vector<Point>& points, double cells) const {
   const double wanted = std::min(cells, std::max(1.0, static_cast<double>(points.size()) / 16));
   double low = box_.longest_side() / (axis_cells / 2);
@@ -297,7 +303,8 @@ void CellCounts::count_cells(Job& job, MeshReader& reader, double crude, double 
       [&](const PositionView& view) {
         if (view.corner != 0) return;
         Counters& counters = slots.local();
-        for (std::size_t i = 0; i < sizes; ++i) count_positions(kernel, view, grids[i], counters[i]);
+        for (std::size_t i = 0; i < sizes; ++i)
+          count_positions(kernel, view, grids[i], counters[i]);
       },
       PassCorners::first);
   Counters all(sizes, DistinctCounter(bits));

@@ -28,8 +28,8 @@ struct Triple {
   std::uint64_t along, against;  // faces that fell onto it
 };
 
-// One face for all that fell onto the same three cells: turned the way most of them were; as many on either
-// side are a sheet folded onto itself, which keeps the order of the keys.
+// One face for all that fell onto the same three cells: turned the way most of them were; as many
+// on either side are a sheet folded onto itself, which keeps the order of the keys.
 struct FusedFaces {
   std::vector<Triple> faces;
   std::uint64_t fused = 0;
@@ -77,7 +77,8 @@ class FaceFuser {
 bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
   std::array<double, 3> mean{};
   for (const IndexedVertex& vertex : corner) {
-    // The normal that is written; where a cell's own normals nearly cancel it says nothing and counts little.
+    // The normal that is written; where a cell's own normals nearly cancel it says nothing and
+    // counts little.
     const auto [x, y, z] = vertex.normal;
     const float size = std::sqrt(x * x + y * y + z * z);
     const float divisor = size < shortest_normal ? 1.0F : size;
@@ -149,38 +150,42 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attri
         chunk.quadrics.clear();
         for (const WholeCell& cell : chunk.cells) {
           chunk.vertices.push_back(cell.vertex(settings));
-          if (quadrics) chunk.quadrics.push_back(cell.quadric(settings.grid, chunk.vertices.back().position));
+          if (quadrics)
+            chunk.quadrics.push_back(cell.quadric(settings.grid, chunk.vertices.back().position));
         }
       },
       [&](const Chunk& chunk) {
         mesh.vertices->append(chunk.vertices);
         if (!chunk.vanished.empty()) append_records<CellKey>(*mesh.vanished, chunk.vanished);
         if (quadrics) mesh.quadrics->append(std::as_bytes(std::span(chunk.quadrics)));
-        if (attributes != nullptr) mesh.attributes->append(std::as_bytes(std::span(chunk.attributes)));
+        if (attributes != nullptr)
+          mesh.attributes->append(std::as_bytes(std::span(chunk.attributes)));
       });
   mesh.vertices->finish();
   if (mesh.vanished != nullptr) mesh.vanished->finish();
   if (quadrics) mesh.quadrics->finish();
   if (attributes != nullptr) mesh.attributes->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
-    throw Error(ErrorKind::failed,
-                "the result has " + grouped(mesh.vertices->size()) +
-                    " vertices, more than output formats can count; choose larger cells or fewer faces");
+    throw Error(
+        ErrorKind::failed,
+        "the result has " + grouped(mesh.vertices->size()) +
+            " vertices, more than output formats can count; choose larger cells or fewer faces");
   }
 }
 
 template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, AttributeCursor*,
                                         const ClusterSettings&, std::uint64_t, ClusteredMesh&);
-template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&, AttributeCursor*,
-                                               const ClusterSettings&, std::uint64_t, ClusteredMesh&);
+template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&,
+                                               AttributeCursor*, const ClusterSettings&,
+                                               std::uint64_t, ClusteredMesh&);
 
 void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
                    ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
   if (!turn) mesh.several = std::make_unique<Spool>(job, memory / 16);
   FaceFuser fuser(faces);
-  PerSlot<VertexIndex::Reader> readers(job.threads,
-                                       [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
+  PerSlot<VertexIndex::Reader> readers(
+      job.threads, [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
   std::atomic<std::uint64_t> turned{0};
   struct Chunk {
     std::vector<Triple> faces;

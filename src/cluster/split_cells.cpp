@@ -6,7 +6,8 @@ namespace winnow {
 
 SplitCells::SplitCells(Job& job, const Grid& grid, const Box& box) : first_(job) {
   double last = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) last = std::max(last, grid.cell_of(box.high[axis], axis));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    last = std::max(last, grid.cell_of(box.high[axis], axis));
   const auto used = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(last)));
   bits_ = std::min(axis_bits - used, depths.back());
   for (std::size_t step = 0; step < depths.size(); ++step) further_.emplace_back(job);
@@ -72,7 +73,11 @@ void SplitCells::rename(CornerSums& corners, std::size_t count) const {
     const bool ab = name[0] == name[1];
     const bool ac = name[0] == name[2];
     const bool bc = name[1] == name[2];
-    corners.kind[i] = ab && ac ? one_cell : bc ? alone_a : ac ? alone_b : ab ? alone_c : three_cells;
+    corners.kind[i] = ab && ac ? one_cell
+                      : bc     ? alone_a
+                      : ac     ? alone_b
+                      : ab     ? alone_c
+                               : three_cells;
   }
 }
 

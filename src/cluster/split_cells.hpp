@@ -15,9 +15,9 @@
 
 namespace winnow {
 
-// A part of depth d is one of the 8^d equal ones of its cell. All parts are named on one lattice, 2^bits()
-// times as fine as that of the cells: by the lowest place in them. So names have the order of keys, and those
-// of a cell follow each other.
+// A part of depth d is one of the 8^d equal ones of its cell. All parts are named on one lattice,
+// 2^bits() times as fine as that of the cells: by the lowest place in them. So names have the order
+// of keys, and those of a cell follow each other.
 class SplitCells {
  public:
   // `box`: of everything that is clustered.
@@ -30,7 +30,8 @@ class SplitCells {
 
   // Splits a cell that is not split, at least so deep.
   void split(PackedCell cell, unsigned depth);
-  // Splits what has this name, a cell or a part of one. False, and nothing done, if that is the finest.
+  // Splits what has this name, a cell or a part of one. False, and nothing done, if that is the
+  // finest.
   bool split_further(CellKey name);
 
   // The cell of a name.
@@ -47,12 +48,13 @@ class SplitCells {
   };
   [[nodiscard]] Part part_of(CellKey name) const;
 
-  // Gives each corner the name that it has on the fine lattice in place of its cell, and each face the kind
-  // that follows.
+  // Gives each corner the name that it has on the fine lattice in place of its cell, and each face
+  // the kind that follows.
   void rename(CornerSums& corners, std::size_t count) const;
 
  private:
-  // In this order a part becomes finer while it has to. At first it hardly ever takes more than one step.
+  // In this order a part becomes finer while it has to. At first it hardly ever takes more than one
+  // step.
   static constexpr std::array<unsigned, 8> depths{1, 2, 3, 4, 6, 8, 12, 16};
 
   // Of what is at a place of the fine lattice the step it has got to; 0: its cell is not split.
@@ -60,9 +62,11 @@ class SplitCells {
   [[nodiscard]] unsigned depth_of(unsigned step) const {
     return step == 0 ? 0 : std::min(depths[step - 1], bits_);
   }
-  [[nodiscard]] PackedCell part_at(const std::array<std::uint32_t, 3>& place, unsigned depth) const {
+  [[nodiscard]] PackedCell part_at(const std::array<std::uint32_t, 3>& place,
+                                   unsigned depth) const {
     const unsigned below = bits_ - depth;
-    return pack_cell(place[0] >> below << below, place[1] >> below << below, place[2] >> below << below);
+    return pack_cell(place[0] >> below << below, place[1] >> below << below,
+                     place[2] >> below << below);
   }
 
   unsigned bits_ = 0;

@@ -36,21 +36,25 @@ void VertexIndex::finish() {
   const auto wanted = static_cast<unsigned>(std::bit_width(first_keys_.size())) + 1;
   range_shift_ = bits > wanted ? bits - wanted : 0;
   const std::size_t ranges = (last >> range_shift_) + 2;
-  reservation_ = job_.budget.reserve(
-      ranges * sizeof(std::uint32_t) + first_keys_.capacity() * sizeof(CellKey), "the vertex index");
+  reservation_ =
+      job_.budget.reserve(ranges * sizeof(std::uint32_t) + first_keys_.capacity() * sizeof(CellKey),
+                          "the vertex index");
   range_start_.assign(ranges, 0);
   for (const CellKey key : first_keys_) ++range_start_[(key >> range_shift_) + 1];
   for (std::size_t i = 1; i < ranges; ++i) range_start_[i] += range_start_[i - 1];
 }
 
 VertexIndex::Reader::Reader(const VertexIndex& index)
-    : index_(index), recent_(std::size_t{1} << recent_bits), blocks_(index.records_, sizeof(IndexedVertex)) {
+    : index_(index),
+      recent_(std::size_t{1} << recent_bits),
+      blocks_(index.records_, sizeof(IndexedVertex)) {
   for (Found& found : recent_) found.vertex.key = UINT64_MAX;  // no cell has this key
 }
 
 std::span<const IndexedVertex> VertexIndex::Reader::block(std::uint64_t number) {
   const std::span<const std::byte> bytes = blocks_.block(number);
-  return {reinterpret_cast<const IndexedVertex*>(bytes.data()), bytes.size() / sizeof(IndexedVertex)};
+  return {reinterpret_cast<const IndexedVertex*>(bytes.data()),
+          bytes.size() / sizeof(IndexedVertex)};
 }
 
 const VertexIndex::Reader::Found& VertexIndex::Reader::find(CellKey key) {
@@ -62,16 +66,18 @@ const VertexIndex::Reader::Found& VertexIndex::Reader::find(CellKey key) {
 std::uint64_t VertexIndex::Reader::lower_bound(CellKey key) {
   if (index_.first_keys_.empty()) return 0;
   // Keys behind the last block's first are above every range.
-  const std::size_t range = std::min<std::size_t>(key >> index_.range_shift_, index_.range_start_.size() - 2);
+  const std::size_t range =
+      std::min<std::size_t>(key >> index_.range_shift_, index_.range_start_.size() - 2);
   const auto begin = index_.first_keys_.begin();
   // The first block whose first key is not below `key`: the one before may hold keys as high.
-  const auto block_after =
-      std::lower_bound(begin + index_.range_start_[range], begin + index_.range_start_[range + 1], key);
+  const auto block_after = std::lower_bound(begin + index_.range_start_[range],
+                                            begin + index_.range_start_[range + 1], key);
   if (block_after == begin) return 0;
   const auto number = static_cast<std::uint64_t>(block_after - begin) - 1;
   const std::span<const IndexedVertex> vertices = block(number);
-  const auto found = std::lower_bound(vertices.begin(), vertices.end(), key,
-                                      [](const IndexedVertex& vertex, CellKey k) { return vertex.key < k; });
+  const auto found =
+      std::lower_bound(vertices.begin(), vertices.end(), key,
+                       [](const IndexedVertex& vertex, CellKey k) { return vertex.key < k; });
   return number * block_vertices + static_cast<std::uint64_t>(found - vertices.begin());
 }
 
@@ -89,23 +95,26 @@ std::uint64_t VertexIndex::Reader::find(CellKey key, const Point& position) {
   if (is_it()) return number;
   // Mostly it was the first.
   const std::uint64_t end = lower_bound(key + 1);
-  number = first_not_before(number, end, [&](std::uint64_t n) { return at(n).position < position; });
+  number =
+      first_not_before(number, end, [&](std::uint64_t n) { return at(n).position < position; });
   if (number == end) return absent;
   recent = {number, at(number)};
   return is_it() ? number : absent;
 }
 
 VertexIndex::Reader::Found VertexIndex::Reader::search(CellKey key) {
-  // The block is the last whose first key is not above `key`. Keys behind the last block's first are above
-  // every range.
-  const std::size_t range = std::min<std::size_t>(key >> index_.range_shift_, index_.range_start_.size() - 2);
+  // The block is the last whose first key is not above `key`. Keys behind the last block's first
+  // are above every range.
+  const std::size_t range =
+      std::min<std::size_t>(key >> index_.range_shift_, index_.range_start_.size() - 2);
   const auto begin = index_.first_keys_.begin();
-  const auto block_after =
-      std::upper_bound(begin + index_.range_start_[range], begin + index_.range_start_[range + 1], key);
+  const auto block_after = std::upper_bound(begin + index_.range_start_[range],
+                                            begin + index_.range_start_[range + 1], key);
   const auto number = static_cast<std::uint64_t>(block_after - begin) - 1;
   const std::span<const IndexedVertex> vertices = block(number);
-  const auto found = std::lower_bound(vertices.begin(), vertices.end(), key,
-                                      [](const IndexedVertex& vertex, CellKey k) { return vertex.key < k; });
+  const auto found =
+      std::lower_bound(vertices.begin(), vertices.end(), key,
+                       [](const IndexedVertex& vertex, CellKey k) { return vertex.key < k; });
   return {number * block_vertices + static_cast<std::uint64_t>(found - vertices.begin()), *found};
 }
 

@@ -25,8 +25,8 @@ struct IndexedVertex {
 };
 static_assert(sizeof(IndexedVertex) == 48);
 
-// Filled in ascending order of keys by one thread; after finish() asked by any number, each through a
-// Reader of its own.
+// Filled in ascending order of keys by one thread; after finish() asked by any number, each through
+// a Reader of its own.
 class VertexIndex {
  public:
   VertexIndex(Job& job, std::uint64_t memory);
@@ -39,7 +39,8 @@ class VertexIndex {
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[nodiscard]] const Spool& records() const { return records_; }
 
-  static constexpr std::size_t block_vertices = RecentBlocks::records_a_block(sizeof(IndexedVertex));
+  static constexpr std::size_t block_vertices =
+      RecentBlocks::records_a_block(sizeof(IndexedVertex));
 
   class Reader {
    public:
@@ -51,8 +52,8 @@ class VertexIndex {
     };
     // `key` must be in the index.
     const Found& find(CellKey key);
-    // Of the vertices with one key, in the order of their positions, that at this one; `absent` if there is
-    // none.
+    // Of the vertices with one key, in the order of their positions, that at this one; `absent` if
+    // there is none.
     std::uint64_t find(CellKey key, const Point& position);
     static constexpr std::uint64_t absent = UINT64_MAX;
     IndexedVertex at(std::uint64_t number) { return blocks_.at<IndexedVertex>(number); }
@@ -72,7 +73,8 @@ class VertexIndex {
     std::span<const IndexedVertex> block(std::uint64_t number);
 
     const VertexIndex& index_;
-    std::vector<Found> recent_;  // faces come in key order, so their vertices are asked for again soon
+    std::vector<Found>
+        recent_;  // faces come in key order, so their vertices are asked for again soon
     RecentBlocks blocks_;
   };
 

@@ -6,7 +6,8 @@ namespace winnow {
 
 CellKey key_of(const Grid& grid, const Point& p) {
   const auto cell = [&](std::size_t axis) {
-    return static_cast<std::uint32_t>(std::clamp<double>(grid.cell_of(p[axis], axis), 0, axis_cells - 1));
+    return static_cast<std::uint32_t>(
+        std::clamp<double>(grid.cell_of(p[axis], axis), 0, axis_cells - 1));
   };
   return morton_key(cell(0), cell(1), cell(2));
 }

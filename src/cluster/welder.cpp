@@ -40,7 +40,9 @@ struct WeldedFaces {
   }
 
   [[nodiscard]] bool balanced() const { return count[0] == count[1]; }
-  [[nodiscard]] bool against() const { return balanced() ? first[1] < first[0] : count[0] < count[1]; }
+  [[nodiscard]] bool against() const {
+    return balanced() ? first[1] < first[0] : count[0] < count[1];
+  }
 };
 
 WeldedFaces welded_face(const std::array<std::uint64_t, 3>& number, std::uint32_t face) {
@@ -85,16 +87,15 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMem
   append.flush();
   mesh.vertices->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
-    throw Error(
-        ErrorKind::failed,
-        "the input has " + grouped(mesh.vertices->size()) +
-            " different positions, more than one mesh can number; winnow simplify --detail 6 clusters them");
+    throw Error(ErrorKind::failed, "the input has " + grouped(mesh.vertices->size()) +
+                                       " different positions, more than one mesh can number; "
+                                       "winnow simplify --detail 6 clusters them");
   }
   mesh.cells = mesh.vertices->size();
 }
 
-void collect_faces(Job& job, RecordCursor<WeldedFaces>& faces, double rounding, std::uint64_t memory,
-                   ClusteredMesh& mesh) {
+void collect_faces(Job& job, RecordCursor<WeldedFaces>& faces, double rounding,
+                   std::uint64_t memory, ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
   Appender<std::array<std::uint32_t, 3>> append(job, *mesh.faces);
   VertexIndex::Reader vertices(*mesh.vertices);
@@ -140,8 +141,8 @@ std::unique_ptr<Spool> collect_attributes(Job& job, AttributeMeans& means,
 
 }  // namespace
 
-ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, const WeldMemory& memory,
-                   std::uint64_t available, ClusterCounts& counts) {
+ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings,
+                   const WeldMemory& memory, std::uint64_t available, ClusterCounts& counts) {
   const CarriedAttributes& attributes = settings.attributes;
   ClusteredMesh mesh;
   const Box box = measure_box_of_most(job, reader, reader.facts().vertices.value_or(available));
@@ -195,7 +196,8 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, c
   MergedCursor<WeldedFaces> merged = faces.merged();
   collect_faces(job, merged, coordinate_rounding(settings.single), memory.faces, mesh);
   if (means != nullptr)
-    mesh.attributes = collect_attributes(job, *means, attributes, memory.means, mesh.vertices->size());
+    mesh.attributes =
+        collect_attributes(job, *means, attributes, memory.means, mesh.vertices->size());
   return mesh;
 }
 

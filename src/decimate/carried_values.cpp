@@ -6,9 +6,9 @@ namespace winnow {
 
 namespace {
 
-// How much of the middle of the edge there is beside the place nearest to the vertex. By measurement
-// (docs/design/attributes.md): 0 is best for what varies smoothly, 1 evens out the noise of colours best; one
-// half is nearly as good at either.
+// How much of the middle of the edge there is beside the place nearest to the vertex. By
+// measurement (docs/design/attributes.md): 0 is best for what varies smoothly, 1 evens out the
+// noise of colours best; one half is nearly as good at either.
 constexpr double middle = 0.5;
 
 }  // namespace
@@ -18,7 +18,8 @@ void CarriedValues::collapsed(const Collapse& edge) {
   const Point& from = position_[edge.kept];
   const Point along = position_[edge.removed] - from;
   const double square = dot(along, along);
-  const double nearest = square > 0 ? std::clamp(dot(edge.position - from, along) / square, 0.0, 1.0) : 0.5;
+  const double nearest =
+      square > 0 ? std::clamp(dot(edge.position - from, along) / square, 0.0, 1.0) : 0.5;
   const double part = (1 - middle) * nearest + middle * 0.5;
   double* kept = value_.data() + edge.kept * attributes_.size();
   const double* removed = value_.data() + edge.removed * attributes_.size();

@@ -1,4 +1,5 @@
-// The attributes of a tile's vertices while its edges are collapsed. What is collapsed never depends on them.
+// The attributes of a tile's vertices while its edges are collapsed. What is collapsed never
+// depends on them.
 #pragma once
 
 #include "base/attribute.hpp"
@@ -25,9 +26,9 @@ class CarriedValues {
     return attributes == 0 ? 0 : vertices * (sizeof(Point) + attributes * sizeof(double));
   }
 
-  // To be told of every collapse. The vertex that is kept gets what is interpolated along the edge, between
-  // its middle and the place nearest to where the vertex goes; of labels the nearer one. An end without data
-  // does not count.
+  // To be told of every collapse. The vertex that is kept gets what is interpolated along the edge,
+  // between its middle and the place nearest to where the vertex goes; of labels the nearer one. An
+  // end without data does not count.
   void collapsed(const Collapse& edge);
 
   [[nodiscard]] std::span<const double> of(VertexNumber v) const {

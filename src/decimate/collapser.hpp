@@ -3,22 +3,30 @@
 // A Cost has
 //
 // - Candidate best(v, after): the cheapest edge that `v` proposes and that comes after `after`;
-// - PricedCollapse place(v, partner): which end of that edge is kept, where it goes, what that costs now;
-// - void collapsing(now), told that before the collapse; or collapsing(now, star), its star moved there;
-// - void collapsed(edge, offers), told after it: makes offers anew for the vertices whose edges now cost
+// - PricedCollapse place(v, partner): which end of that edge is kept, where it goes, what that
+// costs now;
+// - void collapsing(now), told that before the collapse; or collapsing(now, star), its star moved
+// there;
+// - void collapsed(edge, offers), told after it: makes offers anew for the vertices whose edges now
+// cost
 //   otherwise, or makes their offers stale;
 // - double piece_price(mesh, piece): what it costs that a piece of the surface goes as a whole,
 //   infinite where it may not;
 //
 // and may have
 //
-// - double change_price(star, edge, change): what it costs besides that a collapse changes the surface,
+// - double change_price(star, edge, change): what it costs besides that a collapse changes the
+// surface,
 //   infinite where it may not; without it no surface changes;
-// - double turning_price(star, edge): the same for faces that turn too far; with change_price() only;
-// - void faces_gone(faces, offers): told after collapsed() of faces that fell onto each other and went;
-// - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price, asked for
+// - double turning_price(star, edge): the same for faces that turn too far; with change_price()
+// only;
+// - void faces_gone(faces, offers): told after collapsed() of faces that fell onto each other and
+// went;
+// - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price,
+// asked for
 //   where place() gave one that is not legal;
-// - double closer_price(now, star, price): what place() found, looked at more closely, `price` or more, and
+// - double closer_price(now, star, price): what place() found, looked at more closely, `price` or
+// more, and
 //   infinity where it may not be; asked before every collapse, of one that is legal.
 #pragma once
 
@@ -60,7 +68,10 @@ struct PricedCollapse {
 class Offers {
  public:
   explicit Offers(VertexNumber vertices)
-      : queue_(vertices), partner_(vertices, no_number), state_(vertices, settled), postponed_(vertices) {}
+      : queue_(vertices),
+        partner_(vertices, no_number),
+        state_(vertices, settled),
+        postponed_(vertices) {}
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
     return PriceQueue::memory(vertices) + vertices * (sizeof(VertexNumber) + 1 + sizeof(Candidate));
@@ -79,7 +90,8 @@ class Offers {
     replace(v, candidate);
   }
 
-  // An edge that turned out to be dearer gets its turn at its price, at the latest when no other is left.
+  // An edge that turned out to be dearer gets its turn at its price, at the latest when no other is
+  // left.
   void postpone(VertexNumber v, const Candidate& candidate) {
     if ((state_[v] & waiting) == 0) {
       postponed_[v] = candidate;
@@ -90,8 +102,9 @@ class Offers {
     state_[v] |= waiting;
   }
 
-  // What follows after an edge that was refused or postponed. Where nothing does and an edge was forgotten
-  // for a cheaper one, which was refused when its turn came, all are looked at again: that one is out now.
+  // What follows after an edge that was refused or postponed. Where nothing does and an edge was
+  // forgotten for a cheaper one, which was refused when its turn came, all are looked at again:
+  // that one is out now.
   void go_on(VertexNumber v, const Candidate& next) {
     if ((state_[v] & waiting) != 0 && postponed_[v].before(next)) {
       state_[v] &= static_cast<std::uint8_t>(~waiting);
@@ -104,8 +117,8 @@ class Offers {
     }
   }
 
-  // The offer is made anew when its turn comes: prices mostly rise, so that it keeps its turn until then. A
-  // vertex without an offer gets its turn at once.
+  // The offer is made anew when its turn comes: prices mostly rise, so that it keeps its turn until
+  // then. A vertex without an offer gets its turn at once.
   void make_stale(VertexNumber v) {
     state_[v] |= out_of_date;
     if (!queue_.holds(v)) queue_.set(v, 0);
@@ -209,7 +222,8 @@ class Collapser {
         continue;
       }
       if constexpr (requires { cost_.closer_price(now, star_, candidate.price); }) {
-        const double price = std::max(closer_price(now, candidate.price, verdict.changes), verdict.price);
+        const double price =
+            std::max(closer_price(now, candidate.price, verdict.changes), verdict.price);
         if (price > candidate.price) {
           if (std::isfinite(price)) offers_.postpone(v, {price, candidate.partner});
           go_on(v, candidate);
@@ -263,7 +277,8 @@ class Collapser {
   }
 
   // The last piece stays.
-  void take_piece(VertexNumber v, double price, const std::function<void(const DoneCollapse&)>& done) {
+  void take_piece(VertexNumber v, double price,
+                  const std::function<void(const DoneCollapse&)>& done) {
     piece_.find(mesh_, v);
     offers_.set(v, {});
     if (piece_.faces.size() >= mesh_.live_faces()) return;

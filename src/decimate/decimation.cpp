@@ -63,7 +63,8 @@ class ForgetfulDecimation final : public Decimation {
 };
 
 template <typename MakeCost>
-std::unique_ptr<Decimation> forgetful(TileMesh& mesh, const DecimationSettings& settings, MakeCost make) {
+std::unique_ptr<Decimation> forgetful(TileMesh& mesh, const DecimationSettings& settings,
+                                      MakeCost make) {
   return std::make_unique<ForgetfulDecimation<MakeCost>>(mesh, settings, std::move(make));
 }
 
@@ -72,7 +73,8 @@ template <typename Cost>
 class RememberingDecimation final : public Decimation {
  public:
   template <typename... Arguments>
-  RememberingDecimation(TileMesh& mesh, const DecimationSettings& settings, Arguments&&... arguments)
+  RememberingDecimation(TileMesh& mesh, const DecimationSettings& settings,
+                        Arguments&&... arguments)
       : mesh_(mesh),
         settings_(settings),
         star_(coordinate_rounding(settings.single)),
@@ -152,7 +154,8 @@ std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std
   if (settings.cost == CollapseCost::volume)
     return forgetful(mesh, settings, [rounding](TileMesh& of) { return VolumeCost(of, rounding); });
   if (settings.cost == CollapseCost::importance)
-    return forgetful(mesh, settings, [rounding](TileMesh& of) { return ImportanceCost(of, rounding); });
+    return forgetful(mesh, settings,
+                     [rounding](TileMesh& of) { return ImportanceCost(of, rounding); });
   if (!bounds_error(settings)) {
     const bool single = settings.single;
     return forgetful(mesh, settings, [single](TileMesh& of) { return QuadricCost(of, single); });
@@ -177,7 +180,8 @@ void Decimation::repeat_piece(TileMesh& mesh, VertexNumber v) {
 std::function<void(const DoneCollapse&)> Decimation::counting(
     TileMesh& mesh, const std::function<void(const DoneCollapse&)>& done) {
   return [this, &mesh, &done](const DoneCollapse& collapse) {
-    if (collapse.edge.of_piece() && piece_.find(mesh, collapse.edge.kept)) changes_.add_piece(mesh, piece_);
+    if (collapse.edge.of_piece() && piece_.find(mesh, collapse.edge.kept))
+      changes_.add_piece(mesh, piece_);
     done(collapse);
   };
 }

@@ -31,21 +31,24 @@ struct DecimationSettings {
 
 class Decimation {
  public:
-  // `state`: what save() gave for each vertex, or nothing for a mesh in which nothing has been collapsed.
+  // `state`: what save() gave for each vertex, or nothing for a mesh in which nothing has been
+  // collapsed.
   static std::unique_ptr<Decimation> make(TileMesh& mesh, std::span<const std::byte> state,
                                           const DecimationSettings& settings);
   virtual ~Decimation() = default;
 
-  // Bytes that a vertex takes to remember what was collapsed into it; 0 where nothing is remembered.
+  // Bytes that a vertex takes to remember what was collapsed into it; 0 where nothing is
+  // remembered.
   static std::size_t state_size(const DecimationSettings& settings);
   // The same of what comes from clustering.
   static std::size_t first_state_size(const DecimationSettings& settings);
   // Bytes in use at the most, besides the mesh.
   static std::uint64_t memory(const DecimationSettings& settings, std::uint64_t vertices);
 
-  // Collapses edges, the cheapest first; `done` is told of each. `turn` comes many times a second, also where
-  // nothing can be collapsed; what it throws ends the run.
-  virtual void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
+  // Collapses edges, the cheapest first; `done` is told of each. `turn` comes many times a second,
+  // also where nothing can be collapsed; what it throws ends the run.
+  virtual void run(const CollapseLimits& limits,
+                   const std::function<void(const DoneCollapse&)>& done,
                    const std::function<void()>& turn) = 0;
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done) {
     run(limits, done, {});
@@ -57,7 +60,8 @@ class Decimation {
   // Writes state_size() bytes.
   virtual void save(VertexNumber v, std::byte* into) const = 0;
 
-  // The largest distance of a vertex from its planes so far, in the mean; 0 where the cost knows none.
+  // The largest distance of a vertex from its planes so far, in the mean; 0 where the cost knows
+  // none.
   [[nodiscard]] virtual double largest_error() const = 0;
 
   // What went besides, by all collapses that were made or repeated.
@@ -70,8 +74,8 @@ class Decimation {
   // Repeats the going of a piece.
   void repeat_piece(TileMesh& mesh, VertexNumber v);
   // For what run() tells: counts the pieces that go.
-  std::function<void(const DoneCollapse&)> counting(TileMesh& mesh,
-                                                    const std::function<void(const DoneCollapse&)>& done);
+  std::function<void(const DoneCollapse&)> counting(
+      TileMesh& mesh, const std::function<void(const DoneCollapse&)>& done);
 
  private:
   TopologyChanges changes_;

@@ -19,8 +19,8 @@ inline void add(VertexPlanes& planes, const Point& along, double weight) {
   planes.zz += weight * along[2] * along[2];
 }
 
-// The line along an edge, as two planes through it that stand upright on each other: the square of the
-// distance from it times that of its length, times `weight`.
+// The line along an edge, as two planes through it that stand upright on each other: the square of
+// the distance from it times that of its length, times `weight`.
 inline void add_line(VertexPlanes& planes, const Point& edge, double weight) {
   const double square = dot(edge, edge);
   add(planes, edge, -weight);

@@ -7,7 +7,8 @@
 namespace winnow {
 
 EdgeStar::EdgeStar(double rounding)
-    : rounding_(rounding), turn_(best_kernel(star_kernel_baseline, star_kernel_avx2, star_kernel_avx512)) {}
+    : rounding_(rounding),
+      turn_(best_kernel(star_kernel_baseline, star_kernel_avx2, star_kernel_avx512)) {}
 
 void EdgeStar::find(const TileMesh& mesh, VertexNumber kept, VertexNumber removed) {
   kept_ = kept;

@@ -23,9 +23,11 @@ class EdgeStar {
   [[nodiscard]] VertexNumber kept() const { return kept_; }
   [[nodiscard]] VertexNumber removed() const { return removed_; }
 
-  // The faces of one end, of a hub those at the edge, and those of the other without the ones at the edge,
-  // which are told once.
-  [[nodiscard]] std::span<const StarFace> of_kept() const { return std::span(faces_).first(kept_faces_); }
+  // The faces of one end, of a hub those at the edge, and those of the other without the ones at
+  // the edge, which are told once.
+  [[nodiscard]] std::span<const StarFace> of_kept() const {
+    return std::span(faces_).first(kept_faces_);
+  }
   [[nodiscard]] std::span<const StarFace> of_removed() const {
     return std::span(faces_).subspan(kept_faces_);
   }
@@ -36,8 +38,12 @@ class EdgeStar {
   [[nodiscard]] bool turned(std::size_t face) const { return batch(face).turned[lane(face)] != 0; }
   // Whether a face that was thinner than rounding no longer is.
   [[nodiscard]] bool opened(std::size_t face) const { return batch(face).opened[lane(face)] != 0; }
-  [[nodiscard]] VertexPlanes planes(std::size_t face) const { return of(batch(face).planes, lane(face)); }
-  [[nodiscard]] VertexPlanes change(std::size_t face) const { return of(batch(face).change, lane(face)); }
+  [[nodiscard]] VertexPlanes planes(std::size_t face) const {
+    return of(batch(face).planes, lane(face));
+  }
+  [[nodiscard]] VertexPlanes change(std::size_t face) const {
+    return of(batch(face).change, lane(face));
+  }
 
  private:
   static std::size_t lane(std::size_t face) { return face % StarBatch::capacity; }

@@ -40,7 +40,8 @@ void ErrorBound::add_faces(const TileMesh& mesh, double rounding, std::vector<St
     if (thinner_than_rounding(triangle, doubled, rounding)) continue;
     const double size = length(doubled);
     // The plane goes through each of its corners.
-    for (const VertexNumber v : mesh.face(f)) states[v].planes.add_plane((1 / size) * doubled, {}, size / 6);
+    for (const VertexNumber v : mesh.face(f))
+      states[v].planes.add_plane((1 / size) * doubled, {}, size / 6);
   }
 }
 
@@ -74,8 +75,11 @@ bool ErrorBound::allows(const Piece& piece) const {
 }
 
 bool ErrorBound::allows(const EdgeStar& star, const SurfaceChange& change) const {
-  const auto closes = [&](VertexNumber v) { return smaller(std::array{star.kept(), star.removed(), v}); };
-  return !change.pinches_border && std::all_of(change.across.begin(), change.across.end(), closes) &&
+  const auto closes = [&](VertexNumber v) {
+    return smaller(std::array{star.kept(), star.removed(), v});
+  };
+  return !change.pinches_border &&
+         std::all_of(change.across.begin(), change.across.end(), closes) &&
          std::all_of(change.pairs.begin(), change.pairs.end(), [&](const FaceVertices& face) {
            return smaller(std::array{star.kept(), face[0], face[1], face[2]});
          });
@@ -97,12 +101,12 @@ bool ErrorBound::allows(const Collapse& edge, const EdgeStar& star, const Surfac
   planes_.c = std::max(0.0, planes_.c);
   border_starts_.clear();
   if (planes_.c > error_ * error_ * planes_.weight()) return false;
-  return !(at_border_[edge.kept] | at_border_[edge.removed]) || moves_border_little(edge, star, change);
+  return !(at_border_[edge.kept] | at_border_[edge.removed]) ||
+         moves_border_little(edge, star, change);
 }
 
-// Compares the border's edges at the two ends with those at the one that is left. A piece whose border goes
-// altogether moves it by more than any bound.
-// One that closes is let go.
+// Compares the border's edges at the two ends with those at the one that is left. A piece whose
+// border goes altogether moves it by more than any bound. One that closes is let go.
 bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star,
                                      const SurfaceChange* change) {
   const VertexNumber kept = edge.kept;
@@ -143,7 +147,8 @@ bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star,
       const VertexNumber across = is_end(a) ? b : a;
       const VertexNumber end = is_end(a) ? a : b;
       if (end != removed) continue;
-      const unsigned others = mesh_.faces_at(kept, across, 3) + mesh_.faces_at(removed, across, 3) - 2;
+      const unsigned others =
+          mesh_.faces_at(kept, across, 3) + mesh_.faces_at(removed, across, 3) - 2;
       if (others == 1) leave(a, b);
     }
   }
@@ -167,7 +172,8 @@ void ErrorBound::collapsing(const Collapse& edge) {
     kept.low[axis] = outwards(box.low[axis] - edge.position[axis], -1);
     kept.high[axis] = outwards(box.high[axis] - edge.position[axis], 1);
   }
-  if (planes_.weight() > 0) largest_square_ = std::max(largest_square_, planes_.c / planes_.weight());
+  if (planes_.weight() > 0)
+    largest_square_ = std::max(largest_square_, planes_.c / planes_.weight());
   for (const VertexNumber v : border_starts_)
     state_[v].border_off = std::max(state_[v].border_off, border_off_);
 }

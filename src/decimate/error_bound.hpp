@@ -1,16 +1,20 @@
-// What --error promises, watched while edges are collapsed: how far the surface may come from all that was
-// collapsed into it, and how far its border from the border that was.
+// What --error promises, watched while edges are collapsed: how far the surface may come from all
+// that was collapsed into it, and how far its border from the border that was.
 //
-// - The mean squared distance of a vertex from the planes of all faces that it stands for, weighted by their
-//   areas, is at most the square of the error (the quadrics of Garland and Heckbert 1997, never forgotten).
-// - The farthest point that a vertex remembers (farthest_points.hpp) is within one and a half times the
-// error.
-// - A piece of the surface goes only if the box of all its vertices that there were is smaller than the
-// error,
+// - The mean squared distance of a vertex from the planes of all faces that it stands for, weighted
+// by their
+//   areas, is at most the square of the error (the quadrics of Garland and Heckbert 1997, never
+//   forgotten).
+// - The farthest point that a vertex remembers (farthest_points.hpp) is within one and a half times
+// the error.
+// - A piece of the surface goes only if the box of all its vertices that there were is smaller than
+// the error,
 //   on each axis.
 // - Handles and borders close, where they may, if what closes is smaller likewise.
-// - A border is within one and a half times the error of what it was, both ways: each edge of it has the sum
-//   of the distances by which the border around it has moved, which by the triangle inequality is no less.
+// - A border is within one and a half times the error of what it was, both ways: each edge of it
+// has the sum
+//   of the distances by which the border around it has moved, which by the triangle inequality is
+//   no less.
 #pragma once
 
 #include "base/box.hpp"
@@ -38,8 +42,8 @@ class ErrorBound {
     std::array<float, 3> low{}, high{};
   };
 
-  // `states`: of each vertex. `at_border`: of each vertex whether it may be at one; kept up to date by the
-  // owner.
+  // `states`: of each vertex. `at_border`: of each vertex whether it may be at one; kept up to date
+  // by the owner.
   ErrorBound(TileMesh& mesh, double error, std::vector<State> states,
              const std::vector<std::uint8_t>& at_border)
       : mesh_(mesh), error_(error), state_(std::move(states)), at_border_(at_border) {}

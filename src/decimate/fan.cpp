@@ -5,7 +5,8 @@
 
 namespace winnow {
 
-// Goes on from the last neighbour as far as edges lead. False where it comes back to one but the first.
+// Goes on from the last neighbour as far as edges lead. False where it comes back to one but the
+// first.
 bool Fan::extend() {
   for (bool found = true; found && !closed_;) {
     found = false;
@@ -34,7 +35,8 @@ bool Fan::find(const TileMesh& mesh, VertexNumber v) {
   rim_.clear();
   ring_.clear();
   closed_ = false;
-  mesh.for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) { rim_.emplace_back(w, x); });
+  mesh.for_each_corner(
+      v, [&](FaceNumber, VertexNumber w, VertexNumber x) { rim_.emplace_back(w, x); });
   if (rim_.empty()) return false;
   ring_.push_back(rim_.front().first);
   if (!extend()) return false;
@@ -53,7 +55,8 @@ void Fan::look(const TileMesh& mesh, VertexNumber v) {
   seen_.clear();
   for (const VertexNumber w : ring_) {
     const Point& position = mesh.position(w);
-    for (std::size_t axis = 0; axis < 3; ++axis) off_[axis] = std::max(off_[axis], std::abs(position[axis]));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      off_[axis] = std::max(off_[axis], std::abs(position[axis]));
     seen_.push_back(position - from);
   }
   // Of both ends.
@@ -73,7 +76,8 @@ FanShape shape_of(const FanView& fan) {
   }
   if (!(shape.area > 0)) return shape;
   const Point mean = unit(sum);
-  // 1 - |sum| / area, as the mean of what each face loses: the difference cancels where little is lost.
+  // 1 - |sum| / area, as the mean of what each face loses: the difference cancels where little is
+  // lost.
   double lost = 0;
   for (std::size_t i = 0; i < fan.faces(); ++i) {
     const Point doubled = cross(fan.seen[i], fan.seen[fan.next(i)]);

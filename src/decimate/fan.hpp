@@ -1,5 +1,5 @@
-// The faces around a vertex in their order, where they are one fan, and what its removal into a neighbour
-// does to them.
+// The faces around a vertex in their order, where they are one fan, and what its removal into a
+// neighbour does to them.
 #pragma once
 
 #include "decimate/tile_mesh.hpp"
@@ -28,8 +28,8 @@ class Fan {
   // `rounding`: of positions (base/rounding.hpp).
   explicit Fan(double rounding) : rounding_(rounding) {}
 
-  // Whether `v` may be removed: its faces are a disk around it, or half of one at a border, and it is neither
-  // locked nor a hub.
+  // Whether `v` may be removed: its faces are a disk around it, or half of one at a border, and it
+  // is neither locked nor a hub.
   bool find(const TileMesh& mesh, VertexNumber v);
 
   [[nodiscard]] std::span<const VertexNumber> neighbours() const { return ring_; }
@@ -54,13 +54,14 @@ struct TurnedFace {
   double swept = 0;     // six times the volume between the two, with a sign
 };
 
-// each(face) for those that turn when the vertex goes to a neighbour. A neighbour that lies in the plane of a
-// face, or next to it by no more than rounding, turns nothing.
+// each(face) for those that turn when the vertex goes to a neighbour. A neighbour that lies in the
+// plane of a face, or next to it by no more than rounding, turns nothing.
 template <typename Each>
 void for_each_turned(const FanView& fan, std::size_t into, const Each& each) {
   const Point& to = fan.seen[into];
   const auto unknown = [&](const Point& area) {
-    return fan.off[0] * std::abs(area[0]) + fan.off[1] * std::abs(area[1]) + fan.off[2] * std::abs(area[2]);
+    return fan.off[0] * std::abs(area[0]) + fan.off[1] * std::abs(area[1]) +
+           fan.off[2] * std::abs(area[2]);
   };
   for (std::size_t i = 0; i < fan.faces(); ++i) {
     const std::size_t next = fan.next(i);
@@ -88,12 +89,12 @@ struct FanShape {
 };
 FanShape shape_of(const FanView& fan);
 
-// How far the vertex of an open fan is from the line between its two neighbours along the border, which ends
-// at these; 0 where that is no more than rounding.
+// How far the vertex of an open fan is from the line between its two neighbours along the border,
+// which ends at these; 0 where that is no more than rounding.
 double border_height(const FanView& fan);
 
-// What is flat costs less than all that has a shape, at any scale: only its own order is left, short edges
-// first.
+// What is flat costs less than all that has a shape, at any scale: only its own order is left,
+// short edges first.
 inline double flat_price(const FanView& fan, std::size_t into) {
   return 0x1p-700 * dot(fan.seen[into], fan.seen[into]);
 }

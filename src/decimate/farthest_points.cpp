@@ -10,14 +10,14 @@ namespace winnow {
 
 namespace {
 
-// The planes' price is an area times the square of a distance. A point counts as a square as large as its
-// distance: next to nothing where the surface is as near as it is elsewhere, much where the distance comes
-// near the length of the edges. With less than this, tips are lost; with more, the error in the mean grows
-// (bench/RESULTS.md).
+// The planes' price is an area times the square of a distance. A point counts as a square as large
+// as its distance: next to nothing where the surface is as near as it is elsewhere, much where the
+// distance comes near the length of the edges. With less than this, tips are lost; with more, the
+// error in the mean grows (bench/RESULTS.md).
 constexpr double weight = 5;
 
-// How many times the rounding of coordinates a point may be off: positions and the planes that they lie in
-// are rounded, again and again.
+// How many times the rounding of coordinates a point may be off: positions and the planes that they
+// lie in are rounded, again and again.
 constexpr double roundings = 4;
 
 double square_between(const Point& a, const Point& b) {

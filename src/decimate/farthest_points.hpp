@@ -1,6 +1,7 @@
-// What planes do not notice: a needle, a fin or a tip is worn down from its end, collapse by collapse, while
-// its faces stay in their planes. So every vertex keeps one point of the surface that was collapsed into it,
-// one that was far from what took its place. (Klein, Liebich and Strasser 1996 keep all of them.)
+// What planes do not notice: a needle, a fin or a tip is worn down from its end, collapse by
+// collapse, while its faces stay in their planes. So every vertex keeps one point of the surface
+// that was collapsed into it, one that was far from what took its place. (Klein, Liebich and
+// Strasser 1996 keep all of them.)
 #pragma once
 
 #include "decimate/edge_star.hpp"
@@ -26,15 +27,15 @@ class FarthestPoints {
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) { return vertices * sizeof(Point); }
 
-  // What it costs that the points of both ends would be so far from the faces left around the collapsed edge:
-  // a multiple of the fourth power of the larger distance; `price` where that is not above it.
-  // `star`: the edge's. A hub keeps its own point, which is not looked at. `flat`: the collapse goes to an
-  // end where nothing is lost. Then the ends themselves are looked at, since the points of flat parts may lie
-  // beside faces that others have taken over.
+  // What it costs that the points of both ends would be so far from the faces left around the
+  // collapsed edge: a multiple of the fourth power of the larger distance; `price` where that is
+  // not above it. `star`: the edge's. A hub keeps its own point, which is not looked at. `flat`:
+  // the collapse goes to an end where nothing is lost. Then the ends themselves are looked at,
+  // since the points of flat parts may lie beside faces that others have taken over.
   double price(const Collapse& edge, const EdgeStar& star, double price, bool flat);
 
-  // The square of the larger distance of those that price() was asked about last; no more than rounding
-  // where it was not measured.
+  // The square of the larger distance of those that price() was asked about last; no more than
+  // rounding where it was not measured.
   [[nodiscard]] double square() const { return square_; }
 
   // To be told of the collapse that price() was asked about last, before it is done.

@@ -15,9 +15,9 @@ constexpr double least_cosine_of_slope = 0x1p-10;
 
 }  // namespace
 
-// Of a circular cone with this area, perimeter and slope: the height by the radius of the base, and by the
-// cosine once more. Without that needles go too early. The tangent itself, which is the same for a circular
-// cone, is larger where faces are long.
+// Of a circular cone with this area, perimeter and slope: the height by the radius of the base, and
+// by the cosine once more. Without that needles go too early. The tangent itself, which is the same
+// for a circular cone, is larger where faces are long.
 double visual_importance(const FanShape& shape) {
   if (!(shape.area > 0)) return 0;
   const double cosine = std::max(least_cosine_of_slope, shape.cosine());

@@ -13,7 +13,8 @@ bool Legality::at_border(VertexNumber v) {
   });
   std::sort(met_.begin(), met_.end());
   for (auto first = met_.begin(); first != met_.end();) {
-    const auto end = std::find_if(first, met_.end(), [first](VertexNumber w) { return w != *first; });
+    const auto end =
+        std::find_if(first, met_.end(), [first](VertexNumber w) { return w != *first; });
     if (end - first != 2) return true;
     first = end;
   }
@@ -70,7 +71,8 @@ bool Legality::find_change(const EdgeStar& star, SurfaceChange& change) {
 bool Legality::falls_together_whole(const EdgeStar& star, const SurfaceChange& change) const {
   const auto stays = [](const StarFace& face) { return face.stays; };
   const auto left = std::count_if(star.faces().begin(), star.faces().end(), stays);
-  if (change.pairs.empty() || static_cast<std::size_t>(left) != 2 * change.pairs.size()) return false;
+  if (change.pairs.empty() || static_cast<std::size_t>(left) != 2 * change.pairs.size())
+    return false;
   return std::all_of(star.faces().begin(), star.faces().end(), [&](const StarFace& face) {
     const auto all_here = [&](VertexNumber v) {
       if (v == star.kept() || v == star.removed()) return true;
@@ -121,7 +123,8 @@ bool Legality::opens_outwards(const EdgeStar& star, const Collapse& edge) const 
   for (std::size_t face = 0; face < star.faces().size(); ++face) {
     if (!star.opened(face)) continue;
     const auto [number, w, x, stays] = star.faces()[face];
-    if (!(dot(doubled_area({edge.position, mesh_.position(w), mesh_.position(x)}), sum) > 0)) return false;
+    if (!(dot(doubled_area({edge.position, mesh_.position(w), mesh_.position(x)}), sum) > 0))
+      return false;
   }
   return true;
 }

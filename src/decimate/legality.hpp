@@ -12,8 +12,9 @@ namespace winnow {
 // Beside the edge's own faces, the ends of an edge meet in other vertices, faces of one fall onto
 // faces of the other, or the edge runs from border to border.
 struct SurfaceChange {
-  std::vector<VertexNumber> across;  // triangles of such a vertex and the edge have no face and close
-  std::vector<FaceVertices> pairs;   // of the end that goes; each falls onto one of the other
+  std::vector<VertexNumber>
+      across;  // triangles of such a vertex and the edge have no face and close
+  std::vector<FaceVertices> pairs;  // of the end that goes; each falls onto one of the other
   bool pinches_border = false;
 
   [[nodiscard]] bool none() const { return across.empty() && pairs.empty() && !pinches_border; }
@@ -28,20 +29,20 @@ class Legality {
   // `least_cosine`: of the angle by which one collapse may turn a face.
   Legality(TileMesh& mesh, double least_cosine) : mesh_(mesh), least_cosine_(least_cosine) {}
 
-  // The link condition (Dey et al. 1999): ends that meet in more vertices than the edge's own faces have
-  // would fold the surface onto itself. An edge between two vertices at borders collapses only if
-  // it is of the border itself, which it would pinch otherwise. No edge with more than two faces comes about
-  // where there was none. A face whose other two edges are border goes, unless nothing of its piece
-  // were left.
+  // The link condition (Dey et al. 1999): ends that meet in more vertices than the edge's own faces
+  // have would fold the surface onto itself. An edge between two vertices at borders collapses only
+  // if it is of the border itself, which it would pinch otherwise. No edge with more than two faces
+  // comes about where there was none. A face whose other two edges are border goes, unless nothing
+  // of its piece were left.
   [[nodiscard]] bool keeps_surface(const EdgeStar& star);
 
   // What a collapse that does not keep the surface would change. False where it is not to be made
   // at all: a whole piece goes otherwise, and around a hub it would take a walk to know.
   [[nodiscard]] bool find_change(const EdgeStar& star, SurfaceChange& change);
 
-  // No face turns by more than the bound or shrinks to a line. One that is thinner than rounding has nothing
-  // to turn from; where it gets an area, that looks the way of the faces around the edge. `star`: that of the
-  // edge; it is moved there.
+  // No face turns by more than the bound or shrinks to a line. One that is thinner than rounding
+  // has nothing to turn from; where it gets an area, that looks the way of the faces around the
+  // edge. `star`: that of the edge; it is moved there.
   [[nodiscard]] bool keeps_faces(EdgeStar& star, const Collapse& edge) const;
 
   // Whether some edge at `v` has more or less than two faces.

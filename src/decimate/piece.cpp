@@ -55,11 +55,13 @@ PieceLoss loss_of(const TileMesh& mesh, const Piece& piece) {
     middle = middle + area * third;
     mean = mean + third;
   }
-  middle = loss.area > 0 ? (1 / loss.area) * middle : (1 / static_cast<double>(piece.faces.size())) * mean;
+  middle = loss.area > 0 ? (1 / loss.area) * middle
+                         : (1 / static_cast<double>(piece.faces.size())) * mean;
   middle = middle + origin;
   for (const FaceNumber f : piece.faces) {
     const Triangle t = mesh.triangle(f);
-    loss.surface += length(doubled_area(t)) / 2 * mean_square({t[0] - middle, t[1] - middle, t[2] - middle});
+    loss.surface +=
+        length(doubled_area(t)) / 2 * mean_square({t[0] - middle, t[1] - middle, t[2] - middle});
   }
   for (const VertexNumber v : piece.vertices) {
     const Point away = mesh.position(v) - middle;
@@ -82,7 +84,8 @@ std::uint64_t handles_of(const TileMesh& mesh, const Piece& piece) {
   std::sort(loop.begin(), loop.end());
   const std::vector<VertexNumber> vertices = loop;
   const auto place = [&](VertexNumber v) {
-    return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+    return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                                    vertices.begin());
   };
   std::vector<std::size_t> open(vertices.size(), 0);
   std::vector<PieceEdge> border;
@@ -104,7 +107,8 @@ std::uint64_t handles_of(const TileMesh& mesh, const Piece& piece) {
     std::replace(loop.begin(), loop.end(), gone, kept);
   }
   // A loop has as many edges as vertices, so one edge of each joined nothing.
-  const auto euler = static_cast<std::int64_t>(piece.vertices.size()) - static_cast<std::int64_t>(edges) +
+  const auto euler = static_cast<std::int64_t>(piece.vertices.size()) -
+                     static_cast<std::int64_t>(edges) +
                      static_cast<std::int64_t>(piece.faces.size());
   const std::int64_t doubled = 2 - euler - static_cast<std::int64_t>(loops);
   return doubled > 0 ? static_cast<std::uint64_t>(doubled / 2) : 0;

@@ -1,5 +1,5 @@
-// Vertices by the price of what they propose: the cheapest first, and of equally cheap ones the lowest
-// number.
+// Vertices by the price of what they propose: the cheapest first, and of equally cheap ones the
+// lowest number.
 #pragma once
 
 #include "decimate/tile_mesh.hpp"
@@ -12,8 +12,9 @@
 
 namespace winnow {
 
-// A heap of four children a node that knows where each vertex stands, so that a price can change. Which of
-// two offers is less is a coin toss, so both are one whole number, compared without branches.
+// A heap of four children a node that knows where each vertex stands, so that a price can change.
+// Which of two offers is less is a coin toss, so both are one whole number, compared without
+// branches.
 class PriceQueue {
  public:
   struct Offer {
@@ -21,7 +22,9 @@ class PriceQueue {
     VertexNumber vertex = no_number;
   };
 
-  explicit PriceQueue(VertexNumber vertices) : place_(vertices, no_number) { heap_.reserve(vertices); }
+  explicit PriceQueue(VertexNumber vertices) : place_(vertices, no_number) {
+    heap_.reserve(vertices);
+  }
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
     return vertices * (sizeof(Key) + sizeof(std::uint32_t));

@@ -15,9 +15,9 @@ namespace {
 // measurement. With 1 the error of a scan full of dust is twice as large at the same count, with
 // 4096 no smaller (bench/RESULTS.md).
 constexpr double piece_weight = 64;
-// What is left may be much farther from a piece than it is wide. So it costs at least what a point does that
-// is off by so many times the distance of its farthest vertex from its middle: else the largest error doubles
-// (bench/RESULTS.md).
+// What is left may be much farther from a piece than it is wide. So it costs at least what a point
+// does that is off by so many times the distance of its farthest vertex from its middle: else the
+// largest error doubles (bench/RESULTS.md).
 constexpr double piece_reach = 6;
 
 }  // namespace
@@ -58,7 +58,8 @@ VertexPlanes QuadricCost::planes_of(FaceNumber f) const {
   return planes;
 }
 
-// The line of an edge with one face. It needs no face to stand upright on, which may be none but a line.
+// The line of an edge with one face. It needs no face to stand upright on, which may be none but a
+// line.
 void QuadricCost::add_border(VertexNumber a, VertexNumber b, double sign) {
   if (!at_border_[a] || !at_border_[b]) return;
   const Point edge = mesh_.position(b) - mesh_.position(a);
@@ -66,8 +67,8 @@ void QuadricCost::add_border(VertexNumber a, VertexNumber b, double sign) {
   add_line(planes_[b], edge, sign * border_line_weight);
 }
 
-// The lines of edges that a collapse changes: all of them are at an end. Of a hub, only those at a face
-// that goes.
+// The lines of edges that a collapse changes: all of them are at an end. Of a hub, only those at a
+// face that goes.
 void QuadricCost::take_borders(const Collapse& edge, const EdgeStar& star) {
   for (const VertexNumber w : mesh_.open_neighbours(edge.removed)) add_border(edge.removed, w, -1);
   if (!into_hub_) {
@@ -94,8 +95,8 @@ std::optional<PricedCollapse> QuadricCost::other_place(const PricedCollapse& now
   if (batch_.flat_low[0] == 0 || batch_.flat_high[0] == 0) return std::nullopt;
   const Point& high = mesh_.position(now.edge.removed);
   const bool at_high = now.edge.position == high;
-  return PricedCollapse{{now.edge.kept, now.edge.removed, at_high ? mesh_.position(now.edge.kept) : high},
-                        now.price};
+  return PricedCollapse{
+      {now.edge.kept, now.edge.removed, at_high ? mesh_.position(now.edge.kept) : high}, now.price};
 }
 
 Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
@@ -127,7 +128,8 @@ double QuadricCost::closer_price(const PricedCollapse& now, const EdgeStar& star
   const double closer = std::max(price, farthest_.price(now.edge, star, 0, flat));
   const double far = bound_->farthest();
   const bool near = farthest_.square() <= far * far;
-  return near && bound_->allows(now.edge, star, change) ? closer : std::numeric_limits<double>::infinity();
+  return near && bound_->allows(now.edge, star, change) ? closer
+                                                        : std::numeric_limits<double>::infinity();
 }
 
 QuadricCost::State QuadricCost::state(VertexNumber v) const {
@@ -147,7 +149,8 @@ double QuadricCost::piece_price(const TileMesh& mesh, const Piece& piece) const 
                   FarthestPoints::price_of(piece_reach * piece_reach * loss.farthest));
 }
 
-double QuadricCost::change_price(const EdgeStar& star, const Collapse& edge, const SurfaceChange& change) {
+double QuadricCost::change_price(const EdgeStar& star, const Collapse& edge,
+                                 const SurfaceChange& change) {
   if (bound_ && !bound_->allows(star, change)) return std::numeric_limits<double>::infinity();
   const Point& a = mesh_.position(star.kept());
   const Point& b = mesh_.position(star.removed());
@@ -171,7 +174,8 @@ double QuadricCost::change_price(const EdgeStar& star, const Collapse& edge, con
 double QuadricCost::turning_price(const EdgeStar& star, const Collapse& edge) const {
   if (bound_) return std::numeric_limits<double>::infinity();
   double area = 0;
-  for (const StarFace& face : star.faces()) area += length(doubled_area(mesh_.triangle(face.number))) / 2;
+  for (const StarFace& face : star.faces())
+    area += length(doubled_area(mesh_.triangle(face.number))) / 2;
   const Point along = mesh_.position(edge.removed) - mesh_.position(edge.kept);
   return area * dot(along, along);
 }

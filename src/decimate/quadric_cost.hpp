@@ -1,7 +1,8 @@
-// How far the vertex of a collapsed edge is from the planes of the faces that meet its two ends, each
-// weighted by its area: the quadrics of Garland and Heckbert (1997), of the faces as they are now. That
-// quadrics forget what was collapsed before (Lindstrom and Turk 1998) takes a quarter off the error at the
-// same count (bench/RESULTS.md). What is forgotten that way and must not be: farthest_points.hpp.
+// How far the vertex of a collapsed edge is from the planes of the faces that meet its two ends,
+// each weighted by its area: the quadrics of Garland and Heckbert (1997), of the faces as they are
+// now. That quadrics forget what was collapsed before (Lindstrom and Turk 1998) takes a quarter off
+// the error at the same count (bench/RESULTS.md). What is forgotten that way and must not be:
+// farthest_points.hpp.
 #pragma once
 
 #include "decimate/collapser.hpp"
@@ -34,7 +35,8 @@ class QuadricCost {
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
   [[nodiscard]] PricedCollapse place(VertexNumber low, VertexNumber high);
-  // The same at the other end, where nothing is lost there either. Asked only of what place() gave last.
+  // The same at the other end, where nothing is lost there either. Asked only of what place() gave
+  // last.
   [[nodiscard]] std::optional<PricedCollapse> other_place(const PricedCollapse& now) const;
   // `change`: null where the surface stays what it is.
   [[nodiscard]] double closer_price(const PricedCollapse& now, const EdgeStar& star, double price,
@@ -44,7 +46,8 @@ class QuadricCost {
   [[nodiscard]] double piece_price(const TileMesh& mesh, const Piece& piece) const;
   // A triangle that closes is lost or gained as a piece would be, and so is a face that falls onto
   // another.
-  [[nodiscard]] double change_price(const EdgeStar& star, const Collapse& edge, const SurfaceChange& change);
+  [[nodiscard]] double change_price(const EdgeStar& star, const Collapse& edge,
+                                    const SurfaceChange& change);
   // As if the faces around the edge were off by its length.
   [[nodiscard]] double turning_price(const EdgeStar& star, const Collapse& edge) const;
   void faces_gone(std::span<const FaceVertices> faces, Offers& offers);
@@ -58,8 +61,8 @@ class QuadricCost {
   // Within an error.
   [[nodiscard]] State state(VertexNumber v) const;
 
-  // The root of the mean squared distance of a vertex from the planes it was collapsed at, the largest there
-  // was; within an error, from all planes that it stands for.
+  // The root of the mean squared distance of a vertex from the planes it was collapsed at, the
+  // largest there was; within an error, from all planes that it stands for.
   [[nodiscard]] double largest_error() const;
 
  private:

@@ -1,5 +1,5 @@
-// Vertices that are removed into a neighbour, which stays where it is: what the costs that do so have in
-// common.
+// Vertices that are removed into a neighbour, which stays where it is: what the costs that do so
+// have in common.
 #pragma once
 
 #include "decimate/collapser.hpp"
@@ -10,8 +10,8 @@
 
 namespace winnow {
 
-// Price(view)(i): what the removal of a fan's vertex into its neighbour i costs, by the fan alone; 0 where
-// nothing is lost. Price::of_piece(loss): what it costs that a piece goes.
+// Price(view)(i): what the removal of a fan's vertex into its neighbour i costs, by the fan alone;
+// 0 where nothing is lost. Price::of_piece(loss): what it costs that a piece goes.
 template <typename Price>
 class RemovalCost {
  public:

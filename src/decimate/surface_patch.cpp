@@ -13,8 +13,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Squared distances that differ by no more than this part are equal, except for rounding.
 constexpr double as_near = 1e-9;
-// More than floats round by: boxes are larger by this part of their distance from the middle, limits by this
-// part of themselves.
+// More than floats round by: boxes are larger by this part of their distance from the middle,
+// limits by this part of themselves.
 constexpr double slack = 1e-6;
 
 }  // namespace
@@ -72,8 +72,8 @@ std::array<float, 3> SurfacePatch::seen_from_middle(const Point& point) const {
   return {static_cast<float>(seen[0]), static_cast<float>(seen[1]), static_cast<float>(seen[2])};
 }
 
-std::array<float, SurfacePatch::group> SurfacePatch::squared_distances(const Node& node,
-                                                                       const std::array<float, 3>& point) {
+std::array<float, SurfacePatch::group> SurfacePatch::squared_distances(
+    const Node& node, const std::array<float, 3>& point) {
   // Twice what is positive, without a branch: compilers use wide registers for it.
   const auto positive = [](float x) { return x + std::abs(x); };
   std::array<float, group> squared;
@@ -116,7 +116,8 @@ double SurfacePatch::squared_distance_of(std::size_t face, const Point& point) c
 
 double SurfacePatch::squared_distance(const Point& point, Hint& near) const {
   if (faces_.empty()) return infinity;
-  double least = near == unknown ? std::numeric_limits<double>::max() : squared_distance_of(near, point);
+  double least =
+      near == unknown ? std::numeric_limits<double>::max() : squared_distance_of(near, point);
   for_each_within(point, least, [&](std::size_t face) {
     const double squared = squared_distance_of(face, point);
     if (squared < least) {

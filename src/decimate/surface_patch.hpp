@@ -24,11 +24,12 @@ class SurfacePatch {
   // Searches are quick if faces that follow each other are close.
   explicit SurfacePatch(std::vector<Triangle> faces);
 
-  // The squared distance to the nearest face, infinite if there is none. `near` becomes the nearest face.
+  // The squared distance to the nearest face, infinite if there is none. `near` becomes the nearest
+  // face.
   double squared_distance(const Point& point, Hint& near) const;
 
-  // Whether the nearest face is turned away from `normal`. Over a ridge several faces are nearest, except for
-  // rounding: then, whether one of them is turned away.
+  // Whether the nearest face is turned away from `normal`. Over a ridge several faces are nearest,
+  // except for rounding: then, whether one of them is turned away.
   bool opposed(const Point& point, const Point& normal, Hint& near) const;
 
   // To the nearest face that is not turned away from `normal`; nothing if there is none.
@@ -37,8 +38,9 @@ class SurfacePatch {
  private:
   static constexpr std::size_t group = 4;
 
-  // The boxes of four faces, or of four nodes of the level below. Of each axis, `middle` is seen from the
-  // middle of the patch, and `half` is half of the side, a little larger. It is negative without a box.
+  // The boxes of four faces, or of four nodes of the level below. Of each axis, `middle` is seen
+  // from the middle of the patch, and `half` is half of the side, a little larger. It is negative
+  // without a box.
   struct Node {
     std::array<std::array<float, group>, 3> middle, half;
   };
@@ -46,7 +48,8 @@ class SurfacePatch {
   static std::vector<Node> nodes_of(std::vector<Box>& boxes);
   [[nodiscard]] std::array<float, 3> seen_from_middle(const Point& point) const;
   // Four times those.
-  static std::array<float, group> squared_distances(const Node& node, const std::array<float, 3>& point);
+  static std::array<float, group> squared_distances(const Node& node,
+                                                    const std::array<float, 3>& point);
 
   // each(face) for the faces whose boxes are no farther than `limit`, which each() may lower.
   template <typename Each>
@@ -54,8 +57,8 @@ class SurfacePatch {
     visit(levels_.size() - 1, 0, seen_from_middle(point), limit, each);
   }
   template <typename Each>
-  void visit(std::size_t level, std::size_t number, const std::array<float, 3>& point, const double& limit,
-             const Each& each) const;
+  void visit(std::size_t level, std::size_t number, const std::array<float, 3>& point,
+             const double& limit, const Each& each) const;
 
   [[nodiscard]] double squared_distance_of(std::size_t face, const Point& point) const;
   [[nodiscard]] bool turned_away(std::size_t face, const Point& normal) const {

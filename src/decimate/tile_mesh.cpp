@@ -195,7 +195,8 @@ unsigned TileMesh::remove_pairs(VertexNumber v, std::vector<FaceVertices>& gone)
     bool back;
     FaceNumber face;
     bool operator<(const Seen& other) const {
-      return std::tie(low, high, back, face) < std::tie(other.low, other.high, other.back, other.face);
+      return std::tie(low, high, back, face) <
+             std::tie(other.low, other.high, other.back, other.face);
     }
   };
   std::vector<Seen> seen;
@@ -222,7 +223,8 @@ unsigned TileMesh::remove_pairs(VertexNumber v, std::vector<FaceVertices>& gone)
   return removed;
 }
 
-unsigned TileMesh::remove(std::span<const VertexNumber> vertices, std::span<const FaceNumber> faces) {
+unsigned TileMesh::remove(std::span<const VertexNumber> vertices,
+                          std::span<const FaceNumber> faces) {
   for (const VertexNumber v : vertices) {
     first_[v] = no_number;
     degree_[v] = 0;

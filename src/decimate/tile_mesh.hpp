@@ -1,6 +1,6 @@
-// The mesh that edges are collapsed in: faces by their vertices' numbers, and for every vertex a chain of its
-// corners. No face needs neighbours, so that any faces at all make such a mesh, also ones that no surface
-// has.
+// The mesh that edges are collapsed in: faces by their vertices' numbers, and for every vertex a
+// chain of its corners. No face needs neighbours, so that any faces at all make such a mesh, also
+// ones that no surface has.
 #pragma once
 
 #include "base/hash.hpp"
@@ -22,9 +22,9 @@ using FaceVertices = std::array<VertexNumber, 3>;
 
 inline constexpr std::uint32_t no_number = UINT32_MAX;
 
-// A vertex with more faces than this is a hub, until it has no more than the second number. Nothing that is
-// done for each collapse walks around a hub: neighbours are collapsed into it, unless they are hubs too, and
-// it stays where it is.
+// A vertex with more faces than this is a hub, until it has no more than the second number. Nothing
+// that is done for each collapse walks around a hub: neighbours are collapsed into it, unless they
+// are hubs too, and it stays where it is.
 inline constexpr std::uint32_t most_faces_beside_hubs = 64;
 inline constexpr std::uint32_t hub_no_more = 32;
 
@@ -54,7 +54,8 @@ struct StarFace {
   bool stays;  // is not at the edge
 };
 
-// Whether a vertex has faces outside of the tile, which then are not known. It neither moves nor goes.
+// Whether a vertex has faces outside of the tile, which then are not known. It neither moves nor
+// goes.
 enum Lock : std::uint8_t {
   free_vertex = 0,
   closed_vertex = 1,  // no neighbour is collapsed into it
@@ -64,19 +65,24 @@ enum Lock : std::uint8_t {
 class TileMesh {
  public:
   // `locked`: the Lock of each vertex.
-  TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces, std::vector<std::uint8_t> locked);
+  TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces,
+           std::vector<std::uint8_t> locked);
 
   // Bytes in use at the most while collapsing, for the plan.
   static std::uint64_t memory(std::uint64_t vertices, std::uint64_t faces);
 
-  [[nodiscard]] VertexNumber vertex_count() const { return static_cast<VertexNumber>(position_.size()); }
+  [[nodiscard]] VertexNumber vertex_count() const {
+    return static_cast<VertexNumber>(position_.size());
+  }
   [[nodiscard]] FaceNumber face_count() const {
     return static_cast<FaceNumber>(face_.size());
   }  // removed too
   [[nodiscard]] std::uint64_t live_faces() const { return live_faces_; }
 
   [[nodiscard]] const Point& position(VertexNumber v) const { return position_[v]; }
-  [[nodiscard]] bool locked(VertexNumber v) const { return (flags_[v] & (closed_vertex | fixed_hub)) != 0; }
+  [[nodiscard]] bool locked(VertexNumber v) const {
+    return (flags_[v] & (closed_vertex | fixed_hub)) != 0;
+  }
   [[nodiscard]] bool closed(VertexNumber v) const { return (flags_[v] & closed_vertex) != 0; }
   void lock(VertexNumber v) { flags_[v] |= closed_vertex; }
   [[nodiscard]] bool has_faces(VertexNumber v) const { return first_[v] != no_number; }
@@ -92,7 +98,8 @@ class TileMesh {
   template <typename Each>
   void for_each_face(VertexNumber v, const Each& each) const {
     steps_ += degree_[v];
-    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner)) each(face_of(corner));
+    for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner))
+      each(face_of(corner));
   }
 
   // each(face, w, x) for the faces v, w, x of `v`, in that winding.
@@ -102,42 +109,47 @@ class TileMesh {
     for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner)) {
       const FaceNumber f = face_of(corner);
       const std::uint32_t at = place_in_face(corner);
-      const std::uint32_t following = (1U << at) & 3U;  // no branch on what is a toss of three sides
+      const std::uint32_t following =
+          (1U << at) & 3U;  // no branch on what is a toss of three sides
       each(f, face_[f][following], face_[f][3 - at - following]);
     }
   }
 
-  // Whether some vertex that shares a face with `v` is wanted(vertex): looks no further than to the first.
+  // Whether some vertex that shares a face with `v` is wanted(vertex): looks no further than to the
+  // first.
   template <typename Wanted>
   [[nodiscard]] bool has_neighbour(VertexNumber v, const Wanted& wanted) const {
     for (std::uint32_t corner = first_[v]; corner != no_number; corner = next(corner)) {
       ++steps_;
       const FaceVertices& face = face_[face_of(corner)];
-      if (std::any_of(face.begin(), face.end(), [&](VertexNumber w) { return w != v && wanted(w); }))
+      if (std::any_of(face.begin(), face.end(),
+                      [&](VertexNumber w) { return w != v && wanted(w); }))
         return true;
     }
     return false;
   }
 
-  // Faces at the edge between two vertices, counted no further than to `most`: around the end that has
-  // fewer.
+  // Faces at the edge between two vertices, counted no further than to `most`: around the end that
+  // has fewer.
   [[nodiscard]] unsigned faces_at(VertexNumber a, VertexNumber b, unsigned most) const {
     if (degree_[b] < degree_[a]) std::swap(a, b);
     unsigned faces = 0;
-    for (std::uint32_t corner = first_[a]; corner != no_number && faces < most; corner = next(corner)) {
+    for (std::uint32_t corner = first_[a]; corner != no_number && faces < most;
+         corner = next(corner)) {
       faces += has(face_[face_of(corner)], b);
       ++steps_;
     }
     return faces;
   }
 
-  // The vertices that share a face with `v`, each once; good until the next question about neighbours.
+  // The vertices that share a face with `v`, each once; good until the next question about
+  // neighbours.
   std::span<const VertexNumber> neighbours(VertexNumber v) {
     return neighbours_that(v, [](VertexNumber) { return true; });
   }
 
-  // Of these the ones that the edges which belong to `v` lead to. An edge belongs to its lower end, one to a
-  // hub to the other end, and none to a hub.
+  // Of these the ones that the edges which belong to `v` lead to. An edge belongs to its lower end,
+  // one to a hub to the other end, and none to a hub.
   std::span<const VertexNumber> owned_edges(VertexNumber v) {
     if (hub(v)) return {};
     return neighbours_that(v, [this, v](VertexNumber w) {
@@ -145,8 +157,8 @@ class TileMesh {
     });
   }
 
-  // The vertices that share one face with `v`, and so an edge that is open; good until the next question
-  // about neighbours.
+  // The vertices that share one face with `v`, and so an edge that is open; good until the next
+  // question about neighbours.
   std::span<const VertexNumber> open_neighbours(VertexNumber v);
 
   // Marks vertices, each once: false where it is marked already. Good until the next question about
@@ -156,33 +168,36 @@ class TileMesh {
 
   // How the faces of two vertices `a` and `b` meet.
   struct Meeting {
-    unsigned faces = 0;           // at the edge between the two
-    unsigned common = 0;          // vertices that share faces with both
-    bool falls_together = false;  // a face of one and a face of the other have both other corners in common
+    unsigned faces = 0;   // at the edge between the two
+    unsigned common = 0;  // vertices that share faces with both
+    bool falls_together =
+        false;  // a face of one and a face of the other have both other corners in common
   };
   // All faces of `a`, and those of `b` that are not at the edge.
   [[nodiscard]] Meeting meeting(std::span<const StarFace> faces_a, VertexNumber b,
                                 std::span<const StarFace> faces_b);
 
-  // The same where `a` is a hub: `faces_at_edge` are those at the edge alone. Another hub or a locked vertex
-  // beside `b` that no face at the edge has counts as one beside `a`: to know would take a walk.
+  // The same where `a` is a hub: `faces_at_edge` are those at the edge alone. Another hub or a
+  // locked vertex beside `b` that no face at the edge has counts as one beside `a`: to know would
+  // take a walk.
   [[nodiscard]] Meeting meeting_at_hub(VertexNumber a, std::span<const StarFace> faces_at_edge,
                                        VertexNumber b, std::span<const StarFace> faces_b);
 
   // Corners that walks around vertices have met: what the time of everything here grows with.
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
-  // Whether every neighbour of `v` is met in an even number of its faces, so that none of its edges has one
-  // face. (But for a chance of 2^-64.)
+  // Whether every neighbour of `v` is met in an even number of its faces, so that none of its edges
+  // has one face. (But for a chance of 2^-64.)
   [[nodiscard]] bool all_edges_even(VertexNumber v) const {
     std::uint64_t odd = 0;
-    for_each_corner(
-        v, [&](FaceNumber, VertexNumber w, VertexNumber x) { odd ^= mixed_hash(w) ^ mixed_hash(x); });
+    for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+      odd ^= mixed_hash(w) ^ mixed_hash(x);
+    });
     return odd == 0;
   }
 
-  // Removes the faces at the edge, hands the others of `removed` to `kept`, and moves that. Returns how many
-  // faces went. Walks around `removed` alone.
+  // Removes the faces at the edge, hands the others of `removed` to `kept`, and moves that. Returns
+  // how many faces went. Walks around `removed` alone.
   unsigned collapse(const Collapse& edge);
 
   // Of faces at `v` that have the same other two corners, those in opposite senses go in pairs, and
@@ -197,7 +212,9 @@ class TileMesh {
   static FaceNumber face_of(std::uint32_t corner) { return corner >> 2; }
   static std::uint32_t place_in_face(std::uint32_t corner) { return corner & 3; }
   static std::size_t place_of(std::uint32_t corner) { return corner - (corner >> 2); }  // 3 f + i
-  [[nodiscard]] std::uint32_t next(std::uint32_t corner) const { return link_[place_of(corner)].next; }
+  [[nodiscard]] std::uint32_t next(std::uint32_t corner) const {
+    return link_[place_of(corner)].next;
+  }
 
   // Whether one was met before is a coin toss, so there is no branch on it.
   template <typename Wanted>

@@ -15,9 +15,9 @@ namespace winnow {
 
 namespace {
 
-// A face is suspicious if the cosine between its normal and that of a corner is below this. A corner's
-// normal is the mean of its faces' normals, weighted by area. Of a scan at 1 %, one face in twelve is
-// suspicious, and of the flipped faces 83 in 85.
+// A face is suspicious if the cosine between its normal and that of a corner is below this. A
+// corner's normal is the mean of its faces' normals, weighted by area. Of a scan at 1 %, one face
+// in twelve is suspicious, and of the flipped faces 83 in 85.
 constexpr double suspicious_cosine = 0.2;
 // How far corners may move, as a part of the face's longest side.
 constexpr double reach = 0.5;
@@ -27,8 +27,8 @@ constexpr unsigned rounds = 3;
 constexpr std::size_t most_faces = 32;
 // A face whose height is below this part of its longest side is a line.
 constexpr double thinnest = 1e-6;
-// How far the reference is known around a face, as a part of its longest side, and around all faces at its
-// corners. Around a middle, mostly the first margin is enough.
+// How far the reference is known around a face, as a part of its longest side, and around all faces
+// at its corners. Around a middle, mostly the first margin is enough.
 constexpr double face_margin = 0.35;
 constexpr std::array<double, 2> middle_margins{0.05, face_margin};
 constexpr double ring_margin = 0.2;
@@ -149,7 +149,11 @@ class Unfolder {
  public:
   Unfolder(std::vector<Point>& positions, std::span<const FaceVertices> faces,
            std::span<const std::uint8_t> locked, bool single, ReferenceSurface& reference)
-      : position_(positions), face_(faces), locked_(locked), single_(single), reference_(reference) {}
+      : position_(positions),
+        face_(faces),
+        locked_(locked),
+        single_(single),
+        reference_(reference) {}
 
   Unfolded run() {
     list_faces();
@@ -169,8 +173,8 @@ class Unfolder {
     return {position_[face_[f][0]], position_[face_[f][1]], position_[face_[f][2]]};
   }
 
-  // Sets the suspicious faces whose middles are opposed, of those that can change, and the mean error of
-  // suspicious faces.
+  // Sets the suspicious faces whose middles are opposed, of those that can change, and the mean
+  // error of suspicious faces.
   void find_suspects() {
     std::vector<Point> normals(position_.size(), Point{});
     double area = 0;
@@ -183,7 +187,8 @@ class Unfolder {
     std::uint64_t known = 0;
     for (FaceNumber f = 0; f < face_.size(); ++f) {
       if (!suspicious(f, normals)) continue;
-      if (std::none_of(face_[f].begin(), face_[f].end(), [&](VertexNumber v) { return can_move(v); }))
+      if (std::none_of(face_[f].begin(), face_[f].end(),
+                       [&](VertexNumber v) { return can_move(v); }))
         continue;
       const Triangle t = triangle(f);
       Box middle;
@@ -200,7 +205,8 @@ class Unfolder {
       }
     }
     if (known > 0)
-      usual_error_ = squares / static_cast<double>(known) * area / static_cast<double>(face_.size());
+      usual_error_ =
+          squares / static_cast<double>(known) * area / static_cast<double>(face_.size());
   }
 
   [[nodiscard]] bool suspicious(FaceNumber f, const std::vector<Point>& normals) const {
@@ -269,8 +275,9 @@ class Unfolder {
     left_.push_back(f);
   }
 
-  // Moves that bring an inner point to a part of the reference that faces the same way, or past it, and moves
-  // of a corner to the other side of the opposite edge; the smallest first. `free`: corners that can move.
+  // Moves that bring an inner point to a part of the reference that faces the same way, or past it,
+  // and moves of a corner to the other side of the opposite edge; the smallest first. `free`:
+  // corners that can move.
   static std::vector<Move> moves_of(const Triangle& t, unsigned free, const SurfacePatch& patch) {
     const double far = reach * box_around(t).longest_side();
     std::vector<Move> moves;
@@ -342,15 +349,16 @@ class Unfolder {
     face.flipped = face.error && around.flipped(face.corner, face.hints);
   }
 
-  // Whether the move, which has been made, turns `f` over, leaves fewer faces flipped, and takes the surface
-  // hardly farther from the reference. Then it counts.
+  // Whether the move, which has been made, turns `f` over, leaves fewer faces flipped, and takes
+  // the surface hardly farther from the reference. Then it counts.
   bool better(Neighbourhood& ring, FaceNumber f, const Move& move) {
     std::vector<Beside*> changed;
     std::size_t flipped = 0;
     double error = 0;
     for (Beside& face : ring.faces) {
       bool changes = false;
-      for (unsigned i = 0; i < 3; ++i) changes |= move.has_corner(i) && has(face_[face.number], face_[f][i]);
+      for (unsigned i = 0; i < 3; ++i)
+        changes |= move.has_corner(i) && has(face_[face.number], face_[f][i]);
       if (!changes) continue;
       look_at(face, ring.around);
       if (!face.error) return false;
@@ -384,14 +392,16 @@ class Unfolder {
   void keep_those_near(std::span<const VertexNumber> moved) {
     std::vector<VertexNumber> near;
     for (const VertexNumber v : moved) {
-      for (const FaceNumber f : faces_of(v)) near.insert(near.end(), face_[f].begin(), face_[f].end());
+      for (const FaceNumber f : faces_of(v))
+        near.insert(near.end(), face_[f].begin(), face_[f].end());
     }
     std::sort(near.begin(), near.end());
     std::sort(left_.begin(), left_.end());
     left_.erase(std::unique(left_.begin(), left_.end()), left_.end());
     std::erase_if(left_, [&](FaceNumber f) {
-      return std::none_of(face_[f].begin(), face_[f].end(),
-                          [&](VertexNumber v) { return std::binary_search(near.begin(), near.end(), v); });
+      return std::none_of(face_[f].begin(), face_[f].end(), [&](VertexNumber v) {
+        return std::binary_search(near.begin(), near.end(), v);
+      });
     });
   }
 
@@ -417,7 +427,8 @@ Unfolded unfold(std::vector<Point>& positions, std::span<const FaceVertices> fac
 std::uint64_t unfold_memory(std::uint64_t vertices, std::uint64_t faces, std::uint64_t near) {
   // The reference around a face and around its corners, and a list on its way.
   const std::uint64_t patches = near * (2 * SurfacePatch::bytes_a_face + sizeof(Triangle));
-  return vertices * (sizeof(Point) + 2 * sizeof(std::uint32_t)) + 3 * faces * sizeof(FaceNumber) + patches;
+  return vertices * (sizeof(Point) + 2 * sizeof(std::uint32_t)) + 3 * faces * sizeof(FaceNumber) +
+         patches;
 }
 
 }  // namespace winnow

@@ -1,8 +1,9 @@
 // Turns flipped faces over by moving their corners.
 //
-// A face is flipped if it faces away from the nearest part of the original surface. Edge collapse causes
-// that where the surface is thin or has tiny handles: a vertex ends up on the wrong side of a sheet. Only the
-// original tells which faces are flipped. By its neighbours, such a face looks like any face at a sharp edge.
+// A face is flipped if it faces away from the nearest part of the original surface. Edge collapse
+// causes that where the surface is thin or has tiny handles: a vertex ends up on the wrong side of
+// a sheet. Only the original tells which faces are flipped. By its neighbours, such a face looks
+// like any face at a sharp edge.
 #pragma once
 
 #include "base/box.hpp"
@@ -32,9 +33,9 @@ struct Unfolded {
   std::uint64_t tried = 0;          // moves
 };
 
-// Moves vertices in `positions` until fewer faces are flipped. No face becomes flipped unless more faces are
-// turned over, and no face becomes a line. Vertices stay if they are locked, at a boundary, or at an edge
-// with more than two faces. `single`: positions are rounded to floats.
+// Moves vertices in `positions` until fewer faces are flipped. No face becomes flipped unless more
+// faces are turned over, and no face becomes a line. Vertices stay if they are locked, at a
+// boundary, or at an edge with more than two faces. `single`: positions are rounded to floats.
 Unfolded unfold(std::vector<Point>& positions, std::span<const FaceVertices> faces,
                 std::span<const std::uint8_t> locked, bool single, ReferenceSurface& reference);
 

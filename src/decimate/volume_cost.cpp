@@ -7,8 +7,8 @@ namespace winnow {
 
 namespace {
 
-// Of the area that a border loses. With 1 borders shrink by more than surfaces do, with 100 they keep a tenth
-// of all faces (bench/RESULTS.md).
+// Of the area that a border loses. With 1 borders shrink by more than surfaces do, with 100 they
+// keep a tenth of all faces (bench/RESULTS.md).
 constexpr double weight_of_border_area = 10;
 // Needles that are sharper than this share of the half space are all alike.
 constexpr double sharpest = 0x1p-20;
@@ -21,8 +21,8 @@ double swept_volume(const FanView& fan, std::size_t into) {
   return sum;
 }
 
-// A circular cone of half the opening angle a takes 1 - cos a of the half space, and its faces slope by a
-// right angle less a.
+// A circular cone of half the opening angle a takes 1 - cos a of the half space, and its faces
+// slope by a right angle less a.
 double share_of_angle(const FanShape& shape) {
   return std::max(sharpest, 1 - shape.sine());
 }

@@ -64,7 +64,8 @@ std::uint64_t apart(std::uint64_t a, std::uint64_t b) {
   return a > b ? a - b : b - a;
 }
 
-// One piece more or less in one gap, or in two: takes the change that comes nearest, as long as one helps.
+// One piece more or less in one gap, or in two: takes the change that comes nearest, as long as one
+// helps.
 void approach(const std::vector<Blocks::Square>& squares, std::uint64_t wanted, Pieces& pieces) {
   std::vector<std::uint64_t*> gaps;
   for (auto& axis : pieces) {

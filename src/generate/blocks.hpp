@@ -1,5 +1,5 @@
-// A solid on a coarse, uneven grid: which blocks of it are filled, and the squares, edges and corners of the
-// boundary between filled and empty.
+// A solid on a coarse, uneven grid: which blocks of it are filled, and the squares, edges and
+// corners of the boundary between filled and empty.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ class Blocks {
     return static_cast<std::uint32_t>(planes_[axis].size() - 1);
   }
 
-  // A square across `axis`; `place` is its lowest corner. It extends over the gaps place[b] and place[c] of
-  // the next two axes b and c, in cyclic order.
+  // A square across `axis`; `place` is its lowest corner. It extends over the gaps place[b] and
+  // place[c] of the next two axes b and c, in cyclic order.
   struct Square {
     std::uint8_t axis;
     bool upwards;  // whether outside is where the axis points to
@@ -44,8 +44,8 @@ class Blocks {
 // Into how many pieces each gap of each axis is cut.
 using Pieces = std::array<std::vector<std::uint64_t>, 3>;
 
-// Pieces of about equal length such that the squares have nearly `wanted` pieces in all; never less than one
-// piece a square.
+// Pieces of about equal length such that the squares have nearly `wanted` pieces in all; never less
+// than one piece a square.
 Pieces choose_pieces(const Blocks& blocks, std::uint64_t wanted);
 
 std::uint64_t count_pieces(const std::vector<Blocks::Square>& squares, const Pieces& pieces);

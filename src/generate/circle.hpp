@@ -9,9 +9,9 @@ struct OnCircle {
   double cosine, sine;
 };
 
-// The point at `turn` of a full turn, for turn in [0, 1]. Both are within 3e-16 of the truth: Taylor's series
-// over at most an eighth of a turn, whose first missing terms are below 5e-17. Exact at the quarters.
-// No branches, so that loops over it vectorise.
+// The point at `turn` of a full turn, for turn in [0, 1]. Both are within 3e-16 of the truth:
+// Taylor's series over at most an eighth of a turn, whose first missing terms are below 5e-17.
+// Exact at the quarters. No branches, so that loops over it vectorise.
 inline OnCircle on_circle(double turn) {
   const double quarters = turn * 4;
   const auto nearest = static_cast<std::int32_t>(quarters + 0.5);

@@ -38,7 +38,8 @@ Box box_about(const Point& offset) {
 
 }  // namespace
 
-GenerateReport generate(Context& context, const std::string& output, const GenerateOptions& options) {
+GenerateReport generate(Context& context, const std::string& output,
+                        const GenerateOptions& options) {
   const Stopwatch clock;
   Job job(context);
   for (const double value : options.offset) {

@@ -4,8 +4,8 @@ namespace winnow {
 
 namespace {
 
-// Distinct odd multipliers, one an axis; neighbouring cells then differ in many bits (as in Teschner et al.,
-// "Optimized Spatial Hashing", 2003).
+// Distinct odd multipliers, one an axis; neighbouring cells then differ in many bits (as in
+// Teschner et al., "Optimized Spatial Hashing", 2003).
 constexpr std::uint32_t multiplier_x = 0x9e3779b1;
 constexpr std::uint32_t multiplier_y = 0x85ebca77;
 constexpr std::uint32_t multiplier_z = 0xc2b2ae3d;
@@ -18,8 +18,8 @@ struct Cells {
   alignas(64) std::array<float, batch_points> fraction;
 };
 
-void locate(const std::array<double, batch_points>& coordinates, std::size_t count, double frequency,
-            Cells& cells) {
+void locate(const std::array<double, batch_points>& coordinates, std::size_t count,
+            double frequency, Cells& cells) {
   for (std::size_t k = 0; k < count; ++k) {
     const double at = coordinates[k] * frequency + shift;
     const auto cell = static_cast<std::int32_t>(at);
@@ -66,8 +66,10 @@ void space_noise(const PointBatch& points, const NoiseOctave& octave, NoiseValue
   locate(points.y, points.count, octave.frequency, cells_y);
   locate(points.z, points.count, octave.frequency, cells_z);
   for (std::size_t k = 0; k < points.count; ++k) {
-    const std::uint32_t x0 = static_cast<std::uint32_t>(cells_x.cell[k]) * multiplier_x ^ octave.seed;
-    const std::uint32_t x1 = static_cast<std::uint32_t>(cells_x.cell[k] + 1) * multiplier_x ^ octave.seed;
+    const std::uint32_t x0 =
+        static_cast<std::uint32_t>(cells_x.cell[k]) * multiplier_x ^ octave.seed;
+    const std::uint32_t x1 =
+        static_cast<std::uint32_t>(cells_x.cell[k] + 1) * multiplier_x ^ octave.seed;
     const std::uint32_t y0 = static_cast<std::uint32_t>(cells_y.cell[k]) * multiplier_y;
     const std::uint32_t y1 = y0 + multiplier_y;
     const std::uint32_t z0 = static_cast<std::uint32_t>(cells_z.cell[k]) * multiplier_z;
@@ -77,11 +79,12 @@ void space_noise(const PointBatch& points, const NoiseOctave& octave, NoiseValue
     const float z = cells_z.fraction[k];
     const float u = fade(x);
     const float v = fade(y);
-    const float near = mix(mix(slope(x0 ^ y0 ^ z0, x, y, z), slope(x1 ^ y0 ^ z0, x - 1, y, z), u),
-                           mix(slope(x0 ^ y1 ^ z0, x, y - 1, z), slope(x1 ^ y1 ^ z0, x - 1, y - 1, z), u), v);
-    const float far =
-        mix(mix(slope(x0 ^ y0 ^ z1, x, y, z - 1), slope(x1 ^ y0 ^ z1, x - 1, y, z - 1), u),
-            mix(slope(x0 ^ y1 ^ z1, x, y - 1, z - 1), slope(x1 ^ y1 ^ z1, x - 1, y - 1, z - 1), u), v);
+    const float near =
+        mix(mix(slope(x0 ^ y0 ^ z0, x, y, z), slope(x1 ^ y0 ^ z0, x - 1, y, z), u),
+            mix(slope(x0 ^ y1 ^ z0, x, y - 1, z), slope(x1 ^ y1 ^ z0, x - 1, y - 1, z), u), v);
+    const float far = mix(
+        mix(slope(x0 ^ y0 ^ z1, x, y, z - 1), slope(x1 ^ y0 ^ z1, x - 1, y, z - 1), u),
+        mix(slope(x0 ^ y1 ^ z1, x, y - 1, z - 1), slope(x1 ^ y1 ^ z1, x - 1, y - 1, z - 1), u), v);
     values[k] = mix(near, far, fade(z)) * (1.0F / 512);
   }
 }
@@ -91,8 +94,10 @@ void plane_noise(const PointBatch& points, const NoiseOctave& octave, NoiseValue
   locate(points.x, points.count, octave.frequency, cells_x);
   locate(points.y, points.count, octave.frequency, cells_y);
   for (std::size_t k = 0; k < points.count; ++k) {
-    const std::uint32_t x0 = static_cast<std::uint32_t>(cells_x.cell[k]) * multiplier_x ^ octave.seed;
-    const std::uint32_t x1 = static_cast<std::uint32_t>(cells_x.cell[k] + 1) * multiplier_x ^ octave.seed;
+    const std::uint32_t x0 =
+        static_cast<std::uint32_t>(cells_x.cell[k]) * multiplier_x ^ octave.seed;
+    const std::uint32_t x1 =
+        static_cast<std::uint32_t>(cells_x.cell[k] + 1) * multiplier_x ^ octave.seed;
     const std::uint32_t y0 = static_cast<std::uint32_t>(cells_y.cell[k]) * multiplier_y;
     const std::uint32_t y1 = y0 + multiplier_y;
     const float x = cells_x.fraction[k];

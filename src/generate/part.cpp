@@ -1,5 +1,5 @@
-// A closed surface like a machined part: a plate with a pocket, a hole, thin fins, a rib and a thin wall.
-// Flat faces are flat to the last bit.
+// A closed surface like a machined part: a plate with a pocket, a hole, thin fins, a rib and a thin
+// wall. Flat faces are flat to the last bit.
 #include "generate/blocks.hpp"
 #include "generate/patches.hpp"
 #include "generate/row_grid.hpp"
@@ -18,7 +18,8 @@ namespace {
 std::vector<double> lay_planes(SeedStream& random, const std::vector<std::array<double, 2>>& gaps,
                                double extent) {
   std::vector<double> planes{0};
-  for (const auto& [least, most] : gaps) planes.push_back(planes.back() + random.between(least, most));
+  for (const auto& [least, most] : gaps)
+    planes.push_back(planes.back() + random.between(least, most));
   const double scale = extent / planes.back();
   for (double& plane : planes) plane = plane * scale - extent / 2;
   return planes;
@@ -36,8 +37,10 @@ Blocks build(std::uint32_t seed) {
   }
   const std::vector<std::array<double, 2>> y{
       {0.10, 0.20}, {0.30, 0.45}, {0.02, 0.20}, {0.30, 0.45}, {0.10, 0.20}};
-  const std::vector<std::array<double, 2>> z{{0.04, 0.08}, {0.12, 0.20}, {0.15, 0.25}, {0.15, 0.40}};
-  Blocks blocks({lay_planes(random, x, 2.0), lay_planes(random, y, 1.3), lay_planes(random, z, 0.7)});
+  const std::vector<std::array<double, 2>> z{
+      {0.04, 0.08}, {0.12, 0.20}, {0.15, 0.25}, {0.15, 0.40}};
+  Blocks blocks(
+      {lay_planes(random, x, 2.0), lay_planes(random, y, 1.3), lay_planes(random, z, 0.7)});
 
   const std::uint32_t width = blocks.gaps(0);
   const std::uint32_t depth = blocks.gaps(1);
@@ -75,9 +78,9 @@ class Part final : public GeneratedSurface {
 // The last entry of a table that begins at `id` or before it.
 template <typename Entry>
 const Entry& entry_of(const std::vector<Entry>& table, std::uint64_t id) {
-  return *std::prev(
-      std::upper_bound(table.begin(), table.end(), id,
-                       [](std::uint64_t wanted, const Entry& entry) { return wanted < entry.begin; }));
+  return *std::prev(std::upper_bound(
+      table.begin(), table.end(), id,
+      [](std::uint64_t wanted, const Entry& entry) { return wanted < entry.begin; }));
 }
 
 void Part::positions(std::span<const std::uint64_t> ids, std::span<Point> points) const {

@@ -23,11 +23,14 @@ struct Piece {
     if (side_b == Side::high) ++place[axis[0]];
     if (side_c == Side::high) ++place[axis[1]];
   }
-  [[nodiscard]] std::size_t dimension() const { return (extends[0] ? 1U : 0U) + (extends[1] ? 1U : 0U); }
+  [[nodiscard]] std::size_t dimension() const {
+    return (extends[0] ? 1U : 0U) + (extends[1] ? 1U : 0U);
+  }
 
   // The same for all squares that share it: a bit for each axis it extends along.
   [[nodiscard]] std::size_t direction() const {
-    return (extends[0] ? std::size_t{1} << axis[0] : 0U) + (extends[1] ? std::size_t{1} << axis[1] : 0U);
+    return (extends[0] ? std::size_t{1} << axis[0] : 0U) +
+           (extends[1] ? std::size_t{1} << axis[1] : 0U);
   }
 };
 
@@ -35,7 +38,8 @@ class Numbering {
  public:
   Numbering(const Blocks& blocks, const Pieces& pieces)
       : blocks_(blocks), pieces_(pieces), squares_(blocks.boundary()) {
-    const std::size_t places = blocks.planes(0).size() * blocks.planes(1).size() * blocks.planes(2).size();
+    const std::size_t places =
+        blocks.planes(0).size() * blocks.planes(1).size() * blocks.planes(2).size();
     patch_of_.assign(8 * places, none);
   }
 
@@ -59,7 +63,8 @@ class Numbering {
 
   std::size_t& entry(const Piece& part) {
     const std::size_t place =
-        (part.place[2] * blocks_.planes(1).size() + part.place[1]) * blocks_.planes(0).size() + part.place[0];
+        (part.place[2] * blocks_.planes(1).size() + part.place[1]) * blocks_.planes(0).size() +
+        part.place[0];
     return patch_of_[8 * place + part.direction()];
   }
 
@@ -70,7 +75,8 @@ class Numbering {
   void add(const Piece& part) {
     entry(part) = result_.patches.size();
     Patch patch{result_.vertices, 1, part.axis, {}, {}};
-    for (std::size_t axis = 0; axis < 3; ++axis) patch.origin[axis] = blocks_.planes(axis)[part.place[axis]];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      patch.origin[axis] = blocks_.planes(axis)[part.place[axis]];
     std::uint64_t count = 1;
     for (std::size_t n = 0; n < 2; ++n) {
       if (!part.extends[n]) continue;

@@ -1,6 +1,6 @@
-// The vertices of a finely cut boundary of blocks, numbered without storing any of them: first the corners,
-// then the insides of the edges, then the insides of the squares. The table is as small as the coarse
-// boundary.
+// The vertices of a finely cut boundary of blocks, numbered without storing any of them: first the
+// corners, then the insides of the edges, then the insides of the squares. The table is as small as
+// the coarse boundary.
 #pragma once
 
 #include "generate/blocks.hpp"
@@ -12,7 +12,8 @@
 
 namespace winnow {
 
-// A corner, or the inside of an edge or of a square: vertices with consecutive numbers, in rows along axis b.
+// A corner, or the inside of an edge or of a square: vertices with consecutive numbers, in rows
+// along axis b.
 struct Patch {
   std::uint64_t begin;              // its first vertex
   std::uint64_t row;                // vertices in a row
@@ -21,7 +22,8 @@ struct Patch {
   Point origin;                     // where its first vertex is
 };
 
-// A square as its faces see it: 3 x 3 patches, namely its corners, its edges and, in the middle, its inside.
+// A square as its faces see it: 3 x 3 patches, namely its corners, its edges and, in the middle,
+// its inside.
 struct Sheet {
   std::uint64_t begin;                  // its first face
   std::array<std::uint64_t, 2> pieces;  // along b and c

@@ -8,7 +8,8 @@ namespace winnow {
 
 namespace {
 
-// From the crown down. cosine: forward, wide to front and back (negative: wide to the sides), three-cornered.
+// From the crown down. cosine: forward, wide to front and back (negative: wide to the sides),
+// three-cornered.
 const Ring rough[] = {
     {0.00, 1.03, 0, 0, {0.00, 0.00, 0.00}, {0, 0}},     // crown
     {0.19, 1.00, 0, 0, {-0.04, 0.08, 0.00}, {0, 0}},    //
@@ -57,7 +58,8 @@ Ring Profile::at(double knot) const {
   double out = 0;
   double down = 0;
   for (std::int32_t k = 0; k < 4; ++k) {
-    // Beyond its ends the profile goes on as its own mirror image, which makes it smooth at the poles.
+    // Beyond its ends the profile goes on as its own mirror image, which makes it smooth at the
+    // poles.
     std::int32_t place = segment + k - 1;
     const double side = place < 0 || place > last ? -1 : 1;
     if (place < 0) place = -place;
@@ -68,7 +70,8 @@ Ring Profile::at(double knot) const {
     ring.height += weight[i] * control.height;
     out += change[i] * (side * control.radius);
     down -= change[i] * control.height;
-    for (std::size_t n = 0; n < ring.cosine.size(); ++n) ring.cosine[n] += weight[i] * control.cosine[n];
+    for (std::size_t n = 0; n < ring.cosine.size(); ++n)
+      ring.cosine[n] += weight[i] * control.cosine[n];
     for (std::size_t n = 0; n < ring.sine.size(); ++n) ring.sine[n] += weight[i] * control.sine[n];
   }
   const double length = std::sqrt(out * out + down * down);

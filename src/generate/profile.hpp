@@ -9,7 +9,8 @@
 namespace winnow {
 
 // One ring of the rough shape. Its radius at angle a is
-// radius * (1 + cosine[0] cos a + sine[0] sin a + cosine[1] cos 2a + ...); the face looks towards a = 0.
+// radius * (1 + cosine[0] cos a + sine[0] sin a + cosine[1] cos 2a + ...); the face looks towards a
+// = 0.
 struct Ring {
   double radius, height;
   double out, up;  // the direction, outwards and upwards, in which the relief raises the surface
@@ -21,11 +22,12 @@ class Profile {
  public:
   explicit Profile(std::uint32_t seed);
 
-  // The ring at a part of the way along the profile, from the crown (0) to the middle of the base (1): both
-  // have radius 0.
+  // The ring at a part of the way along the profile, from the crown (0) to the middle of the base
+  // (1): both have radius 0.
   [[nodiscard]] Ring ring(double along) const;
 
-  // Columns for a row at which edges along and across the rings are about equally long, on most of the area.
+  // Columns for a row at which edges along and across the rings are about equally long, on most of
+  // the area.
   [[nodiscard]] double proportion() const { return proportion_; }
 
  private:
@@ -34,8 +36,9 @@ class Profile {
   [[nodiscard]] Ring at(double knot) const;
   void measure();
 
-  std::vector<Ring> controls_;             // of a uniform cubic B-spline; out and up are not used
-  std::array<double, steps + 1> knots_{};  // where each of `steps` equal lengths along the profile begins
+  std::vector<Ring> controls_;  // of a uniform cubic B-spline; out and up are not used
+  std::array<double, steps + 1>
+      knots_{};  // where each of `steps` equal lengths along the profile begins
   double proportion_ = 1;
 };
 

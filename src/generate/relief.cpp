@@ -38,8 +38,8 @@ Relief::Relief(std::uint32_t seed) {
     for (double& size : bump.size) size *= random.between(0.9, 1.1);
   }
   hair_ = {{-0.22, 0, 0.72}, {0.55, 0.60, 0.62}, 1.0};
-  // Cells from a third of the whole down to a few edges of a mesh of 20 million faces; about three to one, so
-  // that five octaves reach that far. Wear and grain each add slopes of some 5 degrees.
+  // Cells from a third of the whole down to a few edges of a mesh of 20 million faces; about three
+  // to one, so that five octaves reach that far. Wear and grain each add slopes of some 5 degrees.
   swell_ = {NoiseOctave{2.9, random.bits()}, NoiseOctave{7.7, random.bits()}};
   strands_ = {19.0, random.bits()};
   wear_ = {61.0, random.bits()};
@@ -63,8 +63,8 @@ void Relief::add(const Bump& bump, const PointBatch& points, NoiseValues& sum) {
 void Relief::heights(const PointBatch& points, NoiseValues& height) const {
   const std::size_t count = points.count;
   std::fill_n(height.begin(), count, 0.0F);
-  // Batches are mostly pieces of one ring, and most bumps are not on it. Leaving those out changes no bit:
-  // beyond its ellipsoid a bump adds nothing but zero.
+  // Batches are mostly pieces of one ring, and most bumps are not on it. Leaving those out changes
+  // no bit: beyond its ellipsoid a bump adds nothing but zero.
   const auto [lowest, highest] = std::minmax_element(points.z.begin(), points.z.begin() + count);
   for (const Bump& bump : face_) {
     if (*lowest <= bump.middle[2] + bump.size[2] && *highest >= bump.middle[2] - bump.size[2]) {

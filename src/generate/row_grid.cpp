@@ -11,9 +11,10 @@ RowGrid nearest_grid(std::uint64_t count, double proportion, RowGrid smallest) {
   constexpr std::uint64_t most_tries = std::uint64_t{1} << 17;
 
   const auto ideal = std::max(
-      smallest.columns, static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count) * proportion) + 0.5));
-  const std::uint64_t reach =
-      std::min(static_cast<std::uint64_t>(static_cast<double>(ideal) * (leeway - 1)) + 2, most_tries);
+      smallest.columns,
+      static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count) * proportion) + 0.5));
+  const std::uint64_t reach = std::min(
+      static_cast<std::uint64_t>(static_cast<double>(ideal) * (leeway - 1)) + 2, most_tries);
   RowGrid best;
   std::uint64_t best_miss = UINT64_MAX;
   const auto consider = [&](std::uint64_t columns) {

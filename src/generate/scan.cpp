@@ -1,5 +1,5 @@
-// A closed surface like the scan of a sculpture: rings of rows from the crown to the base, in the order in
-// which a turntable scanner sees them, and a fan of faces at either end.
+// A closed surface like the scan of a sculpture: rings of rows from the crown to the base, in the
+// order in which a turntable scanner sees them, and a fan of faces at either end.
 #include "generate/circle.hpp"
 #include "generate/profile.hpp"
 #include "generate/relief.hpp"
@@ -38,15 +38,16 @@ class Scan final : public GeneratedSurface {
   };
 
   void evaluate(std::span<const std::uint64_t> ids, std::span<Point> points) const;
-  void lay_ring(std::uint64_t row, std::int32_t column, std::size_t from, std::size_t to, Batch& batch) const;
+  void lay_ring(std::uint64_t row, std::int32_t column, std::size_t from, std::size_t to,
+                Batch& batch) const;
 
   Profile profile_;
   Relief relief_;
   RowGrid grid_;
 };
 
-// Points `from` to `to` of the batch become those of one ring, from `column` on. Row 0 is the crown, row
-// rows + 1 the middle of the base.
+// Points `from` to `to` of the batch become those of one ring, from `column` on. Row 0 is the
+// crown, row rows + 1 the middle of the base.
 void Scan::lay_ring(std::uint64_t row, std::int32_t column, std::size_t from, std::size_t to,
                     Batch& batch) const {
   const Ring ring = profile_.ring(static_cast<double>(row) / static_cast<double>(grid_.rows + 1));
@@ -56,8 +57,9 @@ void Scan::lay_ring(std::uint64_t row, std::int32_t column, std::size_t from, st
     const double c2 = c1 * c1 - s1 * s1;
     const double s2 = 2 * (s1 * c1);
     const double c3 = c1 * c2 - s1 * s2;
-    const double radius = ring.radius * (1 + ring.cosine[0] * c1 + ring.cosine[1] * c2 + ring.cosine[2] * c3 +
-                                         ring.sine[0] * s1 + ring.sine[1] * s2);
+    const double radius =
+        ring.radius * (1 + ring.cosine[0] * c1 + ring.cosine[1] * c2 + ring.cosine[2] * c3 +
+                       ring.sine[0] * s1 + ring.sine[1] * s2);
     batch.rough.x[k] = radius * c1;
     batch.rough.y[k] = radius * s1;
     batch.rough.z[k] = ring.height;
@@ -109,7 +111,8 @@ void Scan::corners(std::span<const std::uint64_t> ids, std::span<MeshFace> corne
     } else if (id >= last_fan) {
       const std::uint64_t column = id - last_fan;
       const std::uint64_t ring = 1 + (grid_.rows - 1) * columns;
-      corners[k].vertex = {vertices() - 1, ring + (column + 1 < columns ? column + 1 : 0), ring + column};
+      corners[k].vertex = {vertices() - 1, ring + (column + 1 < columns ? column + 1 : 0),
+                           ring + column};
     } else {
       finder.find(id - columns);
       const std::uint64_t within = id - columns - finder.begin();

@@ -15,8 +15,8 @@ Scatter::Scatter(std::uint64_t count, std::uint64_t seed) : count_(count), seed_
 std::uint64_t Scatter::operator()(std::uint64_t number) const {
   const std::uint64_t low_mask = (std::uint64_t{1} << low_bits_) - 1;
   const std::uint64_t high_mask = (std::uint64_t{1} << high_bits_) - 1;
-  // Each half is changed by a function of the other alone, so every step can be undone: no two numbers ever
-  // meet. Four rounds pass for random (Luby and Rackoff, 1988).
+  // Each half is changed by a function of the other alone, so every step can be undone: no two
+  // numbers ever meet. Four rounds pass for random (Luby and Rackoff, 1988).
   do {
     std::uint64_t low = number & low_mask;
     std::uint64_t high = number >> low_bits_;

@@ -12,16 +12,18 @@ namespace winnow {
 
 namespace {
 
-constexpr std::size_t block_size = std::size_t{1} << 14;  // vertices or faces; about two milliseconds of work
+constexpr std::size_t block_size = std::size_t{1}
+                                   << 14;  // vertices or faces; about two milliseconds of work
 
-// Finds out which corners of a block are the same vertex: a table with one place for each hash. Whoever
-// loses his place to another is computed again, which costs time but changes nothing.
+// Finds out which corners of a block are the same vertex: a table with one place for each hash.
+// Whoever loses his place to another is computed again, which costs time but changes nothing.
 class SharedCorners {
   static constexpr unsigned place_bits = 15;
   static constexpr std::size_t places = std::size_t{1} << place_bits;
 
  public:
-  static constexpr std::uint64_t table_bytes = places * (sizeof(std::uint64_t) + sizeof(std::uint32_t));
+  static constexpr std::uint64_t table_bytes =
+      places * (sizeof(std::uint64_t) + sizeof(std::uint32_t));
 
   SharedCorners() : tag_(places), slot_(places) { ids_.reserve(3 * block_size); }
 
@@ -64,9 +66,11 @@ struct BlockWork {
 
 // What a block comes to hold at most: an STL file in which no corner is shared.
 constexpr std::uint64_t block_bytes =
-    block_size * (sizeof(std::uint64_t) + sizeof(MeshFace) + 3 * sizeof(std::uint32_t) +  // ids, faces, slots
-                  3 * (sizeof(std::uint64_t) + sizeof(Point)) + sizeof(Corners) +  // corners, shared or not
-                  50) +                                                            // encoded
+    block_size *
+        (sizeof(std::uint64_t) + sizeof(MeshFace) +
+         3 * sizeof(std::uint32_t) +                                      // ids, faces, slots
+         3 * (sizeof(std::uint64_t) + sizeof(Point)) + sizeof(Corners) +  // corners, shared or not
+         50) +                                                            // encoded
     SharedCorners::table_bytes;
 
 class Streaming {
@@ -141,7 +145,8 @@ void Streaming::fill_faces(BlockWork& block) const {
     block.shared.clear();
     block.slots.resize(block.count);
     for (std::size_t k = 0; k < block.count; ++k) {
-      for (std::size_t n = 0; n < 3; ++n) block.slots[k][n] = block.shared.add(block.faces[k].vertex[n]);
+      for (std::size_t n = 0; n < 3; ++n)
+        block.slots[k][n] = block.shared.add(block.faces[k].vertex[n]);
     }
     evaluate(block.shared.ids(), block.points);
     block.corners.resize(block.count);
@@ -159,8 +164,9 @@ void Streaming::finish(const BlockWork& block) {
   const double half = vertices_ > 0 ? faces / 2 : 0;
   const auto done = [&](std::uint64_t number) {
     const auto part = static_cast<double>(number);
-    return static_cast<std::uint64_t>(block.of_faces ? half + part * ((faces - half) / faces)
-                                                     : part * (half / static_cast<double>(vertices_)));
+    return static_cast<std::uint64_t>(block.of_faces
+                                          ? half + part * ((faces - half) / faces)
+                                          : part * (half / static_cast<double>(vertices_)));
   };
   job_.progress.advance(done(block.first + block.count) - done(block.first));
 }
@@ -178,7 +184,8 @@ void Streaming::run() {
   in_arena(job_, [&] {
     pipeline<BlockWork>(
         reservations.size(), [this](BlockWork& block) { return begin(block); },
-        [this](BlockWork& block) { fill(block); }, [this](const BlockWork& block) { finish(block); });
+        [this](BlockWork& block) { fill(block); },
+        [this](const BlockWork& block) { finish(block); });
   });
 }
 

@@ -1,5 +1,5 @@
-// Surfaces that are computed, never stored: any vertex and any face follows from its number alone, so a
-// surface of any size can be streamed, in any order and by any number of threads.
+// Surfaces that are computed, never stored: any vertex and any face follows from its number alone,
+// so a surface of any size can be streamed, in any order and by any number of threads.
 #pragma once
 
 #include <winnow/generate.hpp>
@@ -13,8 +13,8 @@
 
 namespace winnow {
 
-// Safe to use from all threads at once. Results are the same on every x86-64 machine: nothing but + - * /,
-// square root and conversions, which all are rounded exactly, ever touches a position.
+// Safe to use from all threads at once. Results are the same on every x86-64 machine: nothing but +
+// - * /, square root and conversions, which all are rounded exactly, ever touches a position.
 class GeneratedSurface {
  public:
   virtual ~GeneratedSurface() = default;

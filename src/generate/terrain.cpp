@@ -20,8 +20,8 @@ class Terrain final : public GeneratedSurface {
   explicit Terrain(const GenerateOptions& options)
       : grid_(nearest_grid(options.faces / 2, half_width / half_depth, {1, 1})) {
     SeedStream random(std::uint64_t{options.seed} + (std::uint64_t{2} << 32));
-    // The finest cells are some four edges wide in a mesh of 20 million faces. Not quite two to one: the
-    // zeros of gradient noise would come to lie on each other.
+    // The finest cells are some four edges wide in a mesh of 20 million faces. Not quite two to
+    // one: the zeros of gradient noise would come to lie on each other.
     double frequency = 1.7;
     for (NoiseOctave& octave : noise_) {
       octave = {frequency, random.bits()};
@@ -29,7 +29,9 @@ class Terrain final : public GeneratedSurface {
     }
   }
 
-  [[nodiscard]] std::uint64_t vertices() const override { return (grid_.columns + 1) * (grid_.rows + 1); }
+  [[nodiscard]] std::uint64_t vertices() const override {
+    return (grid_.columns + 1) * (grid_.rows + 1);
+  }
   [[nodiscard]] std::uint64_t faces() const override { return 2 * grid_.columns * grid_.rows; }
 
   void positions(std::span<const std::uint64_t> ids, std::span<Point> points) const override {
@@ -56,8 +58,10 @@ void Terrain::evaluate(std::span<const std::uint64_t> ids, std::span<Point> poin
   for (std::size_t k = 0; k < count; ++k) {
     finder.find(ids[k]);
     const std::uint64_t column = ids[k] - finder.begin();
-    batch.x[k] = half_width * (2 * static_cast<double>(column) / static_cast<double>(grid_.columns) - 1);
-    batch.y[k] = half_depth * (2 * static_cast<double>(finder.row()) / static_cast<double>(grid_.rows) - 1);
+    batch.x[k] =
+        half_width * (2 * static_cast<double>(column) / static_cast<double>(grid_.columns) - 1);
+    batch.y[k] =
+        half_depth * (2 * static_cast<double>(finder.row()) / static_cast<double>(grid_.rows) - 1);
   }
 
   NoiseValues land;

@@ -13,7 +13,8 @@ namespace winnow {
 
 class Scratch;
 
-// Takes 4 bytes a block. Of a long file most are in scratch themselves: 16 bytes a MiB stay in memory.
+// Takes 4 bytes a block. Of a long file most are in scratch themselves: 16 bytes a MiB stay in
+// memory.
 class BlockSums {
  public:
   static constexpr std::size_t block_bytes = 4096;
@@ -30,8 +31,8 @@ class BlockSums {
   // What the file is extended by.
   void append(std::span<const std::byte> bytes);
 
-  // Throws Error(resources) where these are not the bytes that were appended there. Whole blocks from
-  // `offset` on; the last may end with the file. By any number of threads, while none appends.
+  // Throws Error(resources) where these are not the bytes that were appended there. Whole blocks
+  // from `offset` on; the last may end with the file. By any number of threads, while none appends.
   void check(std::uint64_t offset, std::span<const std::byte> bytes) const;
 
  private:

@@ -38,18 +38,20 @@ std::string behind_links(const std::string& path) {
   return target.string();
 }
 
-// Of a file's name what the name of the file beside it begins with. That is not longer than a long name, so
-// that whatever the file system allows for the one it allows for the other.
+// Of a file's name what the name of the file beside it begins with. That is not longer than a long
+// name, so that whatever the file system allows for the one it allows for the other.
 std::string kept_part(const std::string& name) {
   constexpr std::size_t short_name = 40;
   constexpr std::size_t added = sizeof("..winnow-XXXXXX");
   if (name.size() <= short_name) return name;
   std::size_t kept = name.size() - added;
-  while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xC0) == 0x80) --kept;  // whole UTF-8
+  while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xC0) == 0x80)
+    --kept;  // whole UTF-8
   return name.substr(0, kept);
 }
 
-// No other file has the same number while this one is there, and hardly one later the same time besides.
+// No other file has the same number while this one is there, and hardly one later the same time
+// besides.
 std::string identity_of(const struct stat& status) {
   return std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino) + ":" +
          std::to_string(status.st_size) + ":" + std::to_string(status.st_mtim.tv_sec) + "." +
@@ -96,22 +98,23 @@ ByteSink::ByteSink(Job& job, std::string path, bool force, const char* way_out)
     if (status.st_nlink != 0 && !force_) refuse_existing();
     if (there) job_.written_over.push_back(FileNumber::of(status));
     open_aside();
-    // mkostemp's mode is for secrets; a mesh gets what any new file gets, or what the replaced file had, but
-    // never rights of its owner for whoever runs it.
+    // mkostemp's mode is for secrets; a mesh gets what any new file gets, or what the replaced file
+    // had, but never rights of its owner for whoever runs it.
     const mode_t mask = ::umask(0);
     ::umask(mask);
     ::fchmod(fd_, status.st_nlink != 0 ? status.st_mode & 0777 : 0666 & ~mask);
   }
   if (::fstat(fd_, &status) == 0) pipe_ = S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
-  if (aside_.empty() && S_ISREG(status.st_mode)) job_.written_over.push_back(FileNumber::of(status));
+  if (aside_.empty() && S_ISREG(status.st_mode))
+    job_.written_over.push_back(FileNumber::of(status));
 }
 
 void ByteSink::refuse_terminal() const {
   if (::isatty(fd_) != 1) return;
-  throw Error(
-      ErrorKind::usage,
-      "a terminal cannot show what is no text; name a file, send standard output to a file or a pipe, "
-      "or write text with --to obj");
+  throw Error(ErrorKind::usage,
+              "a terminal cannot show what is no text; name a file, send standard output to a file "
+              "or a pipe, "
+              "or write text with --to obj");
 }
 
 ByteSink::~ByteSink() {
@@ -120,9 +123,11 @@ ByteSink::~ByteSink() {
 }
 
 void ByteSink::open_aside() {
-  const std::string prefix = "." + kept_part(std::filesystem::path(path_).filename().string()) + ".winnow-";
+  const std::string prefix =
+      "." + kept_part(std::filesystem::path(path_).filename().string()) + ".winnow-";
   if (remove_stale_files(directory_of(path_), prefix) > 0) {
-    job_.note("an earlier run was killed while it wrote '" + path_ + "'; what it had written was removed");
+    job_.note("an earlier run was killed while it wrote '" + path_ +
+              "'; what it had written was removed");
   }
   for (;;) {
     aside_ = directory_of(path_) + "/" + prefix + "XXXXXX";
@@ -157,7 +162,8 @@ void ByteSink::fail(int code) const {
   const std::string name = path_.empty() ? "standard output" : "'" + path_ + "'";
   if (code == EPIPE) throw Error(ErrorKind::resources, "the reader of " + name + " went away");
   std::string text = "cannot write " + name + ": " + std::strerror(code);
-  if (code == ENOSPC || code == EDQUOT || code == EFBIG) text += "; free some space or write elsewhere";
+  if (code == ENOSPC || code == EDQUOT || code == EFBIG)
+    text += "; free some space or write elsewhere";
   throw Error(ErrorKind::resources, text);
 }
 
@@ -191,7 +197,8 @@ void ByteSink::put(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     std::size_t length = bytes.size();
     if (pipe_) {
-      // A pipe that poll() calls writable takes this much without blocking, so cancelling is noticed.
+      // A pipe that poll() calls writable takes this much without blocking, so cancelling is
+      // noticed.
       length = std::min<std::size_t>(length, 4096);
       pollfd ready{fd_, POLLOUT, 0};
       const int got = ::poll(&ready, 1, 100);
@@ -204,7 +211,8 @@ void ByteSink::put(std::span<const std::byte> bytes) {
     bytes = bytes.subspan(static_cast<std::size_t>(done));
     placed_ += static_cast<std::uint64_t>(done);
   }
-  // Dirty pages go to the disk while the rest is still made, so that the fsync at the end has little to do.
+  // Dirty pages go to the disk while the rest is still made, so that the fsync at the end has
+  // little to do.
   if (!aside_.empty() && placed_ - behind_ > (std::uint64_t{8} << 20)) {
     ::sync_file_range(fd_, static_cast<off_t>(behind_), 0, SYNC_FILE_RANGE_WRITE);
     behind_ = placed_;
@@ -231,13 +239,14 @@ void ByteSink::finish() {
     if (::close(fd) != 0 && errno != EINTR) fail(errno);
     return;
   }
-  // With the last descriptor goes the lock that keeps other runs from taking the file away: not before it has
-  // its name.
+  // With the last descriptor goes the lock that keeps other runs from taking the file away: not
+  // before it has its name.
   const int written = std::exchange(fd_, ::fcntl(fd_, F_DUPFD_CLOEXEC, 3));
   if (::close(written) != 0) fail(errno);
   if (force_) {
     if (::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);
-  } else if (::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
+  } else if (::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) !=
+             0) {
     if (errno == EEXIST) refuse_existing();
     // Not every file system knows the flag; then a file that appeared meanwhile is replaced.
     if (errno != EINVAL || ::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);

@@ -13,15 +13,16 @@
 
 namespace winnow {
 
-// Written from front to back by one thread at a time. Unless finish() was called nothing stays under the
-// output's name. Throws Error(resources) where writing fails or the reader of a pipe went away.
+// Written from front to back by one thread at a time. Unless finish() was called nothing stays
+// under the output's name. Throws Error(resources) where writing fails or the reader of a pipe went
+// away.
 class ByteSink {
  public:
-  // A file's name, or "-" for standard output. A regular file is written aside, in the same directory, and
-  // renamed by finish(); what an earlier run that was killed left aside is removed. Anything else is written
-  // straight. An existing regular file is an Error(usage) unless `force`; at once, not at the end; `way_out`
-  // ends its message. From then on open_source() refuses to read that file. Where the name ends in .gz or
-  // .zst, what is written is compressed.
+  // A file's name, or "-" for standard output. A regular file is written aside, in the same
+  // directory, and renamed by finish(); what an earlier run that was killed left aside is removed.
+  // Anything else is written straight. An existing regular file is an Error(usage) unless `force`;
+  // at once, not at the end; `way_out` ends its message. From then on open_source() refuses to read
+  // that file. Where the name ends in .gz or .zst, what is written is compressed.
   ByteSink(Job& job, std::string path, bool force, const char* way_out = by_force);
   static constexpr const char* by_force = "use --force to replace it";
   ~ByteSink();
@@ -32,12 +33,13 @@ class ByteSink {
   void refuse_terminal() const;
 
   void write(std::span<const std::byte> bytes);
-  // Everything that can fail for want of room; of several files, all are settled before any is finished.
+  // Everything that can fail for want of room; of several files, all are settled before any is
+  // finished.
   void settle();
   void finish();
 
-  // Names the file that settle() brought to the disk, also when it is under its own name; empty where it is
-  // written straight.
+  // Names the file that settle() brought to the disk, also when it is under its own name; empty
+  // where it is written straight.
   [[nodiscard]] std::string identity() const;
   // Whether the file of this name is that one.
   static bool is(const std::string& path, const std::string& identity);

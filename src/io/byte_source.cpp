@@ -31,8 +31,8 @@ Block ByteSource::peek(std::size_t bytes) {
 
 namespace {
 
-// A window is large enough that mapping costs little, and small enough that a few of them in flight fit
-// into the smallest budget.
+// A window is large enough that mapping costs little, and small enough that a few of them in flight
+// fit into the smallest budget.
 constexpr std::size_t window_bytes = std::size_t{2} << 20;
 
 class MappedSource final : public ByteSource {
@@ -56,14 +56,16 @@ class MappedSource final : public ByteSource {
     const std::size_t wanted = std::min<std::uint64_t>(bytes, size_ - position_);
     if (wanted == 0) return {};
     if (window_ == nullptr || position_ < start_ || position_ + wanted > start_ + window_->size()) {
-      const std::size_t length = std::min<std::uint64_t>(std::max(wanted, window_bytes), size_ - position_);
+      const std::size_t length =
+          std::min<std::uint64_t>(std::max(wanted, window_bytes), size_ - position_);
       window_.reset();
       window_ = std::make_shared<MappedWindow>(file_, position_, length);
       start_ = position_;
       ahead_.reached(start_, start_ + length);
       if (scratch_ != nullptr) scratch_->check(start_, length);
     }
-    Block block{{window_->data() + (position_ - start_), wanted}, position_, window_, window_.get()};
+    Block block{
+        {window_->data() + (position_ - start_), wanted}, position_, window_, window_.get()};
     position_ += wanted;
     return block;
   }
@@ -85,8 +87,8 @@ class MappedSource final : public ByteSource {
     return stream_ == nullptr ? std::nullopt : stream_->version();
   }
 
-  // The end of a page that the file shrank into reads as zeros and raises no signal: the size has to be
-  // asked.
+  // The end of a page that the file shrank into reads as zeros and raises no signal: the size has
+  // to be asked.
   void check_whole() const override {
     if (stream_ != nullptr) stream_->check_whole();
   }
@@ -112,7 +114,8 @@ class StreamSource final : public ByteSource {
   Block take(std::size_t bytes) override {
     if (end_ - begin_ < bytes && !ended_) refill(bytes);
     const std::size_t length = std::min(bytes, end_ - begin_);
-    Block block{{length == 0 ? nullptr : buffer_->data() + begin_, length}, position_, buffer_, nullptr};
+    Block block{
+        {length == 0 ? nullptr : buffer_->data() + begin_, length}, position_, buffer_, nullptr};
     begin_ += length;
     position_ += length;
     return block;
@@ -168,7 +171,8 @@ class StreamSource final : public ByteSource {
 
 namespace {
 
-// Without waiting: a named pipe that nobody writes to yet is waited for where cancelling is noticed.
+// Without waiting: a named pipe that nobody writes to yet is waited for where cancelling is
+// noticed.
 int open_input(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd >= 0) ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
@@ -181,12 +185,14 @@ std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path, Unpac
   const bool standard = path == "-";
   std::string name = standard ? "standard input" : path;
   const int fd = standard ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3) : open_input(path);
-  if (fd < 0) throw Error(cannot_open(errno), "cannot open '" + name + "': " + std::strerror(errno));
+  if (fd < 0)
+    throw Error(cannot_open(errno), "cannot open '" + name + "': " + std::strerror(errno));
   auto file = std::make_unique<DescriptorStream>(job, fd, name);
   if (file->is_directory())
     throw Error(ErrorKind::bad_input, "'" + path + "' is a directory, not a mesh file");
 
-  if (std::find(job.written_over.begin(), job.written_over.end(), file->number()) != job.written_over.end()) {
+  if (std::find(job.written_over.begin(), job.written_over.end(), file->number()) !=
+      job.written_over.end()) {
     throw Error(ErrorKind::usage,
                 "'" + name + "' is read, so it cannot be the output as well; name another output");
   }
@@ -203,7 +209,8 @@ std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path, Unpac
 
   if (compression.empty() && file->seekable()) {
     if (job.context.map_input && *file->size() > 0) {
-      const std::string map_path = standard ? "/proc/self/fd/" + std::to_string(file->descriptor()) : path;
+      const std::string map_path =
+          standard ? "/proc/self/fd/" + std::to_string(file->descriptor()) : path;
       const std::uint64_t size = *file->size();
       return std::make_unique<MappedSource>(std::move(name), map_path, size, std::move(file));
     }
@@ -211,7 +218,8 @@ std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path, Unpac
     return std::make_unique<StreamSource>(std::move(name), "", std::move(file));
   }
   auto whole = std::make_unique<PrefixedStream>(std::move(head), std::move(file));
-  if (compression.empty()) return std::make_unique<StreamSource>(std::move(name), "", std::move(whole));
+  if (compression.empty())
+    return std::make_unique<StreamSource>(std::move(name), "", std::move(whole));
   auto plain = decompress(job, name, compression, std::move(whole));
   return std::make_unique<StreamSource>(std::move(name), compression, std::move(plain));
 }

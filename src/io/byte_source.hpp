@@ -23,7 +23,8 @@ struct Block {
   std::shared_ptr<const void> owner;
   const MappedWindow* window = nullptr;  // where the bytes are mapped
 
-  // Throws Error(bad_input) if the mapped file shrank under these bytes. To be asked after they were used.
+  // Throws Error(bad_input) if the mapped file shrank under these bytes. To be asked after they
+  // were used.
   void check_intact(const std::string& name) const;
 };
 
@@ -39,7 +40,8 @@ class ByteSource {
   virtual void give_back(std::size_t bytes) = 0;
 
   [[nodiscard]] virtual std::uint64_t position() const = 0;
-  [[nodiscard]] virtual std::optional<std::uint64_t> size() const = 0;  // of the content, where it is known
+  [[nodiscard]] virtual std::optional<std::uint64_t> size()
+      const = 0;  // of the content, where it is known
 
   // Whether seek() works: true for plain files, false for pipes and compressed content.
   [[nodiscard]] virtual bool seekable() const = 0;
@@ -54,12 +56,14 @@ class ByteSource {
   // Of a file, also a compressed one, as it was opened.
   [[nodiscard]] virtual std::optional<FileVersion> version() const { return {}; }
 
-  // Throws Error(bad_input) if the file is shorter than it was when it was opened, or was changed and is as
-  // long as before.
+  // Throws Error(bad_input) if the file is shorter than it was when it was opened, or was changed
+  // and is as long as before.
   virtual void check_whole() const {}
 
-  [[nodiscard]] const std::string& name() const { return name_; }                // for messages
-  [[nodiscard]] const std::string& compression() const { return compression_; }  // "", "gzip" or "zstd"
+  [[nodiscard]] const std::string& name() const { return name_; }  // for messages
+  [[nodiscard]] const std::string& compression() const {
+    return compression_;
+  }  // "", "gzip" or "zstd"
 
   // The next bytes without reading past them.
   Block peek(std::size_t bytes);
@@ -80,8 +84,8 @@ enum class Unpacking { by_content, none };
 std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path,
                                         Unpacking unpacking = Unpacking::by_content);
 
-// The content of `source` from its beginning, copied to scratch, so that it can be read again. `source`
-// must not have been read from.
+// The content of `source` from its beginning, copied to scratch, so that it can be read again.
+// `source` must not have been read from.
 std::unique_ptr<ByteSource> copy_to_scratch(Job& job, std::unique_ptr<ByteSource> source);
 
 }  // namespace winnow

@@ -72,7 +72,8 @@ class DurableFile {
 
 }  // namespace
 
-CheckpointDirectory::CheckpointDirectory(Job& job, std::string path) : job_(job), path_(std::move(path)) {}
+CheckpointDirectory::CheckpointDirectory(Job& job, std::string path)
+    : job_(job), path_(std::move(path)) {}
 
 CheckpointDirectory::~CheckpointDirectory() {
   if (lock_ >= 0) ::close(lock_);
@@ -82,16 +83,17 @@ std::unique_ptr<CheckpointDirectory> CheckpointDirectory::begin(Job& job, const 
   std::error_code error;
   std::filesystem::create_directory(path, error);
   if (error || !std::filesystem::is_directory(path, error)) {
-    throw Error(ErrorKind::usage, "--checkpoint: '" + path + "' is no directory and cannot be made one" +
+    throw Error(ErrorKind::usage, "--checkpoint: '" + path +
+                                      "' is no directory and cannot be made one" +
                                       (error ? ": " + error.message() : ""));
   }
   std::unique_ptr<CheckpointDirectory> directory(new CheckpointDirectory(job, path));
   directory->refuse_others();  // before there is a lock in it
   directory->lock();
   if (std::filesystem::exists(directory->manifest_path())) {
-    throw Error(ErrorKind::usage, "'" + path +
-                                      "' holds the checkpoint of another run; go on with it by winnow " +
-                                      "resume '" + path + "', remove it, or name another directory");
+    throw Error(ErrorKind::usage,
+                "'" + path + "' holds the checkpoint of another run; go on with it by winnow " +
+                    "resume '" + path + "', remove it, or name another directory");
   }
   return directory;
 }
@@ -102,9 +104,10 @@ void CheckpointDirectory::refuse_others() const {
   for (const auto& entry : std::filesystem::directory_iterator(path_, error)) {
     const std::string name = entry.path().filename().string();
     // A run that was killed before it had begun can leave these.
-    if (name == lock_name || name == new_manifest_name || name.starts_with(scratch_prefix)) continue;
-    throw Error(ErrorKind::usage,
-                "--checkpoint: '" + path_ + "' is not empty; name a directory that is, or a new one");
+    if (name == lock_name || name == new_manifest_name || name.starts_with(scratch_prefix))
+      continue;
+    throw Error(ErrorKind::usage, "--checkpoint: '" + path_ +
+                                      "' is not empty; name a directory that is, or a new one");
   }
 }
 
@@ -117,16 +120,18 @@ std::unique_ptr<CheckpointDirectory> CheckpointDirectory::open(Job& job, const s
   const std::string name = directory->manifest_path();
   if (!std::filesystem::is_regular_file(directory->file(lock_name), ignored) &&
       !std::filesystem::is_regular_file(name, ignored)) {
-    throw Error(ErrorKind::bad_input,
-                "'" + path +
-                    "' holds no checkpoint: a run that has not begun leaves none, and one that is done " +
-                    "removes it; run winnow simplify");
+    throw Error(
+        ErrorKind::bad_input,
+        "'" + path +
+            "' holds no checkpoint: a run that has not begun leaves none, and one that is done " +
+            "removes it; run winnow simplify");
   }
   directory->lock();
   std::error_code missing;
   const auto kind = std::filesystem::status(name, missing).type();
   if (kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::regular)
-    throw Error(ErrorKind::bad_input, "'" + name + "' is no file, so no checkpoint can be read from it");
+    throw Error(ErrorKind::bad_input,
+                "'" + name + "' is no file, so no checkpoint can be read from it");
   std::ifstream in(name, std::ios::binary);
   if (kind == std::filesystem::file_type::regular && !in)
     throw Error(cannot_open(errno), "cannot open '" + name + "': " + std::strerror(errno));
@@ -147,13 +152,14 @@ void CheckpointDirectory::lock() {
     if (lock_ < 0) fail(name, "make", errno);
     if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
       if (errno != EWOULDBLOCK) fail(name, "lock", errno);
-      throw Error(ErrorKind::resources,
-                  "another run works in '" + path_ + "'; wait for its end, or name another directory");
+      throw Error(ErrorKind::resources, "another run works in '" + path_ +
+                                            "'; wait for its end, or name another directory");
     }
     // A run that ended in between took the file away that was opened.
     struct stat mine {};
     struct stat there {};
-    if (::fstat(lock_, &mine) == 0 && ::stat(name.c_str(), &there) == 0 && mine.st_ino == there.st_ino)
+    if (::fstat(lock_, &mine) == 0 && ::stat(name.c_str(), &there) == 0 &&
+        mine.st_ino == there.st_ino)
       return;
     ::close(std::exchange(lock_, -1));
   }
@@ -189,7 +195,8 @@ Spool CheckpointDirectory::load(const std::string& name, std::uint64_t memory_li
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) damaged_checkpoint(path, "it is missing");
   Spool spool(job_, memory_limit, std::make_unique<ScratchFile>(job_.scratch, path));
-  if (spool.size() != manifest_.number(size_key + name)) damaged_checkpoint(path, "its size does not fit");
+  if (spool.size() != manifest_.number(size_key + name))
+    damaged_checkpoint(path, "its size does not fit");
   Checksum sum;
   spool.for_each_part(1, [&](std::span<const std::byte> part) {
     job_.progress.check_cancelled();

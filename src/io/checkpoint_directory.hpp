@@ -11,11 +11,12 @@
 
 namespace winnow {
 
-// Locked for as long as the object lives. Only what the manifest names counts, and journals, which know what
-// counts in them; docs/design/checkpoints.md tells of the files.
+// Locked for as long as the object lives. Only what the manifest names counts, and journals, which
+// know what counts in them; docs/design/checkpoints.md tells of the files.
 class CheckpointDirectory {
  public:
-  // For a new run: makes the directory where it is missing; it must be empty otherwise. Throws Error(usage).
+  // For a new run: makes the directory where it is missing; it must be empty otherwise. Throws
+  // Error(usage).
   static std::unique_ptr<CheckpointDirectory> begin(Job& job, const std::string& path);
   // Of a run that ended. Throws Error(bad_input) where there is no checkpoint, or a damaged one;
   // Error(resources) where its run is still alive.
@@ -39,8 +40,8 @@ class CheckpointDirectory {
   // What was saved. Throws Error(bad_input) where the file is not what it was.
   [[nodiscard]] Spool load(const std::string& name, std::uint64_t memory_limit) const;
 
-  // From now on a run that goes on starts from the manifest as it is. Files of ours that it does not name are
-  // removed.
+  // From now on a run that goes on starts from the manifest as it is. Files of ours that it does
+  // not name are removed.
   void commit();
 
   // Removes the files of a run that is done, or that would have to begin anew.

@@ -17,7 +17,8 @@ namespace winnow {
 
 std::string compression_of(std::span<const std::byte> head) {
   const auto starts = [&](std::initializer_list<unsigned char> magic) {
-    return head.size() >= magic.size() && std::memcmp(head.data(), magic.begin(), magic.size()) == 0;
+    return head.size() >= magic.size() &&
+           std::memcmp(head.data(), magic.begin(), magic.size()) == 0;
   };
   if (starts({0x1f, 0x8b})) return "gzip";
   if (starts({0x28, 0xb5, 0x2f, 0xfd})) return "zstd";
@@ -66,8 +67,12 @@ class PackedBytes {
 
 class PackedStream : public ByteStream {
  public:
-  PackedStream(Job& job, std::string name, std::string compression, std::unique_ptr<ByteStream> stream)
-      : job_(job), name_(std::move(name)), packed_(std::move(stream)), compression_(std::move(compression)) {}
+  PackedStream(Job& job, std::string name, std::string compression,
+               std::unique_ptr<ByteStream> stream)
+      : job_(job),
+        name_(std::move(name)),
+        packed_(std::move(stream)),
+        compression_(std::move(compression)) {}
 
   std::size_t read(std::span<std::byte> into) final {
     const std::size_t got = unpack(into);
@@ -75,7 +80,9 @@ class PackedStream : public ByteStream {
     return got;
   }
 
-  [[nodiscard]] std::optional<FileVersion> version() const final { return packed_.stream().version(); }
+  [[nodiscard]] std::optional<FileVersion> version() const final {
+    return packed_.stream().version();
+  }
   void check_whole() const final { packed_.stream().check_whole(); }
 
  protected:
@@ -83,10 +90,10 @@ class PackedStream : public ByteStream {
 
   // `how` it is: "ends" or "breaks"; `unpacked`: in this call.
   [[noreturn]] void damaged(const std::string& how, std::size_t unpacked) {
-    throw Error(ErrorKind::bad_input, "'" + name_ + "' is damaged or cut short: its " + compression_ +
-                                          " content " + how + " at byte " + grouped(packed_.offset()) +
-                                          ", after " + grouped(position_ + unpacked) +
-                                          " bytes of plain content");
+    throw Error(ErrorKind::bad_input,
+                "'" + name_ + "' is damaged or cut short: its " + compression_ + " content " + how +
+                    " at byte " + grouped(packed_.offset()) + ", after " +
+                    grouped(position_ + unpacked) + " bytes of plain content");
   }
 
   Job& job_;
@@ -98,8 +105,9 @@ class PackedStream : public ByteStream {
   std::uint64_t position_ = 0;
 };
 
-// As the program gzip has it: members follow each other, and what follows them is ignored; zeros, which pad
-// tapes and blocks, in silence. zlib itself passes over the names and comments in headers.
+// As the program gzip has it: members follow each other, and what follows them is ignored; zeros,
+// which pad tapes and blocks, in silence. zlib itself passes over the names and comments in
+// headers.
 class GzipStream final : public PackedStream {
  public:
   GzipStream(Job& job, std::string name, std::unique_ptr<ByteStream> stream)
@@ -142,14 +150,16 @@ class GzipStream final : public PackedStream {
   bool begin_member() {
     packed_.fill(2);
     const std::span<std::byte> left = packed_.left();
-    if (left.size() == 1 && left[0] == std::byte{0x1f}) damaged("ends", 0);  // the first of a member
+    if (left.size() == 1 && left[0] == std::byte{0x1f})
+      damaged("ends", 0);  // the first of a member
     at_member_begin_ = compression_of(left) != "gzip";
     if (!at_member_begin_) return ::inflateReset(&state_) == Z_OK;
     ended_ = true;
     bool zeros = true;
     for (; !packed_.left().empty(); packed_.fill(1)) {
       const std::span<std::byte> part = packed_.left();
-      zeros = zeros && std::all_of(part.begin(), part.end(), [](std::byte b) { return b == std::byte{}; });
+      zeros = zeros &&
+              std::all_of(part.begin(), part.end(), [](std::byte b) { return b == std::byte{}; });
       packed_.pass_over(part.size());
       job_.progress.check_cancelled();
     }
@@ -162,8 +172,8 @@ class GzipStream final : public PackedStream {
   bool ended_ = false;
 };
 
-// Boost's zstd filter takes the end of a cut file for the end of its content, and stops after the first of
-// several frames; so the library is asked directly.
+// Boost's zstd filter takes the end of a cut file for the end of its content, and stops after the
+// first of several frames; so the library is asked directly.
 class ZstdStream final : public PackedStream {
  public:
   ZstdStream(Job& job, std::string name, std::unique_ptr<ByteStream> stream)
@@ -188,7 +198,8 @@ class ZstdStream final : public PackedStream {
         reserve_window();
         wanted_ = ZSTD_FRAMEHEADERSIZE_MAX;
       }
-      // No more than the decoder asks for, which is a block: where one is damaged, that tells its place.
+      // No more than the decoder asks for, which is a block: where one is damaged, that tells its
+      // place.
       ZSTD_inBuffer in{packed_.left().data(), std::min(packed_.left().size(), wanted_), 0};
       const std::size_t state = ZSTD_decompressStream(decoder_.get(), &out, &in);
       if (ZSTD_isError(state) != 0) damaged("breaks", out.pos);
@@ -199,8 +210,8 @@ class ZstdStream final : public PackedStream {
     return out.pos;
   }
 
-  // The decoder keeps as much history as the frame's header asks for (8 MiB at zstd's highest usual level,
-  // 128 MiB with its --long): the budget has to know.
+  // The decoder keeps as much history as the frame's header asks for (8 MiB at zstd's highest usual
+  // level, 128 MiB with its --long): the budget has to know.
   void reserve_window() {
     ZSTD_frameHeader header{};
     if (ZSTD_getFrameHeader(&header, packed_.left().data(), packed_.left().size()) != 0) return;
@@ -217,7 +228,8 @@ class ZstdStream final : public PackedStream {
 
 }  // namespace
 
-std::unique_ptr<ByteStream> decompress(Job& job, const std::string& name, const std::string& compression,
+std::unique_ptr<ByteStream> decompress(Job& job, const std::string& name,
+                                       const std::string& compression,
                                        std::unique_ptr<ByteStream> stream) {
   if (compression == "gzip") return std::make_unique<GzipStream>(job, name, std::move(stream));
   return std::make_unique<ZstdStream>(job, name, std::move(stream));

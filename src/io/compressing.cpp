@@ -25,13 +25,15 @@ constexpr std::uint64_t gzip_memory = 512 * 1024;  // zlib.h: 256 KiB for deflat
 
 class GzipCompressor final : public Compressor {
  public:
-  explicit GzipCompressor(Job& job) : reserved_(job.budget.reserve(gzip_memory, "compressing the output")) {
+  explicit GzipCompressor(Job& job)
+      : reserved_(job.budget.reserve(gzip_memory, "compressing the output")) {
     stream_.push(bio::gzip_compressor(bio::gzip_params(bio::gzip::default_compression), 1 << 16));
     stream_.push(bio::back_inserter(ready_));
   }
 
   void add(std::span<const std::byte> plain, std::vector<std::byte>& packed) override {
-    stream_.sputn(reinterpret_cast<const char*>(plain.data()), static_cast<std::streamsize>(plain.size()));
+    stream_.sputn(reinterpret_cast<const char*>(plain.data()),
+                  static_cast<std::streamsize>(plain.size()));
     hand_on(packed);
   }
 
@@ -55,7 +57,8 @@ class GzipCompressor final : public Compressor {
 class ZstdCompressor final : public Compressor {
  public:
   explicit ZstdCompressor(Job& job)
-      : reserved_(job.budget.reserve(ZSTD_estimateCStreamSize(zstd_level), "compressing the output")),
+      : reserved_(
+            job.budget.reserve(ZSTD_estimateCStreamSize(zstd_level), "compressing the output")),
         encoder_(ZSTD_createCCtx(), ZSTD_freeCCtx),
         out_(ZSTD_CStreamOutSize()) {
     if (encoder_ == nullptr) throw Error(ErrorKind::resources, "no memory for a zstd encoder");

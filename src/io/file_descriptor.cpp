@@ -18,8 +18,8 @@ namespace winnow {
 namespace {
 
 FileVersion version_by(const struct stat& status) {
-  return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
-          status.st_mtim.tv_nsec};
+  return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size),
+          status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 
 }  // namespace
@@ -53,12 +53,13 @@ std::size_t DescriptorStream::read(std::span<std::byte> into) {
       job_.progress.check_cancelled();
       if (got == 0 || (got < 0 && errno == EINTR)) continue;
     }
-    const ssize_t got = size_ ? ::pread(fd_, into.data(), into.size(), static_cast<off_t>(position_))
-                              : ::read(fd_, into.data(), into.size());
+    const ssize_t got = size_
+                            ? ::pread(fd_, into.data(), into.size(), static_cast<off_t>(position_))
+                            : ::read(fd_, into.data(), into.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) {
-      throw Error(ErrorKind::bad_input,
-                  "cannot read '" + name_ + "' at byte " + grouped(position_) + ": " + std::strerror(errno));
+      throw Error(ErrorKind::bad_input, "cannot read '" + name_ + "' at byte " +
+                                            grouped(position_) + ": " + std::strerror(errno));
     }
     if (got == 0 && size_ && position_ < *size_) {
       shortened(name_, position_);
@@ -78,19 +79,21 @@ void DescriptorStream::check_whole() const {
 }
 
 ErrorKind cannot_open(int code) {
-  return code == EMFILE || code == ENFILE || code == ENOMEM ? ErrorKind::resources : ErrorKind::bad_input;
+  return code == EMFILE || code == ENFILE || code == ENOMEM ? ErrorKind::resources
+                                                            : ErrorKind::bad_input;
 }
 
 void shortened(const std::string& name, std::uint64_t offset) {
-  throw Error(ErrorKind::bad_input, "'" + name +
-                                        "' was shortened by another program while it was read, near byte " +
-                                        grouped(offset) + "; run again when it is whole");
+  throw Error(ErrorKind::bad_input,
+              "'" + name + "' was shortened by another program while it was read, near byte " +
+                  grouped(offset) + "; run again when it is whole");
 }
 
 void changed(const std::string& name) {
-  throw Error(ErrorKind::bad_input, "'" + name +
-                                        "' was changed by another program while it was read; run again "
-                                        "when nothing writes to it");
+  throw Error(ErrorKind::bad_input,
+              "'" + name +
+                  "' was changed by another program while it was read; run again "
+                  "when nothing writes to it");
 }
 
 void DescriptorStream::seek(std::uint64_t position) {

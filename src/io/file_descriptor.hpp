@@ -15,8 +15,8 @@
 
 namespace winnow {
 
-// What kind of error it is that an input cannot be opened, by errno: not the input's fault where the system
-// has no more of something.
+// What kind of error it is that an input cannot be opened, by errno: not the input's fault where
+// the system has no more of something.
 ErrorKind cannot_open(int code);
 
 // What tells a file from another of the same name, or from itself after a change.

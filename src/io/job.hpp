@@ -1,5 +1,5 @@
-// What goes first into every long call inside the library: the caller's context with the budget, the
-// scratch directory and the progress meter of this one run.
+// What goes first into every long call inside the library: the caller's context with the budget,
+// the scratch directory and the progress meter of this one run.
 #pragma once
 
 #include <winnow/context.hpp>

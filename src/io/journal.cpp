@@ -25,7 +25,8 @@ constexpr double sync_seconds = 1;
 }  // namespace
 
 Journal::Journal(std::string path)
-    : path_(std::move(path)), fd_(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600)) {
+    : path_(std::move(path)),
+      fd_(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600)) {
   if (fd_ < 0) fail("make", errno);
 }
 
@@ -50,14 +51,16 @@ bool Journal::next(std::vector<std::byte>& record) {
   if (end - at_ < sizeof head || !read(at_, &head, sizeof head)) return false;
   if (head.size > end - at_ - sizeof head) return false;
   record.resize(head.size);
-  if (!read(at_ + sizeof head, record.data(), record.size()) || Checksum::of(record) != head.checksum)
+  if (!read(at_ + sizeof head, record.data(), record.size()) ||
+      Checksum::of(record) != head.checksum)
     return false;
   at_ += sizeof head + head.size;
   return true;
 }
 
 void Journal::append(std::initializer_list<std::span<const std::byte>> parts) {
-  if (!std::exchange(cut_, true) && ::ftruncate(fd_, static_cast<off_t>(at_)) != 0) fail("write", errno);
+  if (!std::exchange(cut_, true) && ::ftruncate(fd_, static_cast<off_t>(at_)) != 0)
+    fail("write", errno);
   Checksum sum;
   Head head{};
   for (const std::span<const std::byte> part : parts) {

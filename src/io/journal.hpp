@@ -12,8 +12,8 @@
 
 namespace winnow {
 
-// A record counts if its checksum fits. The first that does not, because writing it was cut short or the disk
-// lost it, ends what was written; what follows is written over it.
+// A record counts if its checksum fits. The first that does not, because writing it was cut short
+// or the disk lost it, ends what was written; what follows is written over it.
 class Journal {
  public:
   explicit Journal(std::string path);  // made where it is missing
@@ -24,8 +24,8 @@ class Journal {
   // The next record of an earlier run; false where there are no more.
   bool next(std::vector<std::byte>& record);
 
-  // After next() has given false. The parts become one record. A second of work at most is lost to a power
-  // cut.
+  // After next() has given false. The parts become one record. A second of work at most is lost to
+  // a power cut.
   void append(std::initializer_list<std::span<const std::byte>> parts);
 
  private:

@@ -17,7 +17,8 @@ constexpr std::string_view title = "winnow checkpoint 1\n";
 constexpr std::string_view sum_key = "checksum ";
 
 std::string sum_line(std::string_view lines) {
-  return std::string(sum_key) + std::to_string(Checksum::of(std::as_bytes(std::span(lines)))) + "\n";
+  return std::string(sum_key) + std::to_string(Checksum::of(std::as_bytes(std::span(lines)))) +
+         "\n";
 }
 
 // File names may hold line ends.
@@ -59,8 +60,9 @@ Number number_of(const std::string& text, const std::string& key, const std::str
 }  // namespace
 
 void damaged_checkpoint(const std::string& path, const std::string& what) {
-  throw Error(ErrorKind::bad_input, "'" + path + "' is damaged: " + what +
-                                        "; remove the checkpoint's directory and run winnow simplify again");
+  throw Error(ErrorKind::bad_input,
+              "'" + path + "' is damaged: " + what +
+                  "; remove the checkpoint's directory and run winnow simplify again");
 }
 
 void Manifest::set(const std::string& key, double number) {
@@ -83,12 +85,14 @@ double Manifest::real(const std::string& key) const {
 
 std::string Manifest::print() const {
   std::string lines(title);
-  for (const auto& [key, value] : values_) lines.append(key).append(" ").append(escaped(value)).append("\n");
+  for (const auto& [key, value] : values_)
+    lines.append(key).append(" ").append(escaped(value)).append("\n");
   return lines + sum_line(lines);
 }
 
 Manifest Manifest::parse(const std::string& text, const std::string& path) {
-  if (!text.starts_with(title)) damaged_checkpoint(path, "it is no manifest of a winnow checkpoint");
+  if (!text.starts_with(title))
+    damaged_checkpoint(path, "it is no manifest of a winnow checkpoint");
   const std::size_t last = text.rfind("\n" + std::string(sum_key));
   if (last == std::string::npos || text.substr(last + 1) != sum_line(text.substr(0, last + 1)))
     damaged_checkpoint(path, "its checksum does not fit");

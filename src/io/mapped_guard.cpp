@@ -15,8 +15,8 @@ namespace winnow {
 
 namespace {
 
-// A signal handler can reach nothing but globals, so here is the library's only one. A slot is free while
-// `begin` is 0; the handler reads slots that other threads write, so every field is atomic.
+// A signal handler can reach nothing but globals, so here is the library's only one. A slot is free
+// while `begin` is 0; the handler reads slots that other threads write, so every field is atomic.
 struct Slot {
   std::atomic<std::uintptr_t> begin{0};
   std::atomic<std::uintptr_t> end{0};
@@ -32,9 +32,11 @@ void on_sigbus(int number, siginfo_t* info, void* machine) {
   for (Slot& slot : slots) {
     const std::uintptr_t begin = slot.begin.load();
     if (begin == 0 || address < begin || address >= slot.end.load()) continue;
-    // A page of zeros in the place of the lost one lets the reader run on to where it asks was_hit().
+    // A page of zeros in the place of the lost one lets the reader run on to where it asks
+    // was_hit().
     void* page = reinterpret_cast<void*>(address & ~(page_size - 1));
-    if (::mmap(page, page_size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED) {
+    if (::mmap(page, page_size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) !=
+        MAP_FAILED) {
       slot.hit = true;
       return;
     }
@@ -69,7 +71,8 @@ int watch(const void* begin, std::size_t bytes) {
   const auto first = reinterpret_cast<std::uintptr_t>(begin);
   for (std::size_t i = 0; i < slots.size(); ++i) {
     std::uintptr_t expected = 0;
-    // Claimed with an address nothing can have, so that the handler matches it only once it is complete.
+    // Claimed with an address nothing can have, so that the handler matches it only once it is
+    // complete.
     if (!slots[i].begin.compare_exchange_strong(expected, UINTPTR_MAX)) continue;
     slots[i].hit = false;
     slots[i].end = first + bytes;

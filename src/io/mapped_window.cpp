@@ -16,13 +16,14 @@ namespace ipc = boost::interprocess;
 
 namespace {
 
-ipc::mapped_region map_region(const ipc::file_mapping& file, std::uint64_t offset, std::size_t bytes) {
+ipc::mapped_region map_region(const ipc::file_mapping& file, std::uint64_t offset,
+                              std::size_t bytes) {
   try {
     return {file, ipc::read_only, static_cast<ipc::offset_t>(offset), bytes};
   } catch (const ipc::interprocess_exception& error) {
     if (error.get_native_error() == ENOMEM) {
-      throw Error(ErrorKind::resources,
-                  std::string("the system has no more memory to map '") + file.get_name() + "' into");
+      throw Error(ErrorKind::resources, std::string("the system has no more memory to map '") +
+                                            file.get_name() + "' into");
     }
     throw Error(ErrorKind::bad_input, std::string("cannot map '") + file.get_name() + "' at byte " +
                                           grouped(offset) + ": " + error.what() +
@@ -69,7 +70,8 @@ ipc::file_mapping map_file(const std::string& path) {
   try {
     return {path.c_str(), ipc::read_only};
   } catch (const ipc::interprocess_exception& error) {
-    throw Error(cannot_open(error.get_native_error()), "cannot open '" + path + "': " + error.what());
+    throw Error(cannot_open(error.get_native_error()),
+                "cannot open '" + path + "': " + error.what());
   }
 }
 

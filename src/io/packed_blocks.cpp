@@ -32,7 +32,8 @@ struct PackedFile::Encoder {
 
 PackedFile::PackedFile(Job& job)
     : file_(job.scratch, ScratchFile::Checked::no), encoder_(std::make_unique<Encoder>()) {
-  if (encoder_->context == nullptr) throw Error(ErrorKind::resources, "no memory for a zstd encoder");
+  if (encoder_->context == nullptr)
+    throw Error(ErrorKind::resources, "no memory for a zstd encoder");
   ZSTD_CCtx_setParameter(encoder_->context.get(), ZSTD_c_compressionLevel, 1);
   ZSTD_CCtx_setParameter(encoder_->context.get(), ZSTD_c_checksumFlag, 1);
   pending_.reserve(scratch_write_bytes);
@@ -45,10 +46,12 @@ void PackedFile::append(std::span<const std::byte> block) {
   if (pending_.size() + sizeof(BlockHead) + bound > scratch_write_bytes) flush();
   const std::size_t at = pending_.size();
   pending_.resize(at + sizeof(BlockHead) + bound);
-  const std::size_t packed = ZSTD_compress2(encoder_->context.get(), pending_.data() + at + sizeof(BlockHead),
-                                            bound, block.data(), block.size());
+  const std::size_t packed =
+      ZSTD_compress2(encoder_->context.get(), pending_.data() + at + sizeof(BlockHead), bound,
+                     block.data(), block.size());
   if (ZSTD_isError(packed) != 0) throw Error(ErrorKind::failed, "zstd failed on a scratch block");
-  const BlockHead head{static_cast<std::uint32_t>(packed), static_cast<std::uint32_t>(block.size())};
+  const BlockHead head{static_cast<std::uint32_t>(packed),
+                       static_cast<std::uint32_t>(block.size())};
   std::memcpy(pending_.data() + at, &head, sizeof head);
   pending_.resize(at + sizeof head + packed);
 }

@@ -37,7 +37,8 @@ class PackedReader {
   explicit PackedReader(const PackedFile& file);
   ~PackedReader();
 
-  // The next block as it was appended; false at the end. Throws Error(resources) where the file is damaged.
+  // The next block as it was appended; false at the end. Throws Error(resources) where the file is
+  // damaged.
   bool next(std::vector<std::byte>& block);
 
  private:

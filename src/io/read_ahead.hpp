@@ -1,5 +1,5 @@
-// Asks the system for the part of a file that is going to be read: what a mapping is read ahead by itself is
-// too little for a fast disk.
+// Asks the system for the part of a file that is going to be read: what a mapping is read ahead by
+// itself is too little for a fast disk.
 #pragma once
 
 #include <atomic>
@@ -7,8 +7,8 @@
 
 namespace winnow {
 
-// For one sweep through a file that other means read; from any thread. Costs nothing where the file is
-// cached.
+// For one sweep through a file that other means read; from any thread. Costs nothing where the file
+// is cached.
 class ReadAhead {
  public:
   // Until `end`. Refusals by the system change nothing but speed.

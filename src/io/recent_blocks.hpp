@@ -1,4 +1,5 @@
-// Records of a spool in whatever order: those near others that were asked for lately come from memory.
+// Records of a spool in whatever order: those near others that were asked for lately come from
+// memory.
 #pragma once
 
 #include "io/spool.hpp"
@@ -30,7 +31,8 @@ class RecentBlocks {
   [[nodiscard]] std::span<const std::byte> block(std::uint64_t number);
   [[nodiscard]] std::span<const std::byte> record(std::uint64_t number) {
     if (spool_.in_memory()) return {spool_.data() + number * record_bytes_, record_bytes_};
-    return block(number / block_records_).subspan(number % block_records_ * record_bytes_, record_bytes_);
+    return block(number / block_records_)
+        .subspan(number % block_records_ * record_bytes_, record_bytes_);
   }
 
   // The same as a value; records must be of that type.

@@ -44,7 +44,8 @@ int open_nameless(const std::string& directory) {
 
 }  // namespace
 
-Scratch::Scratch(std::string directory) : directory_(directory.empty() ? "." : std::move(directory)) {}
+Scratch::Scratch(std::string directory)
+    : directory_(directory.empty() ? "." : std::move(directory)) {}
 
 Scratch::~Scratch() = default;
 
@@ -133,7 +134,9 @@ void ScratchFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
   while (!bytes.empty()) {
     const std::size_t inside = offset % block;
     const bool to_end = offset + bytes.size() == size_;
-    const std::size_t whole = inside != 0 ? 0 : to_end ? bytes.size() : bytes.size() / block * block;
+    const std::size_t whole = inside != 0 ? 0
+                              : to_end    ? bytes.size()
+                                          : bytes.size() / block * block;
     std::size_t done = whole;
     if (whole > 0) {
       read_unchecked(offset, bytes.first(whole));
@@ -179,7 +182,8 @@ std::string ScratchFile::path() const {
 }
 
 bool ScratchFile::keep_as(const std::string& name) const {
-  if (::linkat(AT_FDCWD, path().c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) return false;
+  if (::linkat(AT_FDCWD, path().c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
+    return false;
   if (::fsync(fd_) != 0) scratch_error(scratch_.directory(), "write", errno);
   return true;
 }

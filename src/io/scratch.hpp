@@ -16,8 +16,8 @@ namespace winnow {
 
 class ScratchFile;
 
-// The scratch directory and what is written there. Files have no name in it: they vanish with the process,
-// however that ends.
+// The scratch directory and what is written there. Files have no name in it: they vanish with the
+// process, however that ends.
 class Scratch {
  public:
   explicit Scratch(std::string directory);
@@ -27,7 +27,8 @@ class Scratch {
   [[nodiscard]] std::uint64_t written() const { return written_; }  // bytes, all files, ever
   [[nodiscard]] std::uint64_t peak() const { return peak_; }        // most bytes in use at one time
 
-  // A file that all share: returns where the bytes are in it. By any thread; both throw Error(resources).
+  // A file that all share: returns where the bytes are in it. By any thread; both throw
+  // Error(resources).
   std::uint64_t append_shared(std::span<const std::byte> bytes);
   void read_shared(std::uint64_t offset, std::span<std::byte> bytes);
 
@@ -45,11 +46,12 @@ class Scratch {
   std::unique_ptr<ScratchFile> shared_;
 };
 
-// Removes the files in `directory` whose names begin so and which nobody holds a lock on: what a process that
-// was killed left behind. Returns how many of them were not empty.
+// Removes the files in `directory` whose names begin so and which nobody holds a lock on: what a
+// process that was killed left behind. Returns how many of them were not empty.
 unsigned remove_stale_files(const std::string& directory, const std::string& name_prefix);
 
-// How scratch files are called for the moment they have a name (on file systems without nameless files).
+// How scratch files are called for the moment they have a name (on file systems without nameless
+// files).
 inline constexpr const char* scratch_prefix = "winnow-scratch-";
 
 // What is written to one at a time.
@@ -61,8 +63,8 @@ class ScratchFile {
   // Unchecked: for content that tells itself whether it is damaged.
   enum class Checked : bool { no, yes };
   explicit ScratchFile(Scratch& scratch, Checked checked = Checked::yes);
-  // One that has a name already, to be read alone: it keeps its name. Throws Error(bad_input) where it is not
-  // there. Not checked.
+  // One that has a name already, to be read alone: it keeps its name. Throws Error(bad_input) where
+  // it is not there. Not checked.
   ScratchFile(Scratch& scratch, const std::string& path);
   ~ScratchFile();
   ScratchFile(const ScratchFile&) = delete;
@@ -70,15 +72,16 @@ class ScratchFile {
 
   void append(std::span<const std::byte> bytes);  // throws Error(resources)
   void read(std::uint64_t offset,
-            std::span<std::byte> bytes) const;                  // throws Error(resources), if damaged, too
+            std::span<std::byte> bytes) const;  // throws Error(resources), if damaged, too
   void check(std::uint64_t offset, std::uint64_t bytes) const;  // reads for those errors alone
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[noreturn]] void damaged() const { scratch_.damaged(); }
-  // A name by which this process can open it again. Whoever maps it calls check() for what is looked at.
+  // A name by which this process can open it again. Whoever maps it calls check() for what is
+  // looked at.
   [[nodiscard]] std::string path() const;
 
-  // Gives the file this name, by which it stays, and brings it to the disk. False where that is in another
-  // file system, or this one has no nameless files.
+  // Gives the file this name, by which it stays, and brings it to the disk. False where that is in
+  // another file system, or this one has no nameless files.
   [[nodiscard]] bool keep_as(const std::string& name) const;
 
  private:

@@ -12,8 +12,8 @@
 
 namespace winnow {
 
-// Filled by one thread; several lists, one a thread, share `runs`. Records that Record::combine allows to be
-// added up become one.
+// Filled by one thread; several lists, one a thread, share `runs`. Records that Record::combine
+// allows to be added up become one.
 template <typename Record>
 class SortedList {
  public:
@@ -22,18 +22,21 @@ class SortedList {
       : job_(job), budget_(memory), pages_(budget_, memory), runs_(runs) {}
 
   void add(const Record& record) {
-    if ((count_ + 1) * sizeof(Record) > pages_.usable() && !pages_.grow_to((count_ + 1) * sizeof(Record)))
+    if ((count_ + 1) * sizeof(Record) > pages_.usable() &&
+        !pages_.grow_to((count_ + 1) * sizeof(Record)))
       make_room();
     reinterpret_cast<Record*>(pages_.data())[count_++] = record;
   }
 
-  // To be called before finish(), when nothing is added any more; apart, so that lists can be sorted at once.
+  // To be called before finish(), when nothing is added any more; apart, so that lists can be
+  // sorted at once.
   void sort() {
     const std::span<Record> all = records();
     std::sort(all.begin(), all.end(), job_.progress.cancellable(Before<Record>()));
     std::size_t kept = 0;
     for (const Record& record : all) {
-      if (kept > 0 && !Record::before(all[kept - 1], record) && Record::combine(all[kept - 1], record))
+      if (kept > 0 && !Record::before(all[kept - 1], record) &&
+          Record::combine(all[kept - 1], record))
         continue;
       all[kept++] = record;
     }
@@ -68,7 +71,8 @@ class SortedList {
 
 // All records of some lists and their runs, in order.
 template <typename Record>
-MergedCursor<Record> merge(const std::vector<SortedList<Record>*>& lists, const SortedRuns<Record>& runs) {
+MergedCursor<Record> merge(const std::vector<SortedList<Record>*>& lists,
+                           const SortedRuns<Record>& runs) {
   std::vector<std::unique_ptr<RecordCursor<Record>>> sources;
   for (SortedList<Record>* list : lists) list->finish(sources);
   runs.add_cursors(sources);

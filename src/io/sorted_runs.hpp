@@ -107,7 +107,9 @@ class MergedCursor final : public RecordCursor<Record> {
     for (;;) {
       std::size_t child = 2 * at + 1;
       if (child >= heap_.size()) break;
-      if (child + 1 < heap_.size() && Record::before(heads_[heap_[child + 1]], heads_[heap_[child]])) ++child;
+      if (child + 1 < heap_.size() &&
+          Record::before(heads_[heap_[child + 1]], heads_[heap_[child]]))
+        ++child;
       if (!Record::before(heads_[heap_[child]], heads_[moving])) break;
       heap_[at] = heap_[child];
       at = child;
@@ -124,8 +126,9 @@ class MergedCursor final : public RecordCursor<Record> {
 template <typename Record>
 class SortedRuns {
  public:
-  // Runs that may be open at once; when one more would stand on a level, all of the level are merged into one
-  // on the next, so that the memory and the descriptors to read all of them stay bounded.
+  // Runs that may be open at once; when one more would stand on a level, all of the level are
+  // merged into one on the next, so that the memory and the descriptors to read all of them stay
+  // bounded.
   static constexpr std::size_t fan_in = 32;
   static constexpr std::size_t block_records = (std::size_t{1} << 14) / sizeof(Record);
 
@@ -148,7 +151,8 @@ class SortedRuns {
 
   // Memory to read every run at once, at the most: what the plan sets aside.
   static constexpr std::uint64_t merge_memory() {
-    constexpr std::uint64_t levels = 3;  // a run of level 3 is 32^3 times the table: nobody gets there
+    constexpr std::uint64_t levels =
+        3;  // a run of level 3 is 32^3 times the table: nobody gets there
     return levels * fan_in * (2 * block_records * sizeof(Record) + 1024);
   }
 
@@ -175,7 +179,8 @@ class SortedRuns {
     levels_[level].push_back(std::move(run));
     if (levels_[level].size() < fan_in) return;
     std::vector<std::unique_ptr<RecordCursor<Record>>> sources;
-    for (const auto& full : levels_[level]) sources.push_back(std::make_unique<RunCursor<Record>>(*full));
+    for (const auto& full : levels_[level])
+      sources.push_back(std::make_unique<RunCursor<Record>>(*full));
     MergedCursor<Record> merged(std::move(sources));
     std::unique_ptr<PackedFile> whole = write(merged);
     levels_[level].clear();

@@ -1,4 +1,5 @@
-// A sequence of bytes that stays in memory while the budget allows and moves to scratch when it does not.
+// A sequence of bytes that stays in memory while the budget allows and moves to scratch when it
+// does not.
 #pragma once
 
 #include "base/growing_pages.hpp"
@@ -35,7 +36,8 @@ class Spool {
   void read(std::uint64_t offset, std::span<std::byte> into) const;
 
   // Calls `each` with the content from front to back, in parts that are multiples of `unit` bytes.
-  void for_each_part(std::size_t unit, const std::function<void(std::span<const std::byte>)>& each) const;
+  void for_each_part(std::size_t unit,
+                     const std::function<void(std::span<const std::byte>)>& each) const;
 
  private:
   void move_to_scratch();

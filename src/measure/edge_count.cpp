@@ -25,12 +25,15 @@ std::uint64_t beside_merging(std::uint64_t memory, std::uint64_t merging) {
 }  // namespace
 
 EdgeCount::EdgeCount(Job& job, std::uint64_t memory)
-    : job_(job), pages_(job.budget, beside_merging(memory, SortedRuns<Edge>::merge_memory())), runs_(job) {}
+    : job_(job),
+      pages_(job.budget, beside_merging(memory, SortedRuns<Edge>::merge_memory())),
+      runs_(job) {}
 
 std::uint64_t EdgeCount::hash_position(const std::array<double, 3>& position) {
   std::uint64_t hash = 0;
   for (const double coordinate : position) {
-    hash = mixed_hash(hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0));  // -0 and 0 are the same place
+    hash = mixed_hash(
+        hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0));  // -0 and 0 are the same place
   }
   return hash;
 }
@@ -44,7 +47,8 @@ void EdgeCount::add(std::span<const std::uint64_t> edges) {
   if (!pages_.grow_to((kept_ + edges.size()) * sizeof(Edge))) {
     spill();
     if (!pages_.grow_to(edges.size() * sizeof(Edge)))
-      throw Error(ErrorKind::resources, "there is no memory left to count edges in; raise --memory");
+      throw Error(ErrorKind::resources,
+                  "there is no memory left to count edges in; raise --memory");
   }
   std::memcpy(pages_.data() + kept_ * sizeof(Edge), edges.data(), edges.size_bytes());
   kept_ += edges.size();

@@ -41,8 +41,9 @@ class EdgeRuns {
   std::uint64_t edge_ = 0, run_ = 0;
 };
 
-// Keeps a 64-bit hash of every side of every face, in memory or scratch, and sorts them at the end. Two of n
-// different edges are taken for one with a chance of n^2 / 2^65: for 10^8 edges, one in 3700.
+// Keeps a 64-bit hash of every side of every face, in memory or scratch, and sorts them at the end.
+// Two of n different edges are taken for one with a chance of n^2 / 2^65: for 10^8 edges, one in
+// 3700.
 class EdgeCount {
  public:
   EdgeCount(Job& job, std::uint64_t memory);
@@ -62,7 +63,9 @@ class EdgeCount {
     static bool combine(Edge& /*into*/, const Edge& /*from*/) { return false; }
   };
 
-  [[nodiscard]] std::span<Edge> kept() const { return {reinterpret_cast<Edge*>(pages_.data()), kept_}; }
+  [[nodiscard]] std::span<Edge> kept() const {
+    return {reinterpret_cast<Edge*>(pages_.data()), kept_};
+  }
   void spill();
 
   Job& job_;

@@ -77,7 +77,8 @@ InfoReport FaceCensus::finish() {
   report.area = all.totals.area();
   report.mean_edge = all.sides == 0 ? 0 : all.edge_lengths.value() / static_cast<double>(all.sides);
   report.edges = edges_.finish();
-  report.watertight = report.edges.total > 0 && report.edges.boundary == 0 && report.edges.non_manifold == 0;
+  report.watertight =
+      report.edges.total > 0 && report.edges.boundary == 0 && report.edges.non_manifold == 0;
   report.parts = connected_.finish();
   if (all.totals.closed()) report.volume = all.totals.volume();
   return report;

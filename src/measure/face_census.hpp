@@ -22,8 +22,10 @@ class FaceCensus {
   struct Memory {
     std::uint64_t edges = 0, parts = 0;
   };
-  // `origin`: any point near the surface. `positions`: how many its corners are in at the most, if known.
-  FaceCensus(Job& job, const Memory& memory, const Point& origin, std::optional<std::uint64_t> positions);
+  // `origin`: any point near the surface. `positions`: how many its corners are in at the most, if
+  // known.
+  FaceCensus(Job& job, const Memory& memory, const Point& origin,
+             std::optional<std::uint64_t> positions);
 
   void add_faces(const FaceBatch& faces);
   void add_positions(const PositionView& view);  // to the box

@@ -4,7 +4,8 @@
 
 namespace winnow {
 
-FaceStore::FaceStore(Budget& budget, std::uint64_t faces) : pages_(budget, faces * sizeof(NumberedFace)) {}
+FaceStore::FaceStore(Budget& budget, std::uint64_t faces)
+    : pages_(budget, faces * sizeof(NumberedFace)) {}
 
 bool FaceStore::add(std::span<const NumberedFace> faces) {
   const std::scoped_lock lock(mutex_);

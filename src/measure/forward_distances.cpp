@@ -17,7 +17,9 @@ ForwardDistances::Part::Part(const SurfaceTree& tree)
     : neighbours(tree), recent(std::size_t{1} << recent_bits, Point{NAN, NAN, NAN}) {}
 
 ForwardDistances::ForwardDistances(Job& job, const SurfaceTree& tree, const SurfaceSampler& sampler)
-    : job_(job), sampler_(sampler), parts_(job.threads, [&tree] { return std::make_unique<Part>(tree); }) {}
+    : job_(job),
+      sampler_(sampler),
+      parts_(job.threads, [&tree] { return std::make_unique<Part>(tree); }) {}
 
 void ForwardDistances::add(std::span<const NumberedFace> faces) {
   Part& part = parts_.local();
@@ -36,7 +38,8 @@ void ForwardDistances::add(std::span<const NumberedFace> faces) {
   }
 }
 
-// Vertices count for the maximum alone, so one that is nearer than the farthest so far need not be exact.
+// Vertices count for the maximum alone, so one that is nearer than the farthest so far need not be
+// exact.
 void ForwardDistances::add_vertex(Part& part, const Point& point) {
   Point& recent = part.recent[quick_hash(EdgeCount::hash_position(point)) >> (64 - recent_bits)];
   if (recent == point) return;

@@ -37,9 +37,9 @@ NearestPoints::NearestPoints(Job& job, std::span<const NumberedFace> faces,
     }
     samples += sampler_.count(faces[i].number, length(doubled_area(faces[i].corner)) / 2);
   }
-  reservation_ = job.budget.reserve(
-      samples * sizeof(double) + vertices.size() * sizeof(double) + 4 * faces.size() * sizeof(InnerPoint),
-      "distances of the simplified mesh");
+  reservation_ = job.budget.reserve(samples * sizeof(double) + vertices.size() * sizeof(double) +
+                                        4 * faces.size() * sizeof(InnerPoint),
+                                    "distances of the simplified mesh");
   sample_squared_.assign(samples, not_met);
   vertex_squared_.assign(vertices.size(), not_met);
   inner_.assign(4 * faces.size(), {not_met, no_number, 0});
@@ -95,17 +95,20 @@ void NearestPoints::finish(CompareReport& report, DistanceSums& sums) const {
     const std::size_t end = std::min(faces_.size(), (block + 1) * block_faces);
     for (std::size_t f = block * block_faces; f < end; ++f) {
       const NumberedFace& face = faces_[f];
-      const std::uint64_t samples = sampler_.count(face.number, length(doubled_area(face.corner)) / 2);
+      const std::uint64_t samples =
+          sampler_.count(face.number, length(doubled_area(face.corner)) / 2);
       for (std::uint64_t k = 0; k < samples; ++k, ++at)
         sums.add(sample_squared_[at], SurfaceSampler::point(face.number, k, face.corner));
-      report.topology.flipped += std::all_of(inner_.begin() + static_cast<std::ptrdiff_t>(4 * f),
-                                             inner_.begin() + static_cast<std::ptrdiff_t>(4 * f + 4),
-                                             [](const InnerPoint& inner) { return inner.opposed != 0; })
-                                     ? 1
-                                     : 0;
+      report.topology.flipped +=
+          std::all_of(inner_.begin() + static_cast<std::ptrdiff_t>(4 * f),
+                      inner_.begin() + static_cast<std::ptrdiff_t>(4 * f + 4),
+                      [](const InnerPoint& inner) { return inner.opposed != 0; })
+              ? 1
+              : 0;
     }
   }
-  for (std::size_t v = 0; v < vertices_.size(); ++v) sums.add_to_maximum(vertex_squared_[v], vertices_[v]);
+  for (std::size_t v = 0; v < vertices_.size(); ++v)
+    sums.add_to_maximum(vertex_squared_[v], vertices_[v]);
   report.backward = sums.distances();
   report.simplified.samples = sums.samples();
 }

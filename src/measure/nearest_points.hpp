@@ -14,8 +14,9 @@
 
 namespace winnow {
 
-// The points: evenly spread samples, all vertices, and four inner points of each face, which tell whether the
-// face shows its back. Where they are is computed anew when needed; only distances are kept.
+// The points: evenly spread samples, all vertices, and four inner points of each face, which tell
+// whether the face shows its back. Where they are is computed anew when needed; only distances are
+// kept.
 class NearestPoints {
  public:
   static constexpr std::uint64_t bytes_a_face = 4 * 16 + 16;

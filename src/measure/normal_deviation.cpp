@@ -8,7 +8,8 @@ namespace winnow {
 
 void NormalDeviation::add(const Point& one, const Point& other) {
   if (one == Point{} || other == Point{}) return;
-  const double degrees = std::atan2(length(cross(one, other)), dot(one, other)) * (180 / std::numbers::pi);
+  const double degrees =
+      std::atan2(length(cross(one, other)), dot(one, other)) * (180 / std::numbers::pi);
   if (!std::isfinite(degrees)) return;
   ++count_;
   degrees_.add(degrees);
@@ -26,7 +27,8 @@ CompareReport::Normals NormalDeviation::result() const {
   std::uint64_t seen = 0;
   std::size_t at = 0;
   while (seen * 20 < count_ * 19) seen += hundredths_[at++];
-  return {degrees_.value() / static_cast<double>(count_), std::min(180.0, static_cast<double>(at) / 100)};
+  return {degrees_.value() / static_cast<double>(count_),
+          std::min(180.0, static_cast<double>(at) / 100)};
 }
 
 }  // namespace winnow

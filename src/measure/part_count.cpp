@@ -18,10 +18,13 @@ constexpr std::uint64_t most_slots = UINT32_MAX - 1;
 }  // namespace
 
 PartCount::PartCount(Job& job, std::uint64_t memory, std::optional<std::uint64_t> positions)
-    : job_(job), link_memory_(memory / 5), recent_(job.threads, [] { return std::make_unique<Recent>(); }) {
+    : job_(job),
+      link_memory_(memory / 5),
+      recent_(job.threads, [] { return std::make_unique<Recent>(); }) {
   const std::uint64_t room = std::min((memory - link_memory_) / slot_bytes, most_slots);
   const std::uint64_t wanted = positions ? std::min(*positions, most_slots) * 3 / 2 : most_slots;
-  const std::uint64_t slots = std::max(std::min(room, wanted), fewest_slots) + job.threads * slots_a_thread;
+  const std::uint64_t slots =
+      std::max(std::min(room, wanted), fewest_slots) + job.threads * slots_a_thread;
   pages_ = Pages::allocate(job.budget, slots * slot_bytes, "connected parts");
   auto* const keys = reinterpret_cast<std::atomic<std::uint64_t>*>(pages_.data());
   keys_ = {keys, slots};

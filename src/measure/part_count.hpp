@@ -16,15 +16,16 @@
 
 namespace winnow {
 
-// Positions are named by 64-bit hashes; faces hang together where they share one. A table joins them as they
-// come. When it is full, each position is linked to one of those that it hangs together with so far, the
-// table is emptied, and in the end the links are joined by sorting.
+// Positions are named by 64-bit hashes; faces hang together where they share one. A table joins
+// them as they come. When it is full, each position is linked to one of those that it hangs
+// together with so far, the table is emptied, and in the end the links are joined by sorting.
 class PartCount {
  public:
   // `positions`: how many there are at the most, where that is known.
   PartCount(Job& job, std::uint64_t memory, std::optional<std::uint64_t> positions);
 
-  void add(std::span<const std::array<std::uint64_t, 3>> faces);  // from any thread; at most `most_at_once`
+  void add(std::span<const std::array<std::uint64_t, 3>>
+               faces);  // from any thread; at most `most_at_once`
   static constexpr std::size_t most_at_once = 128;
 
   // The last call. A face whose corners are all in one place is no part.

@@ -19,7 +19,8 @@ struct ResultSurface {
 // all do but for `convert`, a third of the edges is sorted.
 ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t memory);
 
-// Whether every side of a face meets one of the opposite direction, by the numbers of vertices: one pass.
+// Whether every side of a face meets one of the opposite direction, by the numbers of vertices: one
+// pass.
 bool is_closed(Job& job, const ClusteredMesh& mesh);
 
 }  // namespace winnow

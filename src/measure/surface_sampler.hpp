@@ -9,8 +9,8 @@
 
 namespace winnow {
 
-// Every face gets its area times `density` points, the fraction by a chance that hangs on its number, as do
-// the places of the points.
+// Every face gets its area times `density` points, the fraction by a chance that hangs on its
+// number, as do the places of the points.
 class SurfaceSampler {
  public:
   explicit SurfaceSampler(double density) : density_(density) {}

@@ -21,8 +21,8 @@ class SurfaceTotals {
   [[nodiscard]] double area() const { return area_.value(); }
   [[nodiscard]] const Box& box() const { return box_; }
 
-  // Whether every side of a face is met by one of the opposite direction: then the surface has an inside.
-  // Told by a sum of hashes, so that it takes no memory; wrong with a chance of 2^-64.
+  // Whether every side of a face is met by one of the opposite direction: then the surface has an
+  // inside. Told by a sum of hashes, so that it takes no memory; wrong with a chance of 2^-64.
   [[nodiscard]] bool closed() const { return faces_ > 0 && directions_ == 0; }
 
   // Enclosed; only for what is closed.

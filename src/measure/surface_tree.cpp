@@ -16,12 +16,13 @@ namespace winnow {
 
 namespace {
 
-// Boxes, points and radii are rounded to float, and Embree computes with floats: all of it errs by a few
-// 2^-24 of the coordinates. Boxes and radii grow by this part of them, so that no face is missed.
+// Boxes, points and radii are rounded to float, and Embree computes with floats: all of it errs by
+// a few 2^-24 of the coordinates. Boxes and radii grow by this part of them, so that no face is
+// missed.
 constexpr double slack = 1.0 / (1 << 20);
 
-// Embree takes no box beyond 2^60; coordinates are scaled to about 1. Points farther away than this are held
-// against every face.
+// Embree takes no box beyond 2^60; coordinates are scaled to about 1. Points farther away than this
+// are held against every face.
 constexpr double far_away = 1e15;
 
 }  // namespace
@@ -50,7 +51,8 @@ struct SurfaceTree::State {
     scale = side > 0 ? std::ldexp(1.0, -std::ilogb(side)) : 1;
   }
 
-  // Where most faces are: floats are finest there, and one that lies far away must not coarsen the others.
+  // Where most faces are: floats are finest there, and one that lies far away must not coarsen the
+  // others.
   [[nodiscard]] double middle_of(std::size_t axis) const {
     std::vector<double> some;
     const std::size_t step = faces.size() / 1024 + 1;
@@ -101,7 +103,8 @@ struct Search {
   [[nodiscard]] float radius() const {
     if (best->squared < enough) return 0;
     const double distance = scale * std::sqrt(best->squared) * (1 + 1e-6) + margin;
-    return distance < far_away ? static_cast<float>(distance) : std::numeric_limits<float>::infinity();
+    return distance < far_away ? static_cast<float>(distance)
+                               : std::numeric_limits<float>::infinity();
   }
 
   bool look_at(const NumberedFace& face) {
@@ -123,16 +126,19 @@ bool visit(RTCPointQueryFunctionArguments* arguments) {
 
 }  // namespace
 
-SurfaceTree::SurfaceTree(Job& job, std::span<const NumberedFace> faces) : state_(std::make_unique<State>()) {
+SurfaceTree::SurfaceTree(Job& job, std::span<const NumberedFace> faces)
+    : state_(std::make_unique<State>()) {
   State& state = *state_;
   state.job = &job;
   state.faces = faces;
   if (faces.empty()) return;
-  if (faces.size() > most_faces) throw Error(ErrorKind::failed, "too many faces for one search tree");
+  if (faces.size() > most_faces)
+    throw Error(ErrorKind::failed, "too many faces for one search tree");
   state.reservation = job.budget.reserve(faces.size() * bytes_a_face, "a search tree");
   state.find_centre();
   state.device = rtcNewDevice(("threads=" + std::to_string(job.threads)).c_str());
-  if (state.device == nullptr) throw Error(ErrorKind::failed, "Embree does not run on this machine");
+  if (state.device == nullptr)
+    throw Error(ErrorKind::failed, "Embree does not run on this machine");
   state.scene = rtcNewScene(state.device);
   RTCGeometry geometry = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(faces.size()));
@@ -166,7 +172,9 @@ SurfaceTree::SurfaceTree(Job& job, std::span<const NumberedFace> faces) : state_
   rtcReleaseGeometry(geometry);
   rtcSetSceneProgressMonitorFunction(
       state.scene,
-      [](void* progress, double /*done*/) { return !static_cast<ProgressMeter*>(progress)->cancelled(); },
+      [](void* progress, double /*done*/) {
+        return !static_cast<ProgressMeter*>(progress)->cancelled();
+      },
       &job.progress);
   rtcCommitScene(state.scene);
   state.check();

@@ -26,8 +26,8 @@ struct NearestFace {
 // `face` as if it were the nearest.
 NearestFace distance_to(const NumberedFace& face, const Point& point);
 
-// Embree's hierarchy of boxes, in single precision and a little larger than the faces, decides which faces
-// are looked at; their distances are exact to double rounding.
+// Embree's hierarchy of boxes, in single precision and a little larger than the faces, decides
+// which faces are looked at; their distances are exact to double rounding.
 class SurfaceTree {
  public:
   // Memory of a tree, beside the faces themselves, which stay the caller's.
@@ -39,8 +39,8 @@ class SurfaceTree {
   SurfaceTree(const SurfaceTree&) = delete;
   SurfaceTree& operator=(const SurfaceTree&) = delete;
 
-  // Makes `best` the nearest face if one of this tree is nearer; true if so. Stops early once the nearest is
-  // nearer than `enough`. From any thread.
+  // Makes `best` the nearest face if one of this tree is nearer; true if so. Stops early once the
+  // nearest is nearer than `enough`. From any thread.
   bool search(const Point& point, NearestFace& best, double enough_squared = 0) const;
 
  private:
@@ -48,8 +48,8 @@ class SurfaceTree {
   std::unique_ptr<State> state_;
 };
 
-// Searches for points that mostly lie near each other: one that begins with the face that the last found is
-// short. By one thread.
+// Searches for points that mostly lie near each other: one that begins with the face that the last
+// found is short. By one thread.
 class NeighbourSearch {
  public:
   explicit NeighbourSearch(const SurfaceTree& tree) : tree_(tree) {}

@@ -44,8 +44,9 @@ class PlaceTable {
 
 WeldedMesh::WeldedMesh(Job& job, std::span<const NumberedFace> faces) : job_(job) {
   if (faces.size() > UINT32_MAX / 3) {
-    throw Error(ErrorKind::resources, "a simplified mesh of " + grouped(faces.size()) +
-                                          " faces is too large to compare; give the smaller mesh second");
+    throw Error(ErrorKind::resources,
+                "a simplified mesh of " + grouped(faces.size()) +
+                    " faces is too large to compare; give the smaller mesh second");
   }
   constexpr const char* what = "the simplified mesh";
   reservation_ = job.budget.reserve(faces.size() * bytes_a_settled_face, what);
@@ -66,7 +67,8 @@ WeldedMesh::WeldedMesh(Job& job, std::span<const NumberedFace> faces) : job_(job
       for (const Point& place : vertices_) table.number(place, places);
       vertices_.swap(places);
     }
-    faces_.push_back({table.number(face.corner[0], vertices_), table.number(face.corner[1], vertices_),
+    faces_.push_back({table.number(face.corner[0], vertices_),
+                      table.number(face.corner[1], vertices_),
                       table.number(face.corner[2], vertices_)});
     if (faces_.size() % 65536 == 0) job.progress.check_cancelled();
   }
@@ -111,7 +113,8 @@ void WeldedMesh::count_duplicates(CompareReport::Topology& topology) const {
   std::vector<std::array<std::uint32_t, 3>> sorted = faces_;
   for (auto& face : sorted) std::sort(face.begin(), face.end());
   std::sort(sorted.begin(), sorted.end(), job_.progress.cancellable(std::less<>()));
-  for (std::size_t i = 1; i < sorted.size(); ++i) topology.duplicate += sorted[i] == sorted[i - 1] ? 1 : 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    topology.duplicate += sorted[i] == sorted[i - 1] ? 1 : 0;
 }
 
 void WeldedMesh::count_components(CompareReport::Topology& topology) const {
@@ -150,7 +153,8 @@ CompareReport::Angles WeldedMesh::smallest_angles() const {
       const Point& at = vertices_[face[corner]];
       const Point one = vertices_[face[(corner + 1) % 3]] - at;
       const Point other = vertices_[face[(corner + 2) % 3]] - at;
-      smallest = std::min(smallest, std::atan2(length(cross(one, other)), dot(one, other)) * degrees);
+      smallest =
+          std::min(smallest, std::atan2(length(cross(one, other)), dot(one, other)) * degrees);
     }
     angles.min = std::min(angles.min, smallest);
     sum.add(smallest);

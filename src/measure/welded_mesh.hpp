@@ -15,8 +15,8 @@ namespace winnow {
 
 class WeldedMesh {
  public:
-  // Memory of a mesh of so many faces with at most as many vertices, while it is made and its topology
-  // counted; one with more takes more of the budget.
+  // Memory of a mesh of so many faces with at most as many vertices, while it is made and its
+  // topology counted; one with more takes more of the budget.
   static constexpr std::uint64_t bytes_a_place = 24 + 12;
   static constexpr std::uint64_t bytes_a_face = bytes_a_place + 12 + 24;
 

@@ -15,7 +15,8 @@ namespace {
 void check(cairo_status_t status) {
   if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
   if (status != CAIRO_STATUS_SUCCESS)
-    throw Error(ErrorKind::failed, std::string("cannot draw the picture: ") + cairo_status_to_string(status));
+    throw Error(ErrorKind::failed,
+                std::string("cannot draw the picture: ") + cairo_status_to_string(status));
 }
 
 // A sink behind Cairo, through which no exception may pass.
@@ -40,8 +41,8 @@ cairo_status_t pass_on(void* behind, const unsigned char* bytes, unsigned count)
 Image::Image(std::size_t width, std::size_t height, const Color& background)
     : width_(width),
       height_(height),
-      surface_(
-          cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height))) {
+      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width),
+                                          static_cast<int>(height))) {
   check(cairo_surface_status(surface_.get()));
   fill(0, 0, width, height, background);
 }
@@ -55,8 +56,10 @@ void Image::set(std::size_t x, std::size_t y, const Color& color) {
   fill(x, y, 1, 1, color);
 }
 
-void Image::fill(std::size_t x, std::size_t y, std::size_t width, std::size_t height, const Color& color) {
-  const std::uint32_t pixel = std::uint32_t{color[0]} << 16 | std::uint32_t{color[1]} << 8 | color[2];
+void Image::fill(std::size_t x, std::size_t y, std::size_t width, std::size_t height,
+                 const Color& color) {
+  const std::uint32_t pixel =
+      std::uint32_t{color[0]} << 16 | std::uint32_t{color[1]} << 8 | color[2];
   unsigned char* bytes = cairo_image_surface_get_data(surface_.get());
   const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface_.get()));
   for (std::size_t row = y; row < std::min(y + height, height_); ++row) {
@@ -65,7 +68,8 @@ void Image::fill(std::size_t x, std::size_t y, std::size_t width, std::size_t he
   }
 }
 
-void Image::text(double x, double y, double size, const std::string& text, const Color& color, Align align) {
+void Image::text(double x, double y, double size, const std::string& text, const Color& color,
+                 Align align) {
   cairo_surface_mark_dirty(surface_.get());
   const std::unique_ptr<cairo_t, Destroy> pen(cairo_create(surface_.get()));
   cairo_select_font_face(pen.get(), "@cairo:", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);

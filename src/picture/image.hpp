@@ -20,11 +20,12 @@ class Image {
 
   // What lies outside of the picture is left out.
   void set(std::size_t x, std::size_t y, const Color& color);
-  void fill(std::size_t x, std::size_t y, std::size_t width, std::size_t height, const Color& color);
+  void fill(std::size_t x, std::size_t y, std::size_t width, std::size_t height,
+            const Color& color);
 
   enum class Align { left, centre };
-  // ASCII, in Cairo's own font, so that it looks the same on every machine. `size` is the height of a line,
-  // `y` where its letters stand.
+  // ASCII, in Cairo's own font, so that it looks the same on every machine. `size` is the height of
+  // a line, `y` where its letters stand.
   void text(double x, double y, double size, const std::string& text, const Color& color,
             Align align = Align::left);
 

@@ -48,10 +48,12 @@ void draw_scale(Image& image, std::size_t width, std::size_t top, double most, d
   for (std::size_t part = 0; part <= parts; ++part) {
     const std::size_t x = parts > 0 ? left + part * (bar - 1) / parts : left;
     image.fill(x, bar_top + thickness, 1, 6, ink);
-    const double value = parts > 0 ? most * static_cast<double>(part) / static_cast<double>(parts) : 0;
+    const double value =
+        parts > 0 ? most * static_cast<double>(part) / static_cast<double>(parts) : 0;
     const std::string more = part == 3 ? "+" : "";
     const auto number = [&](double y, double shown) {
-      image.text(static_cast<double>(x), y, scale_size, significant(shown) + more, ink, Image::Align::centre);
+      image.text(static_cast<double>(x), y, scale_size, significant(shown) + more, ink,
+                 Image::Align::centre);
     };
     number(lengths, value);
     number(percents, diagonal > 0 ? 100 * value / diagonal : 0);
@@ -93,7 +95,8 @@ void SideBySide::write_png(ByteSink& sink, double most, double diagonal) const {
   const std::size_t width = layout_.stacked ? layout_.view_width : 2 * layout_.view_width;
   const std::size_t height = layout_.stacked ? 2 * down : down;
   Image image(width, height + scale_height, paper);
-  const auto show = [&](const SurfaceView& view, const char* name, std::size_t left, std::size_t top) {
+  const auto show = [&](const SurfaceView& view, const char* name, std::size_t left,
+                        std::size_t top) {
     image.text(static_cast<double>(left) + static_cast<double>(layout_.view_width) / 2,
                static_cast<double>(top) + 32, label_size, name, ink, Image::Align::centre);
     view.paint(image, left, top + label_height, most);

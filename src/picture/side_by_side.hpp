@@ -13,7 +13,8 @@ namespace winnow {
 
 class SideBySide {
  public:
-  // Both are seen from one place, as large as the frame allows: what is wide stands one above the other.
+  // Both are seen from one place, as large as the frame allows: what is wide stands one above the
+  // other.
   explicit SideBySide(const Frame& frame);
   static std::uint64_t memory();  // with what writing takes
 

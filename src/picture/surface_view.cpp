@@ -24,7 +24,8 @@ SurfaceView::SurfaceView(const Frame& frame, std::size_t width, std::size_t heig
   if (scale_ == 0) scale_ = 1;
 }
 
-void SurfaceView::draw(const Triangle& face, std::uint64_t number, const std::array<double, 3>& values) {
+void SurfaceView::draw(const Triangle& face, std::uint64_t number,
+                       const std::array<double, 3>& values) {
   std::array<double, 3> x{};
   std::array<double, 3> y{};
   std::array<double, 3> depth{};
@@ -38,7 +39,8 @@ void SurfaceView::draw(const Triangle& face, std::uint64_t number, const std::ar
   if (area == 0 || !std::isfinite(area)) return;
   // Pixels by their centres.
   const auto first = [&](const std::array<double, 3>& of) {
-    return static_cast<std::size_t>(std::max(0.0, std::ceil(std::min({of[0], of[1], of[2]}) - 0.5)));
+    return static_cast<std::size_t>(
+        std::max(0.0, std::ceil(std::min({of[0], of[1], of[2]}) - 0.5)));
   };
   const auto last = [&](const std::array<double, 3>& of, std::size_t end) {
     return std::min(static_cast<double>(end), std::floor(std::max({of[0], of[1], of[2]}) + 0.5));
@@ -59,7 +61,8 @@ void SurfaceView::draw(const Triangle& face, std::uint64_t number, const std::ar
       if (!lock.owns_lock()) lock.lock();
       Pixel& pixel = all_[row * width_ + column];
       if (near < pixel.depth || (near == pixel.depth && number > pixel.number)) continue;
-      pixel = {near, number, static_cast<float>(a * values[0] + b * values[1] + c * values[2]), light};
+      pixel = {near, number, static_cast<float>(a * values[0] + b * values[1] + c * values[2]),
+               light};
     }
   }
 }
@@ -74,7 +77,8 @@ void SurfaceView::revalue(const std::function<double(const Point&)>& value,
       const double across = (static_cast<double>(column) + 0.5 - middle_column()) / scale_;
       const double above = (middle_row() - static_cast<double>(row) - 0.5) / scale_;
       pixel.value = static_cast<float>(
-          value(centre_ + (across * camera_.right + (above * camera_.up + pixel.depth * camera_.towards))));
+          value(centre_ +
+                (across * camera_.right + (above * camera_.up + pixel.depth * camera_.towards))));
     }
   });
 }

@@ -22,15 +22,17 @@ class SurfaceView {
   SurfaceView(const Frame& frame, std::size_t width, std::size_t height);
   static std::uint64_t memory(std::uint64_t pixels) { return pixels * sizeof(Pixel); }
 
-  // A face with a number of its own and a value at each corner; from any thread. Of faces that are equally
-  // near the lowest number is seen, so no order of drawing shows.
+  // A face with a number of its own and a value at each corner; from any thread. Of faces that are
+  // equally near the lowest number is seen, so no order of drawing shows.
   void draw(const Triangle& face, std::uint64_t number, const std::array<double, 3>& values);
 
-  // Replaces the value at each pixel where there is a surface by that of its point; rows at once. `begin_row`
-  // is called before each.
-  void revalue(const std::function<double(const Point&)>& value, const std::function<void()>& begin_row);
+  // Replaces the value at each pixel where there is a surface by that of its point; rows at once.
+  // `begin_row` is called before each.
+  void revalue(const std::function<double(const Point&)>& value,
+               const std::function<void()>& begin_row);
 
-  // Into `image`, by the colours of the values up to `most`, with a light above the viewer's left shoulder.
+  // Into `image`, by the colours of the values up to `most`, with a light above the viewer's left
+  // shoulder.
   void paint(Image& image, std::size_t left, std::size_t top, double most) const;
 
  private:

@@ -57,9 +57,9 @@ AttributeKind kind_of(const Attribute& attribute, const std::vector<Attribute>& 
   }
   if (is_integer(attribute.type) && names_label(attribute.name)) return AttributeKind::label;
   const std::optional<std::size_t> component = component_named(attribute.name);
-  const bool color =
-      component && *component < 3 && may_be_component(attribute.type) &&
-      (!among(short_names, attribute.name) || std::all_of(short_names.begin(), short_names.end(), offered));
+  const bool color = component && *component < 3 && may_be_component(attribute.type) &&
+                     (!among(short_names, attribute.name) ||
+                      std::all_of(short_names.begin(), short_names.end(), offered));
   return color ? AttributeKind::color : AttributeKind::value;
 }
 
@@ -91,7 +91,8 @@ class Dropped {
   const bool differs =
       not_common(name) ||
       (name == "normals" && std::any_of(normal_names.begin(), normal_names.end(), not_common)) ||
-      (name == "colors" && std::any_of(offer.not_common.begin(), offer.not_common.end(), component_named));
+      (name == "colors" &&
+       std::any_of(offer.not_common.begin(), offer.not_common.end(), component_named));
   std::string message = "'" + input + "': '" + name + "' is ";
   if (among(offer.lists, name)) {
     message += "a list at each vertex, which cannot be averaged";
@@ -105,8 +106,8 @@ class Dropped {
 }
 
 // The names asked for, groups taken apart. Of a group those that are offered, but at least one.
-std::vector<std::string> wanted_names(const std::vector<std::string>& names, const AttributeOffer& offer,
-                                      const std::string& input) {
+std::vector<std::string> wanted_names(const std::vector<std::string>& names,
+                                      const AttributeOffer& offer, const std::string& input) {
   const auto offered = [&](std::string_view name) {
     return std::any_of(offer.scalars.begin(), offer.scalars.end(),
                        [&](const Attribute& a) { return a.name == name; });
@@ -170,8 +171,8 @@ AttributeOffer common_offer(const std::vector<AttributeOffer>& offers) {
       if (one.offers != offers.size()) {
         not_common.add(attribute.name);
       } else if (&offer == offers.data()) {
-        common.scalars.push_back(
-            {attribute.name, attribute.type, one.light ? AttributeKind::light : AttributeKind::value});
+        common.scalars.push_back({attribute.name, attribute.type,
+                                  one.light ? AttributeKind::light : AttributeKind::value});
       }
     }
     for (const std::string& name : offer.lists) lists.add(name);
@@ -198,7 +199,8 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
     if (wish.names && !among(wanted, offer.scalars[i].name)) continue;
     Attribute& attribute = asked.emplace_back(offer.scalars[i]);
     attribute.kind = kind_of(attribute, offer.scalars);
-    if (attribute.kind == AttributeKind::normal && !whole_normals) attribute.kind = AttributeKind::value;
+    if (attribute.kind == AttributeKind::normal && !whole_normals)
+      attribute.kind = AttributeKind::value;
     scalars.push_back(i);
   }
   Dropped dropped;
@@ -211,8 +213,8 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
     if (refusal.empty() && choice.carried.size() == most_attributes) {
       refusal = "more than " + std::to_string(most_attributes) + " attributes:";
       if (wish.names) {
-        throw Error(ErrorKind::usage,
-                    "--attributes takes at most " + std::to_string(most_attributes) + " properties");
+        throw Error(ErrorKind::usage, "--attributes takes at most " +
+                                          std::to_string(most_attributes) + " properties");
       }
     }
     if (!refusal.empty()) {
@@ -225,10 +227,12 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
     choice.scalar.push_back(scalars[i]);
   }
   // Nor where one was too many.
-  const auto normals = std::count_if(choice.carried.begin(), choice.carried.end(),
-                                     [](const Attribute& a) { return a.kind == AttributeKind::normal; });
+  const auto normals =
+      std::count_if(choice.carried.begin(), choice.carried.end(),
+                    [](const Attribute& a) { return a.kind == AttributeKind::normal; });
   for (Attribute& attribute : choice.carried) {
-    if (attribute.kind == AttributeKind::normal && normals != 3) attribute.kind = AttributeKind::value;
+    if (attribute.kind == AttributeKind::normal && normals != 3)
+      attribute.kind = AttributeKind::value;
   }
   if (!wish.names) {
     for (const std::string& name : offer.lists) dropped.add("lists at vertices:", name);

@@ -16,8 +16,8 @@ namespace {
 
 // Two files each are open at a time, of the thousand that a process usually may have.
 constexpr std::size_t most_parts = 256;
-// Lookups in a part of this size find most in a core's caches; so many parts are still written to in long
-// stretches.
+// Lookups in a part of this size find most in a core's caches; so many parts are still written to
+// in long stretches.
 constexpr std::uint64_t usual_part_bytes = std::uint64_t{8} << 20;
 constexpr std::size_t usual_parts = 64;
 
@@ -25,15 +25,16 @@ constexpr std::size_t usual_chunk_corners = std::size_t{1} << 14;
 
 // The usual sizes of a record get loops of their own.
 template <std::size_t Bytes>
-void copy_records(const std::byte* records, std::span<const std::uint32_t> numbers, std::byte* out) {
+void copy_records(const std::byte* records, std::span<const std::uint32_t> numbers,
+                  std::byte* out) {
   for (const std::uint32_t number : numbers) {
     std::memcpy(out, records + std::size_t{number} * Bytes, Bytes);
     out += Bytes;
   }
 }
 
-void copy_records(const std::byte* records, std::size_t bytes, std::span<const std::uint32_t> numbers,
-                  std::byte* out) {
+void copy_records(const std::byte* records, std::size_t bytes,
+                  std::span<const std::uint32_t> numbers, std::byte* out) {
   if (bytes == 12) return copy_records<12>(records, numbers, out);
   if (bytes == 24) return copy_records<24>(records, numbers, out);
   for (const std::uint32_t number : numbers) {
@@ -44,7 +45,8 @@ void copy_records(const std::byte* records, std::size_t bytes, std::span<const s
 
 }  // namespace
 
-std::optional<CornerStreams::Plan> CornerStreams::plan(std::uint64_t vertices, std::size_t record_bytes,
+std::optional<CornerStreams::Plan> CornerStreams::plan(std::uint64_t vertices,
+                                                       std::size_t record_bytes,
                                                        std::uint64_t memory, unsigned threads) {
   if (vertices == 0 || memory / 2 < record_bytes) return {};
   Plan plan;
@@ -62,19 +64,22 @@ std::optional<CornerStreams::Plan> CornerStreams::plan(std::uint64_t vertices, s
   plan.batch_faces = memory / 2 / (batches_in_flight(threads) * 3 * record_bytes);
   // Less would be no better than a lookup for each.
   constexpr std::size_t least = 64;
-  if (plan.buffer_bytes < least || plan.chunk_corners < least || plan.batch_faces < least) return {};
+  if (plan.buffer_bytes < least || plan.chunk_corners < least || plan.batch_faces < least)
+    return {};
   return plan;
 }
 
 CornerStreams::CornerStreams(Job& job, const VertexStore& vertices, const Plan& plan)
     : job_(job), vertices_(vertices), plan_(plan), packed_(vertices.layout()) {}
 
-void CornerStreams::build(const NextFaces& next, const CornerNumbers& numbers, std::uint64_t count) {
+void CornerStreams::build(const NextFaces& next, const CornerNumbers& numbers,
+                          std::uint64_t count) {
   sort_by_part(next, numbers, count);
   look_up();
 }
 
-void CornerStreams::sort_by_part(const NextFaces& next, const CornerNumbers& numbers, std::uint64_t count) {
+void CornerStreams::sort_by_part(const NextFaces& next, const CornerNumbers& numbers,
+                                 std::uint64_t count) {
   const ProgressMeter::Inner stage(job_.progress, "sort corners", count, "faces");
   numbers_ = part_files(job_, plan_.parts);
   PartBuffers buffers(job_, plan_.buffer_bytes, numbers_);
@@ -104,10 +109,13 @@ void CornerStreams::look_up() {
   std::uint64_t corners = 0;
   for (const auto& file : numbers_) corners += file->size() / sizeof(std::uint32_t);
   const ProgressMeter::Inner stage(job_.progress, "look up corners", corners, "corners");
-  const std::uint64_t part_records = std::min(vertices_.size(), std::uint64_t{1} << plan_.part_bits);
-  const Pages memory = Pages::allocate(job_.budget, part_records * packed_.size(), "looking up corners");
+  const std::uint64_t part_records =
+      std::min(vertices_.size(), std::uint64_t{1} << plan_.part_bits);
+  const Pages memory =
+      Pages::allocate(job_.budget, part_records * packed_.size(), "looking up corners");
   const Reservation chunks = job_.budget.reserve(
-      plan_.chunks * plan_.chunk_corners * (sizeof(std::uint32_t) + packed_.size()), "looking up corners");
+      plan_.chunks * plan_.chunk_corners * (sizeof(std::uint32_t) + packed_.size()),
+      "looking up corners");
   for (std::size_t part = 0; part < plan_.parts; ++part) {
     records_.push_back(std::make_unique<ScratchFile>(job_.scratch));
     if (numbers_[part]->size() > 0) {
@@ -121,7 +129,8 @@ void CornerStreams::look_up() {
 
 void CornerStreams::load(std::size_t part, std::byte* into) const {
   const std::uint64_t begin = std::uint64_t{part} << plan_.part_bits;
-  const std::uint64_t end = std::min(vertices_.size(), begin + (std::uint64_t{1} << plan_.part_bits));
+  const std::uint64_t end =
+      std::min(vertices_.size(), begin + (std::uint64_t{1} << plan_.part_bits));
   const std::size_t stride = vertices_.layout().stride;
   const std::uint64_t at_once = std::max<std::uint64_t>(1, scratch_write_bytes / stride);
   std::vector<std::byte> whole(packed_.same() ? 0 : at_once * stride);
@@ -147,7 +156,8 @@ void CornerStreams::look_up(std::size_t part, const std::byte* vertices) {
       plan_.chunks,
       [&](Chunk& chunk) {
         chunk.numbers.resize(std::min<std::uint64_t>(plan_.chunk_corners, total - done));
-        numbers.read(done * sizeof(std::uint32_t), std::as_writable_bytes(std::span(chunk.numbers)));
+        numbers.read(done * sizeof(std::uint32_t),
+                     std::as_writable_bytes(std::span(chunk.numbers)));
         done += chunk.numbers.size();
         return !chunk.numbers.empty();
       },
@@ -162,8 +172,9 @@ void CornerStreams::look_up(std::size_t part, const std::byte* vertices) {
 void CornerStreams::begin() {
   next_.assign(plan_.parts, 0);
   if (reservation_) return;
-  reservation_ = job_.budget.reserve(batches_in_flight(job_.threads) * plan_.batch_faces * 3 * packed_.size(),
-                                     "corners on their way");
+  reservation_ =
+      job_.budget.reserve(batches_in_flight(job_.threads) * plan_.batch_faces * 3 * packed_.size(),
+                          "corners on their way");
 }
 
 void CornerStreams::add_records(RawBatch& batch) {
@@ -172,8 +183,9 @@ void CornerStreams::add_records(RawBatch& batch) {
   for (std::size_t part = 0; part < plan_.parts; ++part) {
     const std::uint64_t begin = batch.records_begin[part];
     const std::uint64_t count = batch.records_begin[part + 1] - begin;
-    records_[part]->read(next_[part] * packed_.size(),
-                         std::span(batch.records).subspan(begin * packed_.size(), count * packed_.size()));
+    records_[part]->read(
+        next_[part] * packed_.size(),
+        std::span(batch.records).subspan(begin * packed_.size(), count * packed_.size()));
     next_[part] += count;
   }
 }

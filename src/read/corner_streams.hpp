@@ -16,12 +16,12 @@
 
 namespace winnow {
 
-// Looking up vertices anywhere in a file larger than memory costs a page for each. Here everything is read
-// and written from front to back. Vertices are divided into parts that fit into memory. A first pass over the
-// faces appends each corner's vertex number to the stream of its part. Then, part after part, the vertices
-// are loaded, and each number of the stream is replaced by its vertex's record. In any later pass a corner's
-// record is the next one of its part's stream: neither the order of the faces nor a place has to be kept, and
-// nothing is sorted.
+// Looking up vertices anywhere in a file larger than memory costs a page for each. Here everything
+// is read and written from front to back. Vertices are divided into parts that fit into memory. A
+// first pass over the faces appends each corner's vertex number to the stream of its part. Then,
+// part after part, the vertices are loaded, and each number of the stream is replaced by its
+// vertex's record. In any later pass a corner's record is the next one of its part's stream:
+// neither the order of the faces nor a place has to be kept, and nothing is sorted.
 class CornerStreams {
  public:
   // How memory is divided.
@@ -34,8 +34,8 @@ class CornerStreams {
     std::size_t batch_faces = 0;    // of a pass, at the most
   };
   // Nothing where `memory` would need more parts than files should be open.
-  static std::optional<Plan> plan(std::uint64_t vertices, std::size_t record_bytes, std::uint64_t memory,
-                                  unsigned threads);
+  static std::optional<Plan> plan(std::uint64_t vertices, std::size_t record_bytes,
+                                  std::uint64_t memory, unsigned threads);
 
   // Scratch a face takes, at the most.
   static constexpr std::uint64_t bytes_a_face(std::size_t record_bytes) {
@@ -49,7 +49,8 @@ class CornerStreams {
   // Takes in all faces, `count` if that is known.
   void build(const NextFaces& next, const CornerNumbers& numbers, std::uint64_t count);
 
-  // Passes over the faces, the same as before, by one thread; what memory they take is reserved until rest().
+  // Passes over the faces, the same as before, by one thread; what memory they take is reserved
+  // until rest().
   void begin();
   // Gives a batch of indices the records of its corners.
   void add_records(RawBatch& batch);
@@ -57,10 +58,11 @@ class CornerStreams {
 
   // Where in a batch the next record of each part stands.
   using Cursors = std::vector<std::uint32_t>;
-  // Positions of the next faces of `batch`, by the numbers of their vertices, all of which there are. From
-  // any thread.
-  void gather(const RawBatch& batch, Cursors& cursors, const std::array<const std::uint32_t*, 3>& index,
-              std::size_t count, FaceBatch& out) const;
+  // Positions of the next faces of `batch`, by the numbers of their vertices, all of which there
+  // are. From any thread.
+  void gather(const RawBatch& batch, Cursors& cursors,
+              const std::array<const std::uint32_t*, 3>& index, std::size_t count,
+              FaceBatch& out) const;
 
  private:
   void sort_by_part(const NextFaces& next, const CornerNumbers& numbers, std::uint64_t count);

@@ -8,14 +8,16 @@ namespace {
 
 class CroppedReader final : public MeshReader {
  public:
-  CroppedReader(const Box& box, std::unique_ptr<MeshReader> reader) : box_(box), reader_(std::move(reader)) {
+  CroppedReader(const Box& box, std::unique_ptr<MeshReader> reader)
+      : box_(box), reader_(std::move(reader)) {
     facts_ = reader_->facts();
     facts_.faces.reset();  // how many are left shows when they are read
   }
 
   void begin_positions(PassCorners corners) override { reader_->begin_positions(corners); }
   bool next_positions(RawBatch& batch) override { return reader_->next_positions(batch); }
-  void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override {
+  void decode_positions(const RawBatch& batch, FaceBatch& slice,
+                        const PositionSink& sink) const override {
     std::array<std::array<double, FaceBatch::capacity>, 3> inside;
     reader_->decode_positions(batch, slice, [&](const PositionView& view) {
       for (std::size_t i = 0; i < view.count; ++i) {
@@ -23,7 +25,10 @@ class CroppedReader final : public MeshReader {
         for (std::size_t axis = 0; axis < 3; ++axis)
           inside[axis][i] = beyond(p) ? std::numeric_limits<double>::quiet_NaN() : p[axis];
       }
-      sink({{inside[0].data(), inside[1].data(), inside[2].data()}, view.count, view.first, view.corner});
+      sink({{inside[0].data(), inside[1].data(), inside[2].data()},
+            view.count,
+            view.first,
+            view.corner});
     });
   }
 
@@ -35,7 +40,8 @@ class CroppedReader final : public MeshReader {
       const bool all_good = slice.all_good;
       for (std::size_t i = 0; i < slice.count; ++i) {
         if (slice.status[i] != FaceStatus::good ||
-            !(beyond(slice.corner(0, i)) || beyond(slice.corner(1, i)) || beyond(slice.corner(2, i)))) {
+            !(beyond(slice.corner(0, i)) || beyond(slice.corner(1, i)) ||
+              beyond(slice.corner(2, i)))) {
           continue;
         }
         slice.status[i] = FaceStatus::cropped;

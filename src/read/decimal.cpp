@@ -49,7 +49,8 @@ bool within(double miss, const Digits& digits) {
   constexpr double half = 0.5000001;
   const auto power = static_cast<std::size_t>(std::abs(digits.exponent));
   if (power > most_digits) return digits.exponent > 0;
-  return digits.exponent < 0 ? miss * powers_of_ten[power] <= half : miss <= half * powers_of_ten[power];
+  return digits.exponent < 0 ? miss * powers_of_ten[power] <= half
+                             : miss <= half * powers_of_ten[power];
 }
 
 }  // namespace
@@ -64,7 +65,8 @@ bool float_says_it(std::string_view word, double value) {
   if (within(miss, digits)) return true;
   if (digits.count < 16) return false;
   std::array<char, 32> shortest{};
-  const auto [end, error] = std::to_chars(shortest.data(), shortest.data() + shortest.size(), value);
+  const auto [end, error] =
+      std::to_chars(shortest.data(), shortest.data() + shortest.size(), value);
   return error == std::errc{} && within(miss, digits_of({shortest.data(), end}));
 }
 

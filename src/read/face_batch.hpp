@@ -15,33 +15,37 @@ enum class FaceStatus : std::uint8_t {
   cropped        // a corner outside of the box that is asked for
 };
 
-// A slice of the input, small enough to stay in a core's nearest caches. Arrays side by side, so that
-// loops over them vectorise.
+// A slice of the input, small enough to stay in a core's nearest caches. Arrays side by side, so
+// that loops over them vectorise.
 struct FaceBatch {
   static constexpr std::size_t capacity = 128;
 
   std::size_t count = 0;
   std::uint64_t first = 0;  // number of the first face, from 0 over the whole input
   bool all_good = true;     // no status but good
-  bool single = false;      // positions are in `single_position`, as the file has them; else in `position`
+  bool single =
+      false;  // positions are in `single_position`, as the file has them; else in `position`
   template <typename Real>
-  using Positions = std::array<std::array<std::array<Real, capacity>, 3>, 3>;  // [corner][axis][face]
+  using Positions =
+      std::array<std::array<std::array<Real, capacity>, 3>, 3>;  // [corner][axis][face]
   alignas(64) Positions<double> position;
   alignas(64) Positions<float> single_position;
   std::array<FaceStatus, capacity> status;
-  // The numbers of the corners' vertices, [corner][face], where the format has vertices; good for as long as
-  // the batch is handed on.
+  // The numbers of the corners' vertices, [corner][face], where the format has vertices; good for
+  // as long as the batch is handed on.
   std::array<const std::uint32_t*, 3> index{};
   // The low 32 bits of the faces' numbers, where the reader changed their order; else null, and
   // they count from `first`. Valid as long as `index`.
   const std::uint32_t* numbers = nullptr;
-  // Of the attributes that the reader carries: [attribute][corner][face]. Empty where it carries none.
+  // Of the attributes that the reader carries: [attribute][corner][face]. Empty where it carries
+  // none.
   std::vector<double> attributes;
 
   [[nodiscard]] std::array<double, 3> corner(std::size_t corner, std::size_t face) const {
     std::array<double, 3> xyz{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      xyz[axis] = single ? double{single_position[corner][axis][face]} : position[corner][axis][face];
+      xyz[axis] =
+          single ? double{single_position[corner][axis][face]} : position[corner][axis][face];
     }
     return xyz;
   }
@@ -67,8 +71,9 @@ struct FaceBatch {
 struct PositionView {
   std::array<const double*, 3> axis{};  // at most FaceBatch::capacity of each
   std::size_t count = 0;
-  std::uint64_t first = 0;  // number of the first vertex; where there are only faces, of the first face
-  unsigned corner = 0;      // where there are only faces, which of their corners; else 0
+  std::uint64_t first =
+      0;                // number of the first vertex; where there are only faces, of the first face
+  unsigned corner = 0;  // where there are only faces, which of their corners; else 0
 };
 
 }  // namespace winnow

@@ -78,13 +78,17 @@ bool for_each_face_batch(Job& job, MeshReader& reader, const FaceSink& sink,
   }
 }
 
-void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink, PassCorners corners) {
+void for_each_position_batch(Job& job, MeshReader& reader, const PositionSink& sink,
+                             PassCorners corners) {
   reader.begin_positions(corners);
   do {
     watch_the_file(reader, [&] {
       return run_pass(
           job, [&](RawBatch& batch) { return reader.next_positions(batch); },
-          [&](const RawBatch& batch, FaceBatch& slice) { reader.decode_positions(batch, slice, sink); }, {});
+          [&](const RawBatch& batch, FaceBatch& slice) {
+            reader.decode_positions(batch, slice, sink);
+          },
+          {});
     });
   } while (reader.next_part());
 }
@@ -104,15 +108,16 @@ void for_each_face_batch_in_order(Job& job, MeshReader& reader,
   });
 }
 
-void for_each_position_batch_in_order(Job& job, MeshReader& reader,
-                                      const std::function<void(const PositionView&, BatchBytes&)>& encode,
-                                      const BytesTaker& take) {
+void for_each_position_batch_in_order(
+    Job& job, MeshReader& reader,
+    const std::function<void(const PositionView&, BatchBytes&)>& encode, const BytesTaker& take) {
   reader.begin_positions(PassCorners::all);
   watch_the_file(reader, [&] {
     run_ordered_pass(
         job, [&](RawBatch& batch) { return reader.next_positions(batch); },
         [&](const RawBatch& batch, FaceBatch& slice, BatchBytes& bytes) {
-          reader.decode_positions(batch, slice, [&](const PositionView& view) { encode(view, bytes); });
+          reader.decode_positions(batch, slice,
+                                  [&](const PositionView& view) { encode(view, bytes); });
         },
         take);
     return false;

@@ -19,7 +19,7 @@ using namespace std::string_view_literals;
 enum class Way : std::uint8_t { through, exported, reconstructed, none };
 
 struct ForeignFormat {
-  std::size_t at;           // where the magic stands; `text_begin`: behind blanks, in any case of letters
+  std::size_t at;  // where the magic stands; `text_begin`: behind blanks, in any case of letters
   std::string_view magic;   // in small letters for a text
   std::string_view inside;  // also stands somewhere in the first bytes
   const char* what;
@@ -81,37 +81,44 @@ constexpr std::array foreign_formats{
     ForeignFormat{0, "\x7f\x45LF"sv, "", "a program", Way::none},
     ForeignFormat{text_begin, "<!doctype html"sv, "", "a web page (HTML)", Way::none,
                   "; was the download refused?"},
-    ForeignFormat{text_begin, "<html"sv, "", "a web page (HTML)", Way::none, "; was the download refused?"},
+    ForeignFormat{text_begin, "<html"sv, "", "a web page (HTML)", Way::none,
+                  "; was the download refused?"},
     ForeignFormat{text_begin, "<?xml"sv, "<html", "a web page (HTML)", Way::none,
                   "; was the download refused?"},
     ForeignFormat{text_begin, "<?xml"sv, "", "an XML file", Way::none},
     ForeignFormat{text_begin, "version https://git-lfs"sv, "", "a Git LFS pointer", Way::none,
                   "; git lfs pull fetches the file that it stands for"},
 
-    ForeignFormat{0, "\xff\xfe\0\0"sv, "", "text in UTF-32", Way::through, "iconv -f UTF-32 -t UTF-8 FILE"},
-    ForeignFormat{0, "\0\0\xfe\xff"sv, "", "text in UTF-32", Way::through, "iconv -f UTF-32 -t UTF-8 FILE"},
-    ForeignFormat{0, "\xff\xfe"sv, "", "text in UTF-16", Way::through, "iconv -f UTF-16 -t UTF-8 FILE"},
-    ForeignFormat{0, "\xfe\xff"sv, "", "text in UTF-16", Way::through, "iconv -f UTF-16 -t UTF-8 FILE"}};
+    ForeignFormat{0, "\xff\xfe\0\0"sv, "", "text in UTF-32", Way::through,
+                  "iconv -f UTF-32 -t UTF-8 FILE"},
+    ForeignFormat{0, "\0\0\xfe\xff"sv, "", "text in UTF-32", Way::through,
+                  "iconv -f UTF-32 -t UTF-8 FILE"},
+    ForeignFormat{0, "\xff\xfe"sv, "", "text in UTF-16", Way::through,
+                  "iconv -f UTF-16 -t UTF-8 FILE"},
+    ForeignFormat{0, "\xfe\xff"sv, "", "text in UTF-16", Way::through,
+                  "iconv -f UTF-16 -t UTF-8 FILE"}};
 
 std::string_view text_of_block(const Block& block) {
   return {reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size()};
 }
 
 bool begins_with(std::string_view head, const ForeignFormat& format) {
-  if (format.at != text_begin) return head.substr(std::min(format.at, head.size())).starts_with(format.magic);
+  if (format.at != text_begin)
+    return head.substr(std::min(format.at, head.size())).starts_with(format.magic);
   head = without_byte_order_mark(head);
   head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
-  return std::equal(format.magic.begin(), format.magic.end(), head.begin(),
-                    head.begin() + static_cast<std::ptrdiff_t>(std::min(format.magic.size(), head.size())),
-                    [](char small, char c) { return small == small_letter(c); });
+  return std::equal(
+      format.magic.begin(), format.magic.end(), head.begin(),
+      head.begin() + static_cast<std::ptrdiff_t>(std::min(format.magic.size(), head.size())),
+      [](char small, char c) { return small == small_letter(c); });
 }
 
 [[noreturn]] void refuse(const ByteSource& source, const ForeignFormat& format) {
   std::string message = "'" + source.name() + "' is " + format.what;
   switch (format.way) {
     case Way::through:
-      message +=
-          std::string(", which winnow does not read: ") + format.more + " | winnow simplify - -o OUTPUT";
+      message += std::string(", which winnow does not read: ") + format.more +
+                 " | winnow simplify - -o OUTPUT";
       break;
     case Way::exported:
       message += ", which winnow does not read; export it as PLY, STL, OBJ or GLB";
@@ -164,8 +171,9 @@ std::string kind_of_text(std::string_view head) {
     }
     rows += numbers >= 2 ? 1 : 0;
   }
-  return rows == 0 ? "it is some other text"
-                   : "it is rows of numbers, as of a point cloud or a grid of heights, and has no faces";
+  return rows == 0
+             ? "it is some other text"
+             : "it is rows of numbers, as of a point cloud or a grid of heights, and has no faces";
 }
 
 }  // namespace winnow

@@ -8,8 +8,8 @@
 
 namespace winnow {
 
-// Throws Error(bad_input) where the first bytes are those of a known format that is not read. It names the
-// format and the way out.
+// Throws Error(bad_input) where the first bytes are those of a known format that is not read. It
+// names the format and the way out.
 void refuse_foreign(ByteSource& source);
 
 // Of a text that is no mesh, what it is: "it is some other text".

@@ -46,10 +46,10 @@ bool is_index(GltfType type) {
 
 }  // namespace
 
-// Whole numbers of normals, colours and rotations are normalized, by the specification; some programs forget
-// to say so.
-GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor, GltfUse use,
-                           std::string name)
+// Whole numbers of normals, colours and rotations are normalized, by the specification; some
+// programs forget to say so.
+GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::size_t accessor,
+                           GltfUse use, std::string name)
     : bytes_(bytes),
       document_(document),
       accessor_(document.accessors[accessor]),
@@ -59,7 +59,8 @@ GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::
   check(use);
   const auto& sparse = accessor_.sparse;
   if (sparse && !is_index(sparse->index_type)) fail("sparse indices are no unsigned integers");
-  if (sparse && sparse->count > accessor_.count) fail("an accessor has more sparse elements than elements");
+  if (sparse && sparse->count > accessor_.count)
+    fail("an accessor has more sparse elements than elements");
   // Zeros without end from a few bytes: nobody means that.
   if (!accessor_.base && accessor_.count > (sparse ? 1024 * sparse->count : 0) + 1024)
     fail("an accessor has no data");
@@ -76,10 +77,13 @@ void GltfElements::check(GltfUse use) const {
     fail("positions are 32-bit integers, which is not allowed");
   const bool real = type == GltfType::float32;
   if (use == GltfUse::normals && !real && type != GltfType::int8 && type != GltfType::int16)
-    fail("normals are neither floats nor signed integers of 8 or 16 bits; --attributes none leaves them out");
+    fail(
+        "normals are neither floats nor signed integers of 8 or 16 bits; --attributes none leaves "
+        "them out");
   if (use == GltfUse::colors && !real && type != GltfType::uint8 && type != GltfType::uint16)
     fail(
-        "colours are neither floats nor unsigned integers of 8 or 16 bits; --attributes none leaves them "
+        "colours are neither floats nor unsigned integers of 8 or 16 bits; --attributes none "
+        "leaves them "
         "out");
 }
 
@@ -87,8 +91,8 @@ void GltfElements::fail(const std::string& what) const {
   throw Error(ErrorKind::bad_input, "'" + name_ + "': " + what);
 }
 
-void GltfElements::read(const GltfSlice& slice, Layout layout, std::uint64_t first, std::size_t count,
-                        std::vector<double>& out) {
+void GltfElements::read(const GltfSlice& slice, Layout layout, std::uint64_t first,
+                        std::size_t count, std::vector<double>& out) {
   const std::size_t size = size_of(layout.type);
   const std::size_t element = layout.components * size;
   const std::uint64_t stride = layout.stride == 0 ? element : layout.stride;
@@ -97,11 +101,12 @@ void GltfElements::read(const GltfSlice& slice, Layout layout, std::uint64_t fir
   const std::size_t part = std::max<std::size_t>(1, (std::size_t{1} << 18) / stride);
   for (std::size_t done = 0; done < count;) {
     const std::size_t now = std::min(part, count - done);
-    const std::span<const std::byte> bytes =
-        bytes_.read(slice.view, slice.offset + (first + done) * stride, (now - 1) * stride + element);
+    const std::span<const std::byte> bytes = bytes_.read(
+        slice.view, slice.offset + (first + done) * stride, (now - 1) * stride + element);
     for (std::size_t i = 0; i < now; ++i) {
       for (std::size_t k = 0; k < layout.components; ++k)
-        out.push_back(component(bytes.data() + i * stride + k * size, layout.type, layout.normalized));
+        out.push_back(
+            component(bytes.data() + i * stride + k * size, layout.type, layout.normalized));
     }
     done += now;
   }
@@ -112,7 +117,8 @@ std::span<const double> GltfElements::next() {
   if (count == 0) return {};
   if (accessor_.base) {
     const std::uint64_t stride = document_.views[accessor_.base->view].stride;
-    read(*accessor_.base, {accessor_.type, accessor_.components, normalized_, stride}, next_, count, values_);
+    read(*accessor_.base, {accessor_.type, accessor_.components, normalized_, stride}, next_, count,
+         values_);
   } else {
     values_.assign(count * accessor_.components, 0.0);
   }
@@ -139,9 +145,10 @@ void GltfElements::change() {
       return;
     }
     if (index < next_) fail("sparse indices are not in ascending order");
-    std::copy_n(change_values_.begin() + static_cast<std::ptrdiff_t>(at * accessor_.components),
-                accessor_.components,
-                values_.begin() + static_cast<std::ptrdiff_t>((index - next_) * accessor_.components));
+    std::copy_n(
+        change_values_.begin() + static_cast<std::ptrdiff_t>(at * accessor_.components),
+        accessor_.components,
+        values_.begin() + static_cast<std::ptrdiff_t>((index - next_) * accessor_.components));
   }
 }
 

@@ -22,8 +22,8 @@ class GltfElements {
   // Of an element: 1, 3, of rotations 4, or of colours 3 or 4.
   [[nodiscard]] unsigned components() const { return accessor_.components; }
 
-  // Components of the next elements, some thousands, as many of each accessor of one count; normalized ones
-  // as numbers from -1 or 0 to 1. Empty at the end; valid until the next call.
+  // Components of the next elements, some thousands, as many of each accessor of one count;
+  // normalized ones as numbers from -1 or 0 to 1. Empty at the end; valid until the next call.
   std::span<const double> next();
 
  private:

@@ -47,26 +47,32 @@ AttributeOffer offer_of(const GltfAttributes& attributes) {
   for (std::size_t i = 0; i < normal_names.size() && attributes.normals; ++i)
     offer.scalars.push_back({std::string(normal_names[i]), ScalarType::float32});
   for (std::size_t i = 0; i < (attributes.alpha ? 4 : 3) && attributes.colors; ++i) {
-    offer.scalars.push_back(
-        {light_names[i], attributes.color_type, i < 3 ? AttributeKind::light : AttributeKind::value});
+    offer.scalars.push_back({light_names[i], attributes.color_type,
+                             i < 3 ? AttributeKind::light : AttributeKind::value});
   }
   offer.unread = attributes.unread;
   return offer;
 }
 
 GltfVertexAttributes::GltfVertexAttributes(GltfBytes& bytes, const GltfDocument& document,
-                                           const GltfAttributes& attributes, const GltfPrimitive& primitive,
+                                           const GltfAttributes& attributes,
+                                           const GltfPrimitive& primitive,
                                            const std::vector<bool>& carried, const GltfTurn& turn,
                                            const std::string& name)
-    : attributes_(attributes), carried_(carried), turn_(turn), first_color_(attributes.normals ? 3 : 0) {
-  if (any(0, first_color_)) normals_.emplace(bytes, document, *primitive.normals, GltfUse::normals, name);
+    : attributes_(attributes),
+      carried_(carried),
+      turn_(turn),
+      first_color_(attributes.normals ? 3 : 0) {
+  if (any(0, first_color_))
+    normals_.emplace(bytes, document, *primitive.normals, GltfUse::normals, name);
   if (any(first_color_, carried.size()))
     colors_.emplace(bytes, document, *primitive.colors, GltfUse::colors, name);
 }
 
 bool GltfVertexAttributes::any(std::size_t begin, std::size_t end) const {
   return std::any_of(carried_.begin() + static_cast<std::ptrdiff_t>(begin),
-                     carried_.begin() + static_cast<std::ptrdiff_t>(end), [](bool one) { return one; });
+                     carried_.begin() + static_cast<std::ptrdiff_t>(end),
+                     [](bool one) { return one; });
 }
 
 void GltfVertexAttributes::next(std::size_t count, std::vector<double>& out) {

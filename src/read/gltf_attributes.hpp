@@ -1,8 +1,8 @@
 // What the vertices of a glTF's scene carry.
 //
-// COLOR_0 is light, by the specification: a factor of the base colour, which is linear. It is kept as the
-// file has it and called AttributeKind::light, so that eight bits of it stay what they are; what is written
-// as a colour (PLY, OBJ, OFF) is encoded as sRGB then.
+// COLOR_0 is light, by the specification: a factor of the base colour, which is linear. It is kept
+// as the file has it and called AttributeKind::light, so that eight bits of it stay what they are;
+// what is written as a colour (PLY, OBJ, OFF) is encoded as sRGB then.
 #pragma once
 
 #include "read/attribute_choice.hpp"
@@ -17,8 +17,8 @@ namespace winnow {
 
 // Of all primitives in the scene together.
 struct GltfAttributes {
-  // Normals and colours, where all primitives have them. Colours are of the widest type that any has, and
-  // have an alpha if any has.
+  // Normals and colours, where all primitives have them. Colours are of the widest type that any
+  // has, and have an alpha if any has.
   bool normals = false, colors = false, alpha = false;
   ScalarType color_type = ScalarType::uint8;
   std::vector<std::string> unread;  // in words
@@ -32,12 +32,13 @@ AttributeOffer offer_of(const GltfAttributes& attributes);
 class GltfVertexAttributes {
  public:
   // `carried`: of each attribute that is offered whether it is wanted.
-  GltfVertexAttributes(GltfBytes& bytes, const GltfDocument& document, const GltfAttributes& attributes,
-                       const GltfPrimitive& primitive, const std::vector<bool>& carried, const GltfTurn& turn,
+  GltfVertexAttributes(GltfBytes& bytes, const GltfDocument& document,
+                       const GltfAttributes& attributes, const GltfPrimitive& primitive,
+                       const std::vector<bool>& carried, const GltfTurn& turn,
                        const std::string& name);
 
-  // What the next `count` vertices carry, vertex by vertex, into `out`: as many as the next() of other
-  // accessors gives.
+  // What the next `count` vertices carry, vertex by vertex, into `out`: as many as the next() of
+  // other accessors gives.
   void next(std::size_t count, std::vector<double>& out);
 
  private:

@@ -21,7 +21,8 @@ std::optional<std::filesystem::path> path_of(const std::string& uri) {
   for (std::size_t i = 0; i < uri.size(); ++i) {
     unsigned code = 0;
     if (uri[i] == '%' && i + 2 < uri.size() &&
-        std::from_chars(uri.data() + i + 1, uri.data() + i + 3, code, 16).ptr == uri.data() + i + 3) {
+        std::from_chars(uri.data() + i + 1, uri.data() + i + 3, code, 16).ptr ==
+            uri.data() + i + 3) {
       text += static_cast<char>(code);
       i += 2;
     } else {
@@ -29,7 +30,8 @@ std::optional<std::filesystem::path> path_of(const std::string& uri) {
     }
   }
   const std::filesystem::path path(text);
-  const bool leaves = std::any_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; });
+  const bool leaves =
+      std::any_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; });
   if (text.empty() || path.is_absolute() || leaves ||
       text.find_first_of(std::string("\\:\0", 3)) != std::string::npos)
     return {};
@@ -42,7 +44,8 @@ void GltfBytes::fail(const std::string& what) const {
   throw Error(ErrorKind::bad_input, "'" + source_.name() + "': " + what);
 }
 
-std::span<const std::byte> GltfBytes::read(std::size_t view, std::uint64_t offset, std::size_t bytes) {
+std::span<const std::byte> GltfBytes::read(std::size_t view, std::uint64_t offset,
+                                           std::size_t bytes) {
   const GltfView& from = document_.views[view];
   if (offset > from.bytes || bytes > from.bytes - offset)
     fail("an accessor reaches behind the end of its 'bufferView'");
@@ -86,7 +89,8 @@ GltfBytes::Content& GltfBytes::buffer(std::size_t index) {
   }
   if (content.bytes < buffer.bytes) {
     fail("buffer " + std::to_string(index) + " should have " + grouped(buffer.bytes) +
-         " bytes, but there are " + grouped(content.bytes) + "; it was cut short, or is another file's");
+         " bytes, but there are " + grouped(content.bytes) +
+         "; it was cut short, or is another file's");
   }
   return buffers_.emplace(index, std::move(content)).first->second;
 }
@@ -106,7 +110,8 @@ void GltfBytes::close_one_of_many() {
 
 std::unique_ptr<ByteSource> GltfBytes::open_beside(const std::string& uri) {
   const std::optional<std::filesystem::path> path = path_of(uri);
-  if (!path) fail("its buffer '" + uri.substr(0, 100) + "' is no file beside or below it, and is not read");
+  if (!path)
+    fail("its buffer '" + uri.substr(0, 100) + "' is no file beside or below it, and is not read");
   if (source_.name() == "standard input")
     fail("its buffer '" + uri.substr(0, 100) +
          "' is a file beside it, which standard input has not; name the file");
@@ -181,16 +186,16 @@ GltfBytes::Content& GltfBytes::unpacked(std::size_t view, const GltfPacking& pac
   int failed = 0;
   switch (packing.mode) {
     case GltfPacking::Mode::attributes:
-      failed = meshopt_decodeVertexBuffer(content.memory.data(), packing.count, packing.stride, from,
-                                          packed.size());
+      failed = meshopt_decodeVertexBuffer(content.memory.data(), packing.count, packing.stride,
+                                          from, packed.size());
       break;
     case GltfPacking::Mode::triangles:
       failed = meshopt_decodeIndexBuffer(content.memory.data(), packing.count, packing.stride, from,
                                          packed.size());
       break;
     case GltfPacking::Mode::indices:
-      failed = meshopt_decodeIndexSequence(content.memory.data(), packing.count, packing.stride, from,
-                                           packed.size());
+      failed = meshopt_decodeIndexSequence(content.memory.data(), packing.count, packing.stride,
+                                           from, packed.size());
       break;
   }
   if (failed != 0) fail("a packed 'bufferView' is damaged, or packed in a way that is not known");

@@ -46,7 +46,8 @@ class Parser {
       fail("it is glTF '" + GltfJson::one_line(version) + "'; version 2 is read");
   }
 
-  // What is required must be known, by the specification: what is read, and what says nothing of positions.
+  // What is required must be known, by the specification: what is read, and what says nothing of
+  // positions.
   void check_extensions() const {
     constexpr std::array<std::string_view, 16> known{"KHR_mesh_quantization",
                                                      "EXT_meshopt_compression",
@@ -74,7 +75,8 @@ class Parser {
   }
   [[noreturn]] void fail_draco() const {
     fail(
-        "its triangles are compressed with Draco, which is not read; decompress it first, or convert it to "
+        "its triangles are compressed with Draco, which is not read; decompress it first, or "
+        "convert it to "
         "PLY");
   }
 
@@ -103,7 +105,8 @@ class Parser {
 
   void check_fits(std::size_t buffer, std::uint64_t offset, std::uint64_t bytes) const {
     const std::uint64_t whole = document_.buffers[buffer].bytes;
-    if (offset > whole || bytes > whole - offset) fail("a 'bufferView' reaches behind the end of its buffer");
+    if (offset > whole || bytes > whole - offset)
+      fail("a 'bufferView' reaches behind the end of its buffer");
   }
 
   GltfPacking packing(const Value& json, const GltfView& view) const {
@@ -129,7 +132,8 @@ class Parser {
     // What the decoder takes for granted.
     const bool directions = packing.filter == GltfPacking::Filter::octahedral;
     const bool good = packing.mode == Mode::attributes
-                          ? packing.stride > 0 && packing.stride <= 256 && packing.stride % 4 == 0 &&
+                          ? packing.stride > 0 && packing.stride <= 256 &&
+                                packing.stride % 4 == 0 &&
                                 (!directions || packing.stride == 4 || packing.stride == 8)
                           : packing.stride == 2 || packing.stride == 4;
     // No codec makes more of a byte.
@@ -137,8 +141,8 @@ class Parser {
     const bool filtered = packing.filter != GltfPacking::Filter::none;
     if (!good || (filtered && packing.mode != Mode::attributes) ||
         (packing.mode == Mode::triangles && packing.count % 3 != 0) ||
-        packing.count > view.bytes / packing.stride || packing.count * packing.stride != view.bytes ||
-        view.bytes / most_a_byte > packing.bytes) {
+        packing.count > view.bytes / packing.stride ||
+        packing.count * packing.stride != view.bytes || view.bytes / most_a_byte > packing.bytes) {
       fail("the sizes of a packed 'bufferView' do not fit each other");
     }
     return packing;
@@ -193,7 +197,8 @@ class Parser {
     std::vector<GltfPrimitive>& mesh = document_.meshes.emplace_back();
     for (const Value& primitive : json_.list(json, "primitives")) {
       json_.check_object(primitive, "primitives");
-      if (!json_.member(json_.member(primitive, "extensions"), "KHR_draco_mesh_compression").is_null())
+      if (!json_.member(json_.member(primitive, "extensions"), "KHR_draco_mesh_compression")
+               .is_null())
         fail_draco();
       const std::uint64_t mode = json_.count(primitive, "mode", 4);
       const Value& attributes = json_.member(primitive, "attributes");
@@ -203,8 +208,8 @@ class Parser {
         continue;
       }
       note_unread(primitive);
-      mesh.push_back({static_cast<GltfPrimitive::Mode>(mode - 4), *positions, accessor(primitive, "indices"),
-                      of_vertices(attributes, "NORMAL", *positions),
+      mesh.push_back({static_cast<GltfPrimitive::Mode>(mode - 4), *positions,
+                      accessor(primitive, "indices"), of_vertices(attributes, "NORMAL", *positions),
                       of_vertices(attributes, "COLOR_0", *positions)});
     }
   }
@@ -248,11 +253,13 @@ class Parser {
   // Like that which every GLB gets from winnow: nothing is lost with it.
   [[nodiscard]] bool is_plain(const Value& number) const {
     const Value& materials = json_.list("materials");
-    if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= materials.size()) return false;
+    if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= materials.size())
+      return false;
     Value material = materials[number.get<std::size_t>()];
     if (!material.is_object()) return false;
     material.erase("doubleSided");
-    static const Value plain{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}};
+    static const Value plain{
+        {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}};
     return material == plain;
   }
 
@@ -267,8 +274,8 @@ GltfDocument parse_gltf(std::string_view json, const std::string& name) {
 }
 
 std::uint64_t memory_to_parse_gltf(std::string_view json) {
-  // Every value stands behind one of these, and none takes more than a node of a map with its key, or than a
-  // number in a list and what is made of it while that grows.
+  // Every value stands behind one of these, and none takes more than a node of a map with its key,
+  // or than a number in a list and what is made of it while that grows.
   constexpr std::uint64_t bytes_a_value = 192;
   std::uint64_t values = 1;
   bool in_string = false;

@@ -74,12 +74,13 @@ struct GltfDocument {
   std::vector<std::vector<GltfPrimitive>> meshes;
   std::vector<GltfPlacedMesh> placed;  // in the default scene, in its order
   std::optional<Point> center;         // CESIUM_RTC: was added to all
-  std::uint64_t other_primitives = 0;  // points, lines and what has no positions, left out of `meshes`
-  std::vector<std::string> unread;     // what primitives have besides, in words
+  std::uint64_t other_primitives =
+      0;                            // points, lines and what has no positions, left out of `meshes`
+  std::vector<std::string> unread;  // what primitives have besides, in words
 };
 
-// Throws Error(bad_input), beginning with `name`, where the text is no such JSON, where it names what is not
-// there, and where it needs an extension that is not known.
+// Throws Error(bad_input), beginning with `name`, where the text is no such JSON, where it names
+// what is not there, and where it needs an extension that is not known.
 GltfDocument parse_gltf(std::string_view json, const std::string& name);
 
 // Memory that parse_gltf takes at most, for its values and strings, found by looking over the text.

@@ -30,7 +30,8 @@ std::uint32_t word(const Block& block, std::size_t at) {
 std::uint64_t json_end_of(const ByteSource& source, const Block& head) {
   if (head.bytes.size() < 4 || word(head, 0) != magic) return source.size().value_or(UINT64_MAX);
   if (head.bytes.size() < head_bytes) fail(source, "ends inside its GLB header: it was cut short");
-  if (word(head, 4) != 2) fail(source, "is GLB of version " + grouped(word(head, 4)) + "; version 2 is read");
+  if (word(head, 4) != 2)
+    fail(source, "is GLB of version " + grouped(word(head, 4)) + "; version 2 is read");
   const std::uint64_t size = source.size().value_or(UINT64_MAX);
   if (word(head, 8) > size) {
     fail(source, "should have " + grouped(word(head, 8)) + " bytes by its GLB header, but has " +
@@ -41,8 +42,8 @@ std::uint64_t json_end_of(const ByteSource& source, const Block& head) {
   return head_bytes + std::uint64_t{word(head, 12)};
 }
 
-// The first bytes up to `end`, or as many as there are. A pipe may promise what never comes, so that it is
-// asked for more and more.
+// The first bytes up to `end`, or as many as there are. A pipe may promise what never comes, so
+// that it is asked for more and more.
 Block peek_up_to(ByteSource& source, std::uint64_t end, Budget& budget, Reservation& memory) {
   constexpr std::uint64_t at_first = std::uint64_t{1} << 16;
   for (std::uint64_t asked = source.size() ? end : std::min(at_first, end);;

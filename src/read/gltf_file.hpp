@@ -16,8 +16,8 @@ struct GltfFile {
   Reservation memory;  // of the document
 };
 
-// Reads no further than the JSON, and not past it: of a pipe, too. The source must be at its beginning.
-// Throws Error: bad_input, resources.
+// Reads no further than the JSON, and not past it: of a pipe, too. The source must be at its
+// beginning. Throws Error: bad_input, resources.
 GltfFile peek_gltf(Job& job, ByteSource& source);
 
 // Where the buffer in a GLB stands; nothing where it has none. The source must be seekable.

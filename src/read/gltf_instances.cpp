@@ -10,13 +10,15 @@ namespace winnow {
 GltfInstanceReader::GltfInstanceReader(GltfBytes& bytes, const GltfDocument& document,
                                        const GltfInstances& instances, const std::string& name) {
   std::optional<std::uint64_t> count;
-  const auto open = [&](std::optional<std::size_t> accessor, GltfUse use, std::optional<GltfElements>& into) {
+  const auto open = [&](std::optional<std::size_t> accessor, GltfUse use,
+                        std::optional<GltfElements>& into) {
     if (!accessor) return;
     const std::uint64_t here = document.accessors[*accessor].count;
     if (count.value_or(here) != here) {
-      throw Error(ErrorKind::bad_input, "'" + name +
-                                            "': the accessors of EXT_mesh_gpu_instancing differ in length; "
-                                            "the file is damaged, or was written by a program that is wrong");
+      throw Error(ErrorKind::bad_input,
+                  "'" + name +
+                      "': the accessors of EXT_mesh_gpu_instancing differ in length; "
+                      "the file is damaged, or was written by a program that is wrong");
     }
     count = here;
     into.emplace(bytes, document, *accessor, use, name);
@@ -33,7 +35,8 @@ std::vector<GltfTransform> GltfInstanceReader::next() {
   const std::span<const double> moved = part(translations_);
   const std::span<const double> turned = part(rotations_);
   const std::span<const double> scaled = part(scales_);
-  std::vector<GltfTransform> instances(std::max({moved.size() / 3, turned.size() / 4, scaled.size() / 3}));
+  std::vector<GltfTransform> instances(
+      std::max({moved.size() / 3, turned.size() / 4, scaled.size() / 3}));
   const auto vector_at = [](std::span<const double> values, std::size_t i, double usual) {
     if (values.empty()) return Point{usual, usual, usual};
     return Point{values[3 * i], values[3 * i + 1], values[3 * i + 2]};

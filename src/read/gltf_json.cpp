@@ -51,7 +51,8 @@ std::string GltfJson::text(const Value& object, const char* key) {
 
 std::uint64_t GltfJson::count(const Value& value, const char* what) const {
   constexpr double most = 9.0e15;
-  if (value.is_number_unsigned() && value.get<std::uint64_t>() <= std::uint64_t{9'000'000'000'000'000})
+  if (value.is_number_unsigned() &&
+      value.get<std::uint64_t>() <= std::uint64_t{9'000'000'000'000'000})
     return value.get<std::uint64_t>();
   if (value.is_number_float() && value.get<double>() >= 0 && value.get<double>() <= most &&
       value.get<double>() == std::floor(value.get<double>())) {
@@ -74,7 +75,8 @@ std::uint64_t GltfJson::required(const Value& object, const char* key) const {
 std::size_t GltfJson::index_into(const Value& value, const char* key, std::size_t size) const {
   const std::uint64_t index = count(value, key);
   if (index >= size)
-    fail("'" + std::string(key) + "' names number " + std::to_string(index) + " of " + std::to_string(size));
+    fail("'" + std::string(key) + "' names number " + std::to_string(index) + " of " +
+         std::to_string(size));
   return index;
 }
 

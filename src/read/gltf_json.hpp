@@ -34,16 +34,19 @@ class GltfJson {
   static std::string text(const Value& object, const char* key);
 
   // Counts, sizes and offsets.
-  [[nodiscard]] std::uint64_t count(const Value& object, const char* key, std::uint64_t usual) const;
+  [[nodiscard]] std::uint64_t count(const Value& object, const char* key,
+                                    std::uint64_t usual) const;
   [[nodiscard]] std::uint64_t required(const Value& object, const char* key) const;
   // The number of one of `size` things.
   [[nodiscard]] std::size_t index_into(const Value& value, const char* key, std::size_t size) const;
-  [[nodiscard]] std::size_t required_index(const Value& object, const char* key, std::size_t size) const;
+  [[nodiscard]] std::size_t required_index(const Value& object, const char* key,
+                                           std::size_t size) const;
 
   void check_object(const Value& value, const char* what) const;
 
   template <std::size_t Size>
-  [[nodiscard]] std::optional<std::array<double, Size>> numbers(const Value& object, const char* key) const {
+  [[nodiscard]] std::optional<std::array<double, Size>> numbers(const Value& object,
+                                                                const char* key) const {
     const Value& values = list(object, key);
     if (values.is_null()) return {};
     std::array<double, Size> result{};

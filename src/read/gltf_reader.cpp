@@ -1,5 +1,5 @@
-// glTF 2.0 (Khronos, 2021), as GLB or as JSON: the triangles of the default scene, where its nodes place
-// them.
+// glTF 2.0 (Khronos, 2021), as GLB or as JSON: the triangles of the default scene, where its nodes
+// place them.
 #include "base/text.hpp"
 #include "read/formats.hpp"
 #include "read/gltf_accessor.hpp"
@@ -22,12 +22,14 @@ namespace {
 // Triangles out of the indices of one primitive.
 class Corners {
  public:
-  Corners(GltfPrimitive::Mode mode, bool mirrored, std::uint64_t base, std::uint64_t vertices, KeptMesh& mesh)
+  Corners(GltfPrimitive::Mode mode, bool mirrored, std::uint64_t base, std::uint64_t vertices,
+          KeptMesh& mesh)
       : mode_(mode), mirrored_(mirrored), base_(base), vertices_(vertices), mesh_(mesh) {}
 
   void add(std::uint64_t index) {
     // Not another primitive's vertex.
-    const std::uint32_t corner = index < vertices_ ? static_cast<std::uint32_t>(base_ + index) : no_vertex;
+    const std::uint32_t corner =
+        index < vertices_ ? static_cast<std::uint32_t>(base_ + index) : no_vertex;
     ++seen_;
     if (mode_ == GltfPrimitive::Mode::triangles ? seen_ % 3 == 0 : seen_ >= 3) add_triangle(corner);
     if (seen_ == 1) first_ = corner;
@@ -69,7 +71,8 @@ class Corners {
 
 class GltfParser {
  public:
-  GltfParser(const GltfDocument& document, const GltfAttributes& attributes, GltfBytes& bytes, KeptMesh& mesh)
+  GltfParser(const GltfDocument& document, const GltfAttributes& attributes, GltfBytes& bytes,
+             KeptMesh& mesh)
       : document_(document), attributes_(attributes), bytes_(bytes), mesh_(mesh) {}
 
   void parse() {
@@ -82,8 +85,8 @@ class GltfParser {
     }
     if (document_.center) {
       const Point& center = *document_.center;
-      mesh_.job().note("the centre that CESIUM_RTC gives was added to all positions: " + shortest(center[0]) +
-                       " " + shortest(center[1]) + " " + shortest(center[2]));
+      mesh_.job().note("the centre that CESIUM_RTC gives was added to all positions: " +
+                       shortest(center[0]) + " " + shortest(center[1]) + " " + shortest(center[2]));
     }
     for (const std::string& what : attributes_.unread) mesh_.pass_over(what);
     if (document_.other_primitives > 0) {
@@ -96,8 +99,8 @@ class GltfParser {
   }
 
  private:
-  // What makes a vertex: accessors of positions and of what is offered, whether it is carried or not, so that
-  // the same vertices come with and without.
+  // What makes a vertex: accessors of positions and of what is offered, whether it is carried or
+  // not, so that the same vertices come with and without.
   using VertexKey = std::array<std::optional<std::size_t>, 3>;
 
   void add_instances(const GltfPlacedMesh& placed, const GltfInstances& instances) {
@@ -144,10 +147,12 @@ class GltfParser {
     return known->second;
   }
 
-  void add_vertices(const GltfPrimitive& primitive, const GltfTransform& to_world, const GltfTurn& turn) {
+  void add_vertices(const GltfPrimitive& primitive, const GltfTransform& to_world,
+                    const GltfTurn& turn) {
     const bool moved = to_world != gltf_identity;
     bytes_.begin_part();
-    GltfElements positions(bytes_, document_, primitive.positions, GltfUse::positions, mesh_.name());
+    GltfElements positions(bytes_, document_, primitive.positions, GltfUse::positions,
+                           mesh_.name());
     GltfVertexAttributes others(bytes_, document_, attributes_, primitive, mesh_.carried(), turn,
                                 mesh_.name());
     std::vector<double> xyz;
@@ -181,8 +186,8 @@ class GltfParser {
 TextMatch match_gltf(std::string_view head) {
   const std::size_t first = head.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || head[first] != '{') return TextMatch::none;
-  for (const char* key : {"\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"buffers\"", "\"meshes\"",
-                          "\"nodes\"", "\"scenes\""}) {
+  for (const char* key : {"\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"buffers\"",
+                          "\"meshes\"", "\"nodes\"", "\"scenes\""}) {
     if (head.find(key) != std::string_view::npos) return TextMatch::first;
   }
   return TextMatch::none;
@@ -201,8 +206,8 @@ std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> sour
     GltfBytes bytes(job, from, own.begin, own.bytes, file.document);
     GltfParser(file.document, attributes, bytes, mesh).parse();
   };
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, file.binary ? "GLB" : "glTF",
-                                      offer_of(attributes), parse);
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish,
+                                      file.binary ? "GLB" : "glTF", offer_of(attributes), parse);
 }
 
 }  // namespace winnow

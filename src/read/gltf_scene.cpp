@@ -20,18 +20,21 @@ GltfTransform transform_of(const GltfJson& json, const GltfJson::Value& node) {
   GltfTransform result = gltf_identity;
   if (const auto matrix = json.numbers<16>(node, "matrix")) {  // column after column
     for (std::size_t row = 0; row < 3; ++row) {
-      for (std::size_t column = 0; column < 4; ++column) result[row][column] = (*matrix)[4 * column + row];
+      for (std::size_t column = 0; column < 4; ++column)
+        result[row][column] = (*matrix)[4 * column + row];
     }
     return result;
   }
-  return gltf_transform(json.numbers<3>(node, "translation").value_or(Point{}),
-                        json.numbers<4>(node, "rotation").value_or(std::array<double, 4>{0, 0, 0, 1}),
-                        json.numbers<3>(node, "scale").value_or(Point{1, 1, 1}));
+  return gltf_transform(
+      json.numbers<3>(node, "translation").value_or(Point{}),
+      json.numbers<4>(node, "rotation").value_or(std::array<double, 4>{0, 0, 0, 1}),
+      json.numbers<3>(node, "scale").value_or(Point{1, 1, 1}));
 }
 
 std::optional<GltfInstances> instances_of(const GltfJson& json, const GltfJson::Value& node,
                                           std::size_t accessors) {
-  const GltfJson::Value& extension = json.member(json.member(node, "extensions"), "EXT_mesh_gpu_instancing");
+  const GltfJson::Value& extension =
+      json.member(json.member(node, "extensions"), "EXT_mesh_gpu_instancing");
   const GltfJson::Value& attributes = json.member(extension, "attributes");
   const auto accessor = [&](const char* key) -> std::optional<std::size_t> {
     const GltfJson::Value& value = GltfJson::find(attributes, key);
@@ -64,7 +67,8 @@ std::vector<std::size_t> roots_of(const GltfJson& json, const std::vector<Node>&
   const GltfJson::Value& scenes = json.list("scenes");
   if (!scenes.empty()) {
     const GltfJson::Value& chosen = GltfJson::find(json.root(), "scene");
-    const std::size_t scene = chosen.is_null() ? 0 : json.index_into(chosen, "scene", scenes.size());
+    const std::size_t scene =
+        chosen.is_null() ? 0 : json.index_into(chosen, "scene", scenes.size());
     json.check_object(scenes[scene], "scenes");
     for (const GltfJson::Value& node : json.list(scenes[scene], "nodes"))
       found.push_back(json.index_into(node, "nodes", nodes.size()));
@@ -82,8 +86,8 @@ std::vector<std::size_t> roots_of(const GltfJson& json, const std::vector<Node>&
 
 }  // namespace
 
-std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshes, std::size_t accessors,
-                                         const Point& center) {
+std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshes,
+                                         std::size_t accessors, const Point& center) {
   std::vector<GltfPlacedMesh> placed;
   const GltfTransform to_center = gltf_transform(center, {0, 0, 0, 1}, {1, 1, 1});
   const std::vector<Node> nodes = nodes_of(json, meshes, accessors);
@@ -99,7 +103,8 @@ std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshe
   const std::vector<std::size_t> first = roots_of(json, nodes);
   std::vector<bool> seen(nodes.size());
   const auto visit = [&](std::size_t node, const GltfTransform& parent) {
-    if (seen[node]) json.fail("node " + std::to_string(node) + " has more than one parent, or is its own");
+    if (seen[node])
+      json.fail("node " + std::to_string(node) + " has more than one parent, or is its own");
     seen[node] = true;
     waiting.push_back({node, parent});
   };
@@ -110,7 +115,8 @@ std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshe
     const Node& node = nodes[next.node];
     const GltfTransform to_world = next.parent * node.transform;
     if (node.mesh) placed.push_back({*node.mesh, to_world, node.instances});
-    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) visit(*child, to_world);
+    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+      visit(*child, to_world);
   }
   return placed;
 }

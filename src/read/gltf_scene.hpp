@@ -22,10 +22,10 @@ struct GltfPlacedMesh {
   std::optional<GltfInstances> instances;
 };
 
-// Of so many meshes and accessors, all moved by `center`, in the order of the default scene; without scenes
-// from every node that is nobody's child on; without nodes every mesh as it is. Throws Error(bad_input), also
-// where nodes are no trees.
-std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshes, std::size_t accessors,
-                                         const Point& center);
+// Of so many meshes and accessors, all moved by `center`, in the order of the default scene;
+// without scenes from every node that is nobody's child on; without nodes every mesh as it is.
+// Throws Error(bad_input), also where nodes are no trees.
+std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshes,
+                                         std::size_t accessors, const Point& center);
 
 }  // namespace winnow

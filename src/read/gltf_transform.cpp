@@ -12,12 +12,12 @@ GltfTransform gltf_transform(const Point& translation, const std::array<double, 
   const double square = x * x + y * y + z * z + w * w;
   if (square > 0 && std::isfinite(square)) {
     const auto part = [square](double value) { return value / square; };
-    result[0] = {part(w * w + x * x - y * y - z * z), part(2 * (x * y - z * w)), part(2 * (x * z + y * w)),
-                 0};
-    result[1] = {part(2 * (x * y + z * w)), part(w * w - x * x + y * y - z * z), part(2 * (y * z - x * w)),
-                 0};
-    result[2] = {part(2 * (x * z - y * w)), part(2 * (y * z + x * w)), part(w * w - x * x - y * y + z * z),
-                 0};
+    result[0] = {part(w * w + x * x - y * y - z * z), part(2 * (x * y - z * w)),
+                 part(2 * (x * z + y * w)), 0};
+    result[1] = {part(2 * (x * y + z * w)), part(w * w - x * x + y * y - z * z),
+                 part(2 * (y * z - x * w)), 0};
+    result[2] = {part(2 * (x * z - y * w)), part(2 * (y * z + x * w)),
+                 part(w * w - x * x - y * y + z * z), 0};
   }
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) result[row][column] *= scale[column];
@@ -30,8 +30,8 @@ GltfTransform operator*(const GltfTransform& a, const GltfTransform& b) {
   GltfTransform product{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 4; ++column) {
-      product[row][column] = a[row][0] * b[0][column] + a[row][1] * b[1][column] + a[row][2] * b[2][column] +
-                             (column == 3 ? a[row][3] : 0.0);
+      product[row][column] = a[row][0] * b[0][column] + a[row][1] * b[1][column] +
+                             a[row][2] * b[2][column] + (column == 3 ? a[row][3] : 0.0);
     }
   }
   return product;
@@ -62,8 +62,8 @@ GltfTurn::GltfTurn(const GltfTransform& transform) {
       for (double& value : row) value /= largest;
     }
   }
-  // The cofactors are the transpose of the inverse times the determinant. Unlike it they are there also where
-  // everything is pressed flat.
+  // The cofactors are the transpose of the inverse times the determinant. Unlike it they are there
+  // also where everything is pressed flat.
   rows_ = {cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1])};
   mirrors_ = dot(linear[0], rows_[0]) < 0;
   for (Point& row : rows_) row = (mirrors_ ? -1.0 : 1.0) * row;

@@ -11,7 +11,8 @@ namespace winnow {
 using GltfTransform = std::array<std::array<double, 4>, 3>;
 inline constexpr GltfTransform gltf_identity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
-// Scaled first, then turned by a quaternion, x, y, z, w, of any length, then moved. Quarter turns are exact.
+// Scaled first, then turned by a quaternion, x, y, z, w, of any length, then moved. Quarter turns
+// are exact.
 GltfTransform gltf_transform(const Point& translation, const std::array<double, 4>& rotation,
                              const Point& scale);
 
@@ -27,8 +28,8 @@ class GltfTurn {
   // By the specification, triangles are turned with what they are mirrored by.
   [[nodiscard]] bool mirrors() const { return mirrors_; }
 
-  // The normal there of a surface that has this one here: as it is where nothing but a place changes, else as
-  // long as 1. What has no direction stays so.
+  // The normal there of a surface that has this one here: as it is where nothing but a place
+  // changes, else as long as 1. What has no direction stays so.
   [[nodiscard]] Point normal(const Point& here) const;
 
  private:

@@ -22,10 +22,12 @@ GoodFaces::GoodFaces(const FaceBatch& faces) {
     if (faces.status[i] == FaceStatus::out_of_range) {
       ++bad_.out_of_range;
       what = "names a vertex that does not exist";
-    } else if (faces.status[i] == FaceStatus::good && !(finite(t[0]) && finite(t[1]) && finite(t[2]))) {
+    } else if (faces.status[i] == FaceStatus::good &&
+               !(finite(t[0]) && finite(t[1]) && finite(t[2]))) {
       ++bad_.non_finite;
       what = "has a corner that is not finite";
-    } else if (faces.status[i] != FaceStatus::good || t[0] == t[1] || t[0] == t[2] || t[1] == t[2]) {
+    } else if (faces.status[i] != FaceStatus::good || t[0] == t[1] || t[0] == t[2] ||
+               t[1] == t[2]) {
       ++bad_.degenerate;
       what = "repeats a corner";
     } else {

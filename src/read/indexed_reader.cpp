@@ -123,7 +123,8 @@ bool IndexedReader::next_of_source(RawBatch& batch) {
     held_.pop_front();
   } else if (!next_indices(batch)) {
     if (!std::exchange(faces_read_, true) && crossed_ > 0) {
-      job_.note(grouped(crossed_) + (crossed_ == 1 ? " polygon of '" : " polygons of '") + source_->name() +
+      job_.note(grouped(crossed_) + (crossed_ == 1 ? " polygon of '" : " polygons of '") +
+                source_->name() +
                 "' cross themselves and could not be cut properly; they became fans of triangles");
     }
     return false;
@@ -161,7 +162,8 @@ void IndexedReader::reserve_for_polygon(std::uint64_t corners) {
   if (corners <= std::max<std::uint64_t>(memory_.batch_faces, largest_polygon_)) return;
   const std::uint64_t in_flight = 2 * batches_in_flight(job_.threads) * KeptFaces::bytes_a_face;
   large_polygon_.release();
-  large_polygon_ = job_.budget.reserve(corners * (in_flight + PolygonCutter::memory(1)), "a large polygon");
+  large_polygon_ =
+      job_.budget.reserve(corners * (in_flight + PolygonCutter::memory(1)), "a large polygon");
   largest_polygon_ = corners;
 }
 
@@ -192,25 +194,28 @@ bool IndexedReader::next_faces(RawBatch& batch) {
   return batch.count > 0;
 }
 
-void IndexedReader::decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const {
+void IndexedReader::decode_faces(const RawBatch& batch, FaceBatch& slice,
+                                 const FaceSink& sink) const {
   if (streams_ != nullptr) return slice_records(batch, vertices_, *streams_, slice, sink);
   decode_indices(batch, slice, sink);
   vertices_.check_intact(source_->name());
   batch.block.check_intact(source_->name());
 }
 
-void IndexedReader::decode_indices(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const {
+void IndexedReader::decode_indices(const RawBatch& batch, FaceBatch& slice,
+                                   const FaceSink& sink) const {
   slice_indices(batch, vertices_, slice, sink);
 }
 
-void IndexedReader::corner_numbers(const RawBatch& batch, std::vector<std::uint32_t>& numbers) const {
+void IndexedReader::corner_numbers(const RawBatch& batch,
+                                   std::vector<std::uint32_t>& numbers) const {
   numbers.assign(batch.indices.begin(), batch.indices.end());
 }
 
-// Streams read and write every corner's number and record twice in all, and the vertices once: in long
-// stretches, which is as fast as a disk can be. Sorted faces are a third of that. Lookups read pages from
-// anywhere. So a few times as many bytes have to be at stake before it is worth the scratch, and a mesh in a
-// sensible order never comes near that.
+// Streams read and write every corner's number and record twice in all, and the vertices once: in
+// long stretches, which is as fast as a disk can be. Sorted faces are a third of that. Lookups read
+// pages from anywhere. So a few times as many bytes have to be at stake before it is worth the
+// scratch, and a mesh in a sensible order never comes near that.
 void IndexedReader::begin_first_time() {
   sampled_ = true;
   constexpr double worth_it = 4;
@@ -218,7 +223,8 @@ void IndexedReader::begin_first_time() {
   constexpr double most_far = 0.01;
   constexpr int stretches = 16;
   constexpr std::size_t first_batches = 4;
-  Locality locality(vertices_, SortedFaces::near(vertices_.layout().stride, vertices_.memory_limit()));
+  Locality locality(vertices_,
+                    SortedFaces::near(vertices_.layout().stride, vertices_.memory_limit()));
   std::vector<std::uint32_t> numbers;
   RawBatch batch;
   bool anywhere = true;
@@ -242,8 +248,9 @@ void IndexedReader::begin_first_time() {
   const std::uint64_t faces = facts_.faces.value_or(2 * vertices_.size());
   const double vertex_bytes =
       static_cast<double>(vertices_.size()) * static_cast<double>(vertices_.layout().stride);
-  const double streamed = vertex_bytes + static_cast<double>(faces) * 2 *
-                                             static_cast<double>(CornerStreams::bytes_a_face(packed.size()));
+  const double streamed =
+      vertex_bytes + static_cast<double>(faces) * 2 *
+                         static_cast<double>(CornerStreams::bytes_a_face(packed.size()));
   if (locality.lookup_bytes(faces) < worth_it * streamed) return;
   const std::uint64_t memory = vertices_.memory_limit();
   if (memory_.any_order && locality.far_part() <= most_far) {

@@ -18,10 +18,10 @@
 
 namespace winnow {
 
-// Positions and attributes are those of a VertexStore, which the derived class fills before anything is
-// asked. Faces are numbers of vertices, given by the derived class; where they jump over more vertices than
-// memory has room for, which a sample tells when faces are read for the first time, their vertices are
-// brought together in scratch.
+// Positions and attributes are those of a VertexStore, which the derived class fills before
+// anything is asked. Faces are numbers of vertices, given by the derived class; where they jump
+// over more vertices than memory has room for, which a sample tells when faces are read for the
+// first time, their vertices are brought together in scratch.
 class IndexedReader : public MeshReader {
  public:
   IndexedReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
@@ -30,7 +30,8 @@ class IndexedReader : public MeshReader {
 
   void begin_positions(PassCorners corners) override;
   bool next_positions(RawBatch& batch) override;
-  void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override;
+  void decode_positions(const RawBatch& batch, FaceBatch& slice,
+                        const PositionSink& sink) const override;
   std::optional<std::array<double, 3>> first_finite_position() override;
   std::vector<AttributeRange> attribute_ranges() override;
   void read_attributes(const PositionView& view, std::vector<double>& out) const override {
@@ -54,8 +55,8 @@ class IndexedReader : public MeshReader {
   // The numbers of a batch's corners, three a face.
   virtual void corner_numbers(const RawBatch& batch, std::vector<std::uint32_t>& numbers) const;
   [[nodiscard]] virtual bool faces_come_again() const = 0;
-  // Some faces from somewhere, the first for 0, the last for 1; false where they can only be read in order.
-  // begin_indices() follows.
+  // Some faces from somewhere, the first for 0, the last for 1; false where they can only be read
+  // in order. begin_indices() follows.
   virtual bool sample_indices(double /*place*/, RawBatch& /*batch*/) { return false; }
   [[nodiscard]] std::uint64_t sample_begin(double place, std::uint64_t faces) const {
     const std::uint64_t last = faces - std::min<std::uint64_t>(faces, memory_.batch_faces);
@@ -84,13 +85,14 @@ class IndexedReader : public MeshReader {
   PolygonCutter cutter_;
   Reservation large_polygon_;
   std::uint64_t largest_polygon_ = 0;  // corners
-  std::uint64_t crossed_ = 0;          // polygons that cannot be cut, in the first pass over the faces
-  bool faces_read_ = false;            // all of them, once
+  std::uint64_t crossed_ = 0;  // polygons that cannot be cut, in the first pass over the faces
+  bool faces_read_ = false;    // all of them, once
   bool sampled_ = false;
   std::deque<RawBatch> held_;               // read for the sample, and to be given out first
   std::unique_ptr<KeptFaces> kept_;         // those that do not come again
   std::unique_ptr<CornerStreams> streams_;  // where faces jump
-  std::unique_ptr<SortedFaces> sorted_;     // where only the next face is far away, and any order will do
+  std::unique_ptr<SortedFaces>
+      sorted_;  // where only the next face is far away, and any order will do
 };
 
 }  // namespace winnow

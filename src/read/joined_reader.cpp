@@ -49,8 +49,8 @@ double color_of_light(ScalarType type, double stored) {
 
 class JoinedReader final : public MeshReader {
  public:
-  JoinedReader(Job& job, const std::vector<std::string>& names, Format format, const ReaderMemory& memory,
-               const AttributeWish& wish)
+  JoinedReader(Job& job, const std::vector<std::string>& names, Format format,
+               const ReaderMemory& memory, const AttributeWish& wish)
       : job_(job),
         names_(names),
         format_(format),
@@ -77,7 +77,8 @@ class JoinedReader final : public MeshReader {
     facts_.choice = choose_attributes(wish, facts_.offer, name_);
     carried_.names.emplace();
     carried_.no_data = wish.no_data;
-    for (const Attribute& attribute : facts_.choice.carried) carried_.names->push_back(attribute.name);
+    for (const Attribute& attribute : facts_.choice.carried)
+      carried_.names->push_back(attribute.name);
     facts_.format = joined_formats(formats);
   }
 
@@ -86,8 +87,11 @@ class JoinedReader final : public MeshReader {
     positions_ = true;
     begin(0);
   }
-  bool next_positions(RawBatch& batch) override { return seen(batch, reader_->next_positions(batch)); }
-  void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override {
+  bool next_positions(RawBatch& batch) override {
+    return seen(batch, reader_->next_positions(batch));
+  }
+  void decode_positions(const RawBatch& batch, FaceBatch& slice,
+                        const PositionSink& sink) const override {
     reader_->decode_positions(batch, slice, [&](const PositionView& view) {
       PositionView numbered = view;
       numbered.first += before_;
@@ -106,12 +110,14 @@ class JoinedReader final : public MeshReader {
     reader_->decode_faces(batch, slice, [&](const FaceBatch& /*slice*/) {
       slice.first += before_;
       if (slice.numbers != nullptr) {
-        std::transform(slice.numbers, slice.numbers + slice.count, numbers.begin(),
-                       [&](std::uint32_t number) { return number + static_cast<std::uint32_t>(before_); });
+        std::transform(
+            slice.numbers, slice.numbers + slice.count, numbers.begin(),
+            [&](std::uint32_t number) { return number + static_cast<std::uint32_t>(before_); });
         slice.numbers = numbers.data();
       }
       for (std::size_t i = 0; i < place_.size(); ++i) {
-        const auto from = slice.attributes.begin() + static_cast<std::ptrdiff_t>(place_[i].number * block);
+        const auto from =
+            slice.attributes.begin() + static_cast<std::ptrdiff_t>(place_[i].number * block);
         const auto to = attributes.begin() + static_cast<std::ptrdiff_t>(i * block);
         std::copy_n(from, block, to);
         if (!place_[i].light) continue;
@@ -152,8 +158,9 @@ class JoinedReader final : public MeshReader {
       const std::vector<AttributeRange> here = reader_->attribute_ranges();
       for (std::size_t i = 0; i < place_.size(); ++i) {
         const AttributeRange& range = here[place_[i].number];
-        const double largest =
-            place_[i].light ? color_of_light(facts_.choice.carried[i].type, range.largest) : range.largest;
+        const double largest = place_[i].light
+                                   ? color_of_light(facts_.choice.carried[i].type, range.largest)
+                                   : range.largest;
         ranges[i].largest = std::max(ranges[i].largest, largest);
         ranges[i].without += range.without;
       }
@@ -195,11 +202,12 @@ class JoinedReader final : public MeshReader {
         return one.name == attribute.name && one.type == attribute.type;
       });
       if (found == here.end()) {
-        throw Error(ErrorKind::bad_input,
-                    "'" + names_[part] + "' lacks '" + attribute.name + "' by now: it was changed meanwhile");
+        throw Error(ErrorKind::bad_input, "'" + names_[part] + "' lacks '" + attribute.name +
+                                              "' by now: it was changed meanwhile");
       }
-      place_.push_back({static_cast<std::size_t>(found - here.begin()),
-                        found->kind == AttributeKind::light && attribute.kind != AttributeKind::light});
+      place_.push_back(
+          {static_cast<std::size_t>(found - here.begin()),
+           found->kind == AttributeKind::light && attribute.kind != AttributeKind::light});
     }
   }
 
@@ -218,7 +226,8 @@ class JoinedReader final : public MeshReader {
     return more;
   }
 
-  static constexpr std::size_t block = 3 * FaceBatch::capacity;  // numbers of one attribute in a batch
+  static constexpr std::size_t block =
+      3 * FaceBatch::capacity;  // numbers of one attribute in a batch
 
   Job& job_;
   std::vector<std::string> names_;
@@ -228,8 +237,8 @@ class JoinedReader final : public MeshReader {
   std::vector<std::uint64_t> bytes_;                  // of each file, as far as it was read
   std::vector<std::optional<FileVersion>> versions_;  // of each file, when it was first opened
   AttributeWish carried_;                             // what is asked of each file
-  // Of each attribute its number among those of the file at work, and whether it is of light there and of
-  // colours here.
+  // Of each attribute its number among those of the file at work, and whether it is of light there
+  // and of colours here.
   struct Place {
     std::size_t number;
     bool light;
@@ -247,16 +256,19 @@ class JoinedReader final : public MeshReader {
 void check_regular(const std::string& name) {
   std::error_code ignored;
   const auto status = std::filesystem::status(name, ignored);
-  if (name == "-" || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
-    throw Error(ErrorKind::usage, "several inputs are read more than once, so each must be a file, which '" +
-                                      name + "' is not; join them first, or name it alone");
+  if (name == "-" ||
+      (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
+    throw Error(ErrorKind::usage,
+                "several inputs are read more than once, so each must be a file, which '" + name +
+                    "' is not; join them first, or name it alone");
   }
 }
 
 }  // namespace
 
-std::unique_ptr<MeshReader> join_files(Job& job, const std::vector<std::string>& names, Format format,
-                                       const ReaderMemory& memory, const AttributeWish& wish) {
+std::unique_ptr<MeshReader> join_files(Job& job, const std::vector<std::string>& names,
+                                       Format format, const ReaderMemory& memory,
+                                       const AttributeWish& wish) {
   return std::make_unique<JoinedReader>(job, names, format, memory, wish);
 }
 

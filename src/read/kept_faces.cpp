@@ -74,7 +74,8 @@ void KeptFaces::restore_status(RawBatch& batch) {
   batch.status.assign(batch.count, FaceStatus::good);
   for (std::size_t i = 0; i < batch.count; ++i) {
     const auto face = std::span(batch.indices).subspan(3 * i, 3);
-    if (face[0] != UINT32_MAX || !std::equal(face.begin(), face.end(), degenerate.begin())) continue;
+    if (face[0] != UINT32_MAX || !std::equal(face.begin(), face.end(), degenerate.begin()))
+      continue;
     std::fill(face.begin(), face.end(), 0);
     batch.status[i] = FaceStatus::degenerate;
   }
@@ -86,8 +87,8 @@ void KeptFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch) con
   for (std::uint64_t i = fans_behind(first); i < record_count<Fans>(fans_); ++i) {
     const Fans fans = read_record<Fans>(fans_, i);
     if (fans.first >= first + batch.count) break;
-    for (std::uint64_t at = std::max(fans.first, first); at < std::min(fans.end(), first + batch.count);
-         at += fans.triangles) {
+    for (std::uint64_t at = std::max(fans.first, first);
+         at < std::min(fans.end(), first + batch.count); at += fans.triangles) {
       batch.fans.push_back({at - first, fans.triangles});
       batch.count = std::max(batch.count, at + fans.triangles - first);
     }

@@ -16,12 +16,15 @@ class KeptFaces {
  public:
   static constexpr std::uint64_t bytes_a_face = 12;
 
-  KeptFaces(Job& job, std::uint64_t memory_limit) : spool_(job, memory_limit), fans_(job, memory_limit / 8) {}
+  KeptFaces(Job& job, std::uint64_t memory_limit)
+      : spool_(job, memory_limit), fans_(job, memory_limit / 8) {}
 
-  // How a face of fewer than three corners is kept: numbers that no three vertices of one face have. The
-  // first is of none, see MeshReader's indices.
-  static constexpr std::array<std::uint32_t, 3> degenerate{UINT32_MAX, UINT32_MAX - 1, UINT32_MAX - 2};
-  // What is kept of a face; one that names these very numbers, of vertices that there are not, gets others.
+  // How a face of fewer than three corners is kept: numbers that no three vertices of one face
+  // have. The first is of none, see MeshReader's indices.
+  static constexpr std::array<std::uint32_t, 3> degenerate{UINT32_MAX, UINT32_MAX - 1,
+                                                           UINT32_MAX - 2};
+  // What is kept of a face; one that names these very numbers, of vertices that there are not, gets
+  // others.
   static std::array<std::uint32_t, 3> kept(const RawBatch& batch, std::size_t face);
   // The status of faces whose indices were kept.
   static void restore_status(RawBatch& batch);
@@ -36,8 +39,8 @@ class KeptFaces {
 
   [[nodiscard]] std::uint64_t size() const { return spool_.size() / bytes_a_face; }
 
-  // The next faces from `first` on, at most `most` unless a polygon would be cut, as indices, status, fans
-  // and count of `batch`. `first` is the first triangle of a polygon.
+  // The next faces from `first` on, at most `most` unless a polygon would be cut, as indices,
+  // status, fans and count of `batch`. `first` is the first triangle of a polygon.
   void read(std::uint64_t first, std::size_t most, RawBatch& batch) const;
   // The first triangle of the polygon that has this one.
   [[nodiscard]] std::uint64_t begin_of(std::uint64_t triangle) const;

@@ -8,10 +8,11 @@
 
 namespace winnow {
 
-void KeptMesh::add_vertices(std::span<const double> xyz, bool single, std::span<const double> attributes) {
+void KeptMesh::add_vertices(std::span<const double> xyz, bool single,
+                            std::span<const double> attributes) {
   if (xyz.size() / 3 > no_vertex - vertices_.size()) {
-    throw Error(ErrorKind::bad_input,
-                "'" + name_ + "' has more than " + grouped(no_vertex) + " vertices, which is not supported");
+    throw Error(ErrorKind::bad_input, "'" + name_ + "' has more than " + grouped(no_vertex) +
+                                          " vertices, which is not supported");
   }
   vertices_.keep(xyz, attributes);
   single_ = single_ && single;
@@ -24,8 +25,8 @@ void KeptMesh::pass_over(const std::string& what) {
 
 // On a coherent mesh the vertices, in doubles, take as much as the faces.
 KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                       const AttributeWish& wish, const std::string& format, const AttributeOffer& offer,
-                       const Parse& parse)
+                       const AttributeWish& wish, const std::string& format,
+                       const AttributeOffer& offer, const Parse& parse)
     : IndexedReader(job, std::move(source), memory, memory.vertices / 2),
       faces_(job, memory.vertices * 3 / 8),
       numbers_(job, memory.vertices / 8) {
@@ -55,7 +56,8 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   for (const Attribute& attribute : facts_.offer.scalars)
     line += (line.empty() ? "vertex: " : " ") + described(attribute);
   if (!line.empty()) facts_.attributes.push_back(line);
-  facts_.attributes.insert(facts_.attributes.end(), mesh.passed_over().begin(), mesh.passed_over().end());
+  facts_.attributes.insert(facts_.attributes.end(), mesh.passed_over().begin(),
+                           mesh.passed_over().end());
   facts_.offer.unread = mesh.passed_over();
   facts_.choice = choose_attributes(wish, facts_.offer, source_->name());
 }

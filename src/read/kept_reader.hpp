@@ -1,6 +1,6 @@
-// Formats that are taken in whole before anything is given out: their vertices and triangles wait in memory
-// or, where they do not fit, in scratch. So vertices and faces may stand in any order, and every pass after
-// the first is free of parsing, from files and pipes alike.
+// Formats that are taken in whole before anything is given out: their vertices and triangles wait
+// in memory or, where they do not fit, in scratch. So vertices and faces may stand in any order,
+// and every pass after the first is free of parsing, from files and pipes alike.
 #pragma once
 
 #include "read/indexed_reader.hpp"
@@ -33,9 +33,10 @@ class KeptMesh {
   // Of each attribute that the format offered whether it is carried.
   [[nodiscard]] const std::vector<bool>& carried() const { return carried_; }
 
-  // `single`: floats say the same. A mesh of which all vertices are single is one of floats. `attributes`:
-  // those that are carried, vertex by vertex.
-  void add_vertices(std::span<const double> xyz, bool single, std::span<const double> attributes = {});
+  // `single`: floats say the same. A mesh of which all vertices are single is one of floats.
+  // `attributes`: those that are carried, vertex by vertex.
+  void add_vertices(std::span<const double> xyz, bool single,
+                    std::span<const double> attributes = {});
   // By which the corners of faces name vertices, if at all; else they count them from 0.
   void add_numbers(std::span<const std::uint32_t> numbers) { numbers_.add(numbers); }
   void add_polygon(std::span<const std::uint32_t> corners) { faces_.add_polygon(corners); }
@@ -75,7 +76,9 @@ class KeptReader : public IndexedReader {
              const AttributeWish& wish, const std::string& format, const AttributeOffer& offer,
              const Parse& parse);
 
-  [[nodiscard]] std::uint64_t bytes() const override { return source_->size().value_or(source_->position()); }
+  [[nodiscard]] std::uint64_t bytes() const override {
+    return source_->size().value_or(source_->position());
+  }
 
  protected:
   void begin_indices() override { next_kept_ = 0; }

@@ -10,7 +10,8 @@ namespace winnow {
 void Locality::add_stretch(std::span<const std::uint32_t> numbers) {
   constexpr std::uint64_t page = 4096;
   constexpr std::size_t slice = 3 * FaceBatch::capacity;
-  // What the first half brings into memory, the second may find there, as it would in the middle of a pass.
+  // What the first half brings into memory, the second may find there, as it would in the middle of
+  // a pass.
   const std::size_t counted_from = numbers.size() / 2 / slice * slice;
   std::set<std::uint64_t> resident;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
@@ -43,7 +44,8 @@ void Locality::add_stretch(std::span<const std::uint32_t> numbers) {
 
 double Locality::lookup_bytes(std::uint64_t faces) const {
   return faces_ == 0 ? 0
-                     : static_cast<double>(bytes_) / static_cast<double>(faces_) * static_cast<double>(faces);
+                     : static_cast<double>(bytes_) / static_cast<double>(faces_) *
+                           static_cast<double>(faces);
 }
 
 }  // namespace winnow

@@ -8,8 +8,8 @@
 
 namespace winnow {
 
-// From stretches of faces, an estimate of what looking up their vertices would have to read of the mapped
-// vertices: a simulation of what VertexStore::gather() does.
+// From stretches of faces, an estimate of what looking up their vertices would have to read of the
+// mapped vertices: a simulation of what VertexStore::gather() does.
 class Locality {
  public:
   // `near`: by how much the numbers of the vertices of one face may be apart.

@@ -1,5 +1,5 @@
-// .m, the text format of Hugues Hoppe's mesh programs: "Vertex 7 x y z" and "Face 1 7 9 12", each with a
-// number of its own and attributes in braces, which are passed over.
+// .m, the text format of Hugues Hoppe's mesh programs: "Vertex 7 x y z" and "Face 1 7 9 12", each
+// with a number of its own and attributes in braces, which are passed over.
 #include "read/formats.hpp"
 #include "read/text_mesh.hpp"
 #include "read/text_tokens.hpp"
@@ -23,8 +23,8 @@ void parse_m_lines(const TextBlock& block, ParsedLines& lines) {
       const std::string_view word = words.next();
       const std::int64_t number = integer(word, words, lines);
       if (number < 0 || number >= no_vertex)
-        lines.fail(word,
-                   "the vertex number " + std::string(word.substr(0, 40)) + " is not between 0 and 2^32");
+        lines.fail(word, "the vertex number " + std::string(word.substr(0, 40)) +
+                             " is not between 0 and 2^32");
       lines.add_number(static_cast<std::uint32_t>(number));
       lines.add_position(words);
       if (!words.next().empty()) lines.pass_over("attributes of vertices");
@@ -59,9 +59,10 @@ TextMatch match_m(std::string_view head) {
   return TextMatch::none;
 }
 
-std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                                   const AttributeWish& wish) {
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "M", AttributeOffer{}, parse_m);
+std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source,
+                                   const ReaderMemory& memory, const AttributeWish& wish) {
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "M", AttributeOffer{},
+                                      parse_m);
 }
 
 }  // namespace winnow

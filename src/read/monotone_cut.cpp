@@ -15,7 +15,8 @@ constexpr Corner no_corner = UINT32_MAX;
 
 class MonotoneCut {
  public:
-  MonotoneCut(std::span<const PlanePoint> corners, std::vector<std::array<std::uint32_t, 3>>& triangles)
+  MonotoneCut(std::span<const PlanePoint> corners,
+              std::vector<std::array<std::uint32_t, 3>>& triangles)
       : at_(corners),
         count_(static_cast<Corner>(corners.size())),
         triangles_(triangles),
@@ -49,8 +50,8 @@ class MonotoneCut {
            (at_[b][1] - at_[a][1]) * (at_[c][0] - at_[a][0]);
   }
 
-  // Edges that lead to the right, by the corner they begin at, have the inside above them. The order of those
-  // that one vertical line meets, from below.
+  // Edges that lead to the right, by the corner they begin at, have the inside above them. The
+  // order of those that one vertical line meets, from below.
   struct Below {
     using is_transparent = void;
     const MonotoneCut* cut;
@@ -163,8 +164,10 @@ class MonotoneCut {
     }
   }
 
-  [[nodiscard]] Corner from_of(const std::vector<std::uint32_t>& first, std::size_t diagonal) const {
-    return static_cast<Corner>(std::upper_bound(first.begin(), first.end(), diagonal) - first.begin() - 1);
+  [[nodiscard]] Corner from_of(const std::vector<std::uint32_t>& first,
+                               std::size_t diagonal) const {
+    return static_cast<Corner>(std::upper_bound(first.begin(), first.end(), diagonal) -
+                               first.begin() - 1);
   }
 
   // From the polygon's next side on, against the clock.
@@ -215,7 +218,8 @@ class MonotoneCut {
       Waiting now = sorted[i];
       if (i + 1 == size) now.lower = !stack.back().lower;
       if (now.lower != stack.back().lower) {
-        for (std::size_t k = 1; k < stack.size(); ++k) add(stack[k - 1].corner, stack[k].corner, now);
+        for (std::size_t k = 1; k < stack.size(); ++k)
+          add(stack[k - 1].corner, stack[k].corner, now);
         stack = {{stack.back().corner, now.lower}, now};
         continue;
       }
@@ -254,7 +258,8 @@ class MonotoneCut {
 
 }  // namespace
 
-void cut_by_sweep(std::span<const PlanePoint> corners, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+void cut_by_sweep(std::span<const PlanePoint> corners,
+                  std::vector<std::array<std::uint32_t, 3>>& triangles) {
   MonotoneCut(corners, triangles).run();
 }
 

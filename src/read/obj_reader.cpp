@@ -1,5 +1,5 @@
-// Wavefront OBJ, by its specification ("Advanced Visualizer Manual, Appendix B1", 1993): vertices and faces;
-// everything else is passed over.
+// Wavefront OBJ, by its specification ("Advanced Visualizer Manual, Appendix B1", 1993): vertices
+// and faces; everything else is passed over.
 #include <winnow/error.hpp>
 
 #include "read/formats.hpp"
@@ -18,7 +18,8 @@ namespace {
 void add_corner(std::string_view word, ParsedLines& lines) {
   const char* end = word.data() + word.size();
   std::int64_t number = 0;
-  const auto [behind, error] = std::from_chars(word.data() + (word.front() == '+' ? 1 : 0), end, number);
+  const auto [behind, error] =
+      std::from_chars(word.data() + (word.front() == '+' ? 1 : 0), end, number);
   if (error == std::errc::invalid_argument || (behind != end && *behind != '/'))
     lines.fail(word, "'" + std::string(word.substr(0, 40)) + "' is not a corner of a face");
   if (error == std::errc::result_out_of_range || number == 0) number = INT64_MIN / 4;
@@ -42,7 +43,8 @@ void parse_obj_lines(const TextBlock& block, bool colors, ParsedLines& lines) {
         lines.pass_over(colors_of_some);  // one number alone is a weight
       }
     } else if (keyword == "f") {
-      for (std::string_view word = words.next(); !word.empty(); word = words.next()) add_corner(word, lines);
+      for (std::string_view word = words.next(); !word.empty(); word = words.next())
+        add_corner(word, lines);
       lines.end_face();
     } else if (keyword == "vn") {
       lines.pass_over("normals");
@@ -57,9 +59,9 @@ void parse_obj_lines(const TextBlock& block, bool colors, ParsedLines& lines) {
 }
 
 // What may stand before the first vertex or face.
-constexpr std::array<std::string_view, 14> prelude{"g",          "o",         "s",      "mtllib", "usemtl",
-                                                   "mg",         "usemap",    "maplib", "l",      "p",
-                                                   "shadow_obj", "trace_obj", "lod",    "bevel"};
+constexpr std::array<std::string_view, 14> prelude{
+    "g",      "o", "s", "mtllib",     "usemtl",    "mg",  "usemap",
+    "maplib", "l", "p", "shadow_obj", "trace_obj", "lod", "bevel"};
 
 bool is_geometry(std::string_view keyword) {
   return keyword == "v" || keyword == "vt" || keyword == "vn" || keyword == "vp" || keyword == "f";
@@ -74,9 +76,10 @@ bool looks_like_number(std::string_view word) {
 void parse_obj(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
   TextBlocks blocks(mesh.job(), source, text_block_bytes(batch_faces));
   const bool colors = !mesh.carried().empty();
-  parse_text({[&](TextBlock& block) { return blocks.next(block); },
-              [&](const TextBlock& block, ParsedLines& lines) { parse_obj_lines(block, colors, lines); }},
-             mesh);
+  parse_text(
+      {[&](TextBlock& block) { return blocks.next(block); },
+       [&](const TextBlock& block, ParsedLines& lines) { parse_obj_lines(block, colors, lines); }},
+      mesh);
 }
 
 }  // namespace
@@ -87,7 +90,8 @@ TextMatch match_obj(std::string_view head) {
   for (std::string_view line; each.next(line);) {
     LineWords words(line);
     const std::string_view keyword = words.next();
-    if (keyword.empty() || std::find(prelude.begin(), prelude.end(), keyword) != prelude.end()) continue;
+    if (keyword.empty() || std::find(prelude.begin(), prelude.end(), keyword) != prelude.end())
+      continue;
     if (is_geometry(keyword)) {
       // Prose may have a number behind a "v".
       std::size_t numbers = 0;
@@ -116,10 +120,11 @@ AttributeOffer offer_of_obj(std::string_view head) {
   return offer;
 }
 
-std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                                     const AttributeWish& wish) {
+std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory, const AttributeWish& wish) {
   const AttributeOffer offer = offer_by_head<offer_of_obj>(job, *source);
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OBJ", offer, parse_obj);
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OBJ", offer,
+                                      parse_obj);
 }
 
 }  // namespace winnow

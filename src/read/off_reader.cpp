@@ -1,6 +1,6 @@
-// OFF as text, as Geomview's manual describes it: a header, a vertex a line, a face a line. What stands
-// behind the position (normal, colour, texture coordinates) is offered; what stands behind indices is passed
-// over.
+// OFF as text, as Geomview's manual describes it: a header, a vertex a line, a face a line. What
+// stands behind the position (normal, colour, texture coordinates) is offered; what stands behind
+// indices is passed over.
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
@@ -15,8 +15,8 @@ namespace winnow {
 
 namespace {
 
-// "OFF", "COFF", "STCNOFF" ...; `behind` is what follows without a blank. Small letters are taken for capital
-// ones, except an "n" before "OFF". Nothing if it is no such word.
+// "OFF", "COFF", "STCNOFF" ...; `behind` is what follows without a blank. Small letters are taken
+// for capital ones, except an "n" before "OFF". Nothing if it is no such word.
 struct Keyword {
   std::string prefix;
   std::string_view behind;
@@ -26,26 +26,29 @@ std::optional<Keyword> keyword_of(std::string_view word) {
   const std::size_t at = word.find(small ? "off" : "OFF");
   if (at == std::string_view::npos) return {};
   Keyword found{std::string(word.substr(0, at)), word.substr(at + 3)};
-  if (small) std::transform(found.prefix.begin(), found.prefix.end(), found.prefix.begin(), capital_letter);
+  if (small)
+    std::transform(found.prefix.begin(), found.prefix.end(), found.prefix.begin(), capital_letter);
   std::string_view left = found.prefix;
   for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
     if (left.starts_with(part)) left.remove_prefix(part.size());
   }
-  const bool number =
-      std::all_of(found.behind.begin(), found.behind.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool number = std::all_of(found.behind.begin(), found.behind.end(),
+                                  [](char c) { return c >= '0' && c <= '9'; });
   if (!left.empty() || !number) return {};
   return found;
 }
 
-// What the header says of vertices. Behind the position stand normal, colour and texture coordinates, in this
-// order.
+// What the header says of vertices. Behind the position stand normal, colour and texture
+// coordinates, in this order.
 struct Vertices {
   bool normals = false, colors = false, texture = false;
   std::uint64_t count = 0;
 };
 
 Vertices vertices_of(const Keyword& keyword) {
-  const auto has = [&](std::string_view part) { return keyword.prefix.find(part) != std::string_view::npos; };
+  const auto has = [&](std::string_view part) {
+    return keyword.prefix.find(part) != std::string_view::npos;
+  };
   return {has("N"), has("C"), has("ST"), 0};
 }
 
@@ -64,17 +67,18 @@ Vertices vertices_of(TextLines& lines) {
         word = keyword->behind;
         if (word.empty()) continue;
       }
-      if (found++ == 0) vertices.count = static_cast<std::uint64_t>(parse_integer(word).value_or(0));
+      if (found++ == 0)
+        vertices.count = static_cast<std::uint64_t>(parse_integer(word).value_or(0));
     }
     if (found == 2) ++found;  // some writers leave the edges out
   }
   return vertices;
 }
 
-// What only the numbers of the first vertices tell: how many a colour has, and whether they are whole, from 0
-// to 255. By Geomview's manual, colours of faces tell by their form alone whether they are whole. That is not
-// said of vertices, where programs write reals from 0 to 1 also as "1 0 0 1". So whole numbers count as such
-// only where one is above 1.
+// What only the numbers of the first vertices tell: how many a colour has, and whether they are
+// whole, from 0 to 255. By Geomview's manual, colours of faces tell by their form alone whether
+// they are whole. That is not said of vertices, where programs write reals from 0 to 1 also as "1 0
+// 0 1". So whole numbers count as such only where one is above 1.
 struct Colors {
   bool whole_lines = false;  // the first vertex has all that the keyword says
   std::size_t components = 0;
@@ -90,7 +94,8 @@ Colors colors_of(TextLines& lines, const Vertices& vertices) {
   for (std::string_view line; seen < vertices.count && lines.next(line);) {
     LineWords of_line(line);
     words.clear();
-    for (std::string_view word = of_line.next(); !word.empty(); word = of_line.next()) words.push_back(word);
+    for (std::string_view word = of_line.next(); !word.empty(); word = of_line.next())
+      words.push_back(word);
     if (words.empty()) continue;
     if (++seen == 1) {
       colors.whole_lines = words.size() >= before + behind;
@@ -120,10 +125,11 @@ class OffParser {
                     [&](const TextBlock& block, ParsedLines& lines) { parse_block(block, lines); }},
                    mesh_);
         if (left_ > 0) {
-          throw Error(ErrorKind::bad_input, "'" + source_.name() + "' ends " + grouped(left_) +
-                                                (vertices_next_ ? " vertices" : " faces") +
-                                                " short of what its header says: it was cut short, or the "
-                                                "counts are wrong");
+          throw Error(ErrorKind::bad_input,
+                      "'" + source_.name() + "' ends " + grouped(left_) +
+                          (vertices_next_ ? " vertices" : " faces") +
+                          " short of what its header says: it was cut short, or the "
+                          "counts are wrong");
         }
       }
       if (!vertices_next_) break;
@@ -134,7 +140,8 @@ class OffParser {
   }
 
  private:
-  [[noreturn]] void fail(const TextBlock& block, std::string_view place, const std::string& what) const {
+  [[noreturn]] void fail(const TextBlock& block, std::string_view place,
+                         const std::string& what) const {
     ParsedLines(block, mesh_).fail(place, what);
   }
 
@@ -152,27 +159,30 @@ class OffParser {
              word = words.next()) {
           if (!vertices) {
             const std::optional<Keyword> keyword = keyword_of(word);
-            if (!keyword) fail(block, word, "expected 'OFF', not '" + std::string(word.substr(0, 40)) + "'");
+            if (!keyword)
+              fail(block, word, "expected 'OFF', not '" + std::string(word.substr(0, 40)) + "'");
             check_prefix(block, word, *keyword);
             vertices = vertices_of(*keyword);
             if (keyword->behind.empty()) continue;
             word = keyword->behind;
           }
           if (word == "BINARY" && found == 0) {
-            fail(block, word, "this is binary OFF, which is not read; convert it to OFF as text, or to PLY");
+            fail(block, word,
+                 "this is binary OFF, which is not read; convert it to OFF as text, or to PLY");
           }
           const std::optional<std::int64_t> count = parse_integer(word);
           if (!count || *count < 0)
             fail(block, word,
-                 "'" + std::string(word.substr(0, 40)) + "' is not a count of vertices, faces or edges");
+                 "'" + std::string(word.substr(0, 40)) +
+                     "' is not a count of vertices, faces or edges");
           counts[found++] = static_cast<std::uint64_t>(*count);
         }
         // Some writers leave the edges out.
         if (found == 2) ++found;
         if (found == counts.size()) {
           const char* end = line.data() + line.size();
-          blocks_.give_back(block,
-                            {end, static_cast<std::size_t>(block.text().data() + block.text().size() - end)});
+          blocks_.give_back(block, {end, static_cast<std::size_t>(block.text().data() +
+                                                                  block.text().size() - end)});
         }
       }
     }
@@ -196,8 +206,8 @@ class OffParser {
       fail(block, word, "this OFF has vertices of other than three dimensions, which is not read");
   }
 
-  // A header that promises more than the file can hold: a vertex takes five characters and the end of its
-  // line, a face takes one and that.
+  // A header that promises more than the file can hold: a vertex takes five characters and the end
+  // of its line, a face takes one and that.
   void check_size() const {
     if (!source_.size()) return;
     const std::uint64_t rest = *source_.size() - source_.position() + 1;
@@ -217,8 +227,8 @@ class OffParser {
       if (LineWords(line).next().empty()) continue;
       if (--left_ > 0) continue;
       const char* end = line.data() + line.size();
-      blocks_.give_back(block,
-                        {end, static_cast<std::size_t>(block.text().data() + block.text().size() - end)});
+      blocks_.give_back(
+          block, {end, static_cast<std::size_t>(block.text().data() + block.text().size() - end)});
     }
     return true;
   }
@@ -255,7 +265,8 @@ class OffParser {
 
   // A pipe's writer must not be cut off.
   void read_to_the_end() {
-    while (!source_.take(std::size_t{1} << 16).bytes.empty()) mesh_.job().progress.check_cancelled();
+    while (!source_.take(std::size_t{1} << 16).bytes.empty())
+      mesh_.job().progress.check_cancelled();
   }
 
   ByteSource& source_;
@@ -311,10 +322,11 @@ AttributeOffer offer_of_off(std::string_view head) {
   return offer;
 }
 
-std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                                     const AttributeWish& wish) {
+std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory, const AttributeWish& wish) {
   const AttributeOffer offer = offer_by_head<offer_of_off>(job, *source);
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OFF", offer, parse_off);
+  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OFF", offer,
+                                      parse_off);
 }
 
 }  // namespace winnow

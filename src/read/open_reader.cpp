@@ -77,8 +77,8 @@ bool is_asked_for(Format format, Format asked, const ByteSource& source) {
   return asked == format || format_called(source.name()) == format;
 }
 
-// A PLY keeps its vertices anyway; only its faces cannot be had twice from a pipe. STL is all faces. Of a
-// glTF the parts may be needed in any order.
+// A PLY keeps its vertices anyway; only its faces cannot be had twice from a pipe. STL is all
+// faces. Of a glTF the parts may be needed in any order.
 bool needs_copy(const ByteSource& source, Format format, Access access) {
   if (format == Format::gltf) return !source.seekable();
   if (source.seekable() || access == Access::once || kept_format(format) != nullptr) return false;
@@ -113,13 +113,15 @@ std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> so
   const Format format = format_of(*source, from);
   if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
   if (format == Format::ply) return open_ply(job, std::move(source), memory, wish);
-  if (const KeptFormat* kept = kept_format(format)) return kept->open(job, std::move(source), memory, wish);
+  if (const KeptFormat* kept = kept_format(format))
+    return kept->open(job, std::move(source), memory, wish);
   choose_attributes(wish, {}, source->name());  // for its checks: there are none
   const bool asked = is_asked_for(Format::stl, from, *source);
   return open_stl(job, std::move(source), memory, asked);
 }
 
-InputOutlook look_at(Job& job, ByteSource& source, Format from, Access access, const AttributeWish& wish) {
+InputOutlook look_at(Job& job, ByteSource& source, Format from, Access access,
+                     const AttributeWish& wish) {
   const Format format = format_of(source, from);
   InputOutlook outlook;
   if (format == Format::ply) {

@@ -5,19 +5,22 @@
 
 namespace winnow {
 
-PackedRecords::PackedRecords(const VertexLayout& whole) : whole_stride_(whole.stride), layout_(whole) {
+PackedRecords::PackedRecords(const VertexLayout& whole)
+    : whole_stride_(whole.stride), layout_(whole) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     pieces_.push_back({whole.offset[axis], size_of(whole.type[axis])});
   for (const VertexLayout::Number& number : whole.attributes)
     pieces_.push_back({number.offset, size_of(number.type)});
-  std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.from < b.from; });
+  std::sort(pieces_.begin(), pieces_.end(),
+            [](const Piece& a, const Piece& b) { return a.from < b.from; });
   const auto packed_offset = [&](std::size_t offset) {
     std::size_t before = 0;
     for (const Piece& piece : pieces_) before += piece.from < offset ? piece.size : 0;
     return before;
   };
   for (std::size_t& offset : layout_.offset) offset = packed_offset(offset);
-  for (VertexLayout::Number& number : layout_.attributes) number.offset = packed_offset(number.offset);
+  for (VertexLayout::Number& number : layout_.attributes)
+    number.offset = packed_offset(number.offset);
   layout_.stride = packed_offset(whole.stride);
   // Neighbours are copied at once.
   std::vector<Piece> joined;

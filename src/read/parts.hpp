@@ -1,4 +1,5 @@
-// Scratch in parts, each for a range of vertex numbers: what is read in one order and needed in another.
+// Scratch in parts, each for a range of vertex numbers: what is read in one order and needed in
+// another.
 #pragma once
 
 #include "base/pages.hpp"

@@ -74,8 +74,8 @@ class HeaderParser {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ErrorKind::bad_input,
-                "'" + source_.name() + "': the PLY header, line " + std::to_string(line_) + ", " + what);
+    throw Error(ErrorKind::bad_input, "'" + source_.name() + "': the PLY header, line " +
+                                          std::to_string(line_) + ", " + what);
   }
 
   std::string_view next_line() {
@@ -112,7 +112,9 @@ class HeaderParser {
     return true;
   }
 
-  static bool is_control(char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f'; }
+  static bool is_control(char c) {
+    return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f';
+  }
 
   static std::vector<std::string_view> split(std::string_view line) {
     std::vector<std::string_view> words;
@@ -147,7 +149,8 @@ class HeaderParser {
     const auto [end, error] =
         std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
     // Beyond 2^48 nothing can be stored, and sizes in bytes would no longer fit into 64 bits.
-    if (error != std::errc{} || end != words[2].data() + words[2].size() || element.count >> 48 != 0) {
+    if (error != std::errc{} || end != words[2].data() + words[2].size() ||
+        element.count >> 48 != 0) {
       fail("declares an impossible count '" + std::string(words[2].substr(0, 40)) + "'");
     }
     header_.elements.push_back(std::move(element));
@@ -164,7 +167,8 @@ class HeaderParser {
     if (header_.elements.empty()) fail("declares a property before any element");
     PlyProperty property;
     property.list = words.size() > 1 && words[1] == "list";
-    if (words.size() < (property.list ? 5U : 3U)) fail("declares a property without a type or a name");
+    if (words.size() < (property.list ? 5U : 3U))
+      fail("declares a property without a type or a name");
     if (property.list) {
       property.count_type = parse_type(words[2]);
       if (!is_integer(property.count_type)) fail("counts a list with " + std::string(words[2]));
@@ -193,7 +197,8 @@ const PlyProperty* PlyElement::find(const std::string& property) const {
 }
 
 bool PlyElement::fixed_size() const {
-  return std::none_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.list; });
+  return std::none_of(properties.begin(), properties.end(),
+                      [](const PlyProperty& p) { return p.list; });
 }
 
 std::size_t PlyElement::smallest_size() const {

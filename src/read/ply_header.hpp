@@ -22,7 +22,8 @@ struct PlyProperty {
 
 // x, y or z.
 inline bool is_coordinate(const PlyProperty& property) {
-  return !property.list && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+  return !property.list && property.name.size() == 1 && property.name[0] >= 'x' &&
+         property.name[0] <= 'z';
 }
 
 struct PlyElement {

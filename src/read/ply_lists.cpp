@@ -4,7 +4,8 @@
 
 namespace winnow {
 
-void PlyLists::add(RawBatch& batch, std::uint32_t a, std::uint32_t b, std::uint32_t c, FaceStatus status) {
+void PlyLists::add(RawBatch& batch, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                   FaceStatus status) {
   batch.indices.insert(batch.indices.end(), {a, b, c});
   batch.status.push_back(status);
   ++batch.count;
@@ -45,13 +46,15 @@ void PlyLists::next_index(RawBatch& batch) {
     return;
   }
   // No vertex has the highest number, so it stands for every index that 32 bits do not hold.
-  const auto index = static_cast<std::uint32_t>(value < 0 || value > UINT32_MAX ? UINT32_MAX : value);
+  const auto index =
+      static_cast<std::uint32_t>(value < 0 || value > UINT32_MAX ? UINT32_MAX : value);
   ++seen_;
   if (seen_ >= 3) {
     if (!strips_) {
       add(batch, first_, last_, index, FaceStatus::good);
     } else if (before_ != last_ && last_ != index && before_ != index) {
-      // A repeated index only turns a strip around a corner; that is no face. Every second one is mirrored.
+      // A repeated index only turns a strip around a corner; that is no face. Every second one is
+      // mirrored.
       if (seen_ % 2 == 1) {
         add(batch, before_, last_, index, FaceStatus::good);
       } else {

@@ -9,16 +9,16 @@
 
 namespace winnow {
 
-// Reads the records of a face (or tristrips) element one after the other, any number of triangles at a
-// time: a single strip may be longer than memory.
+// Reads the records of a face (or tristrips) element one after the other, any number of triangles
+// at a time: a single strip may be longer than memory.
 class PlyLists {
  public:
   // `list` is the property with the indices.
   PlyLists(const PlyElement& element, const PlyProperty& list, PlyValues& values, bool strips)
       : element_(element), list_(list), values_(values), strips_(strips) {}
 
-  // Appends up to `most` triangles to indices, status, fans and count of `batch`; fewer only at the end, more
-  // where a polygon would be cut else. `most_records` limits the records that are begun.
+  // Appends up to `most` triangles to indices, status, fans and count of `batch`; fewer only at the
+  // end, more where a polygon would be cut else. `most_records` limits the records that are begun.
   void read(RawBatch& batch, std::uint64_t most, std::uint64_t most_records = UINT64_MAX);
 
   [[nodiscard]] bool between_records() const { return left_ == 0; }
@@ -29,7 +29,8 @@ class PlyLists {
   void begin_record(RawBatch& batch);
   void next_index(RawBatch& batch);
   void end_record();
-  static void add(RawBatch& batch, std::uint32_t a, std::uint32_t b, std::uint32_t c, FaceStatus status);
+  static void add(RawBatch& batch, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                  FaceStatus status);
 
   const PlyElement& element_;
   const PlyProperty& list_;

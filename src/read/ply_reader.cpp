@@ -49,8 +49,8 @@ FaceElement find_faces(const PlyHeader& header, const std::string& name) {
   return found;
 }
 
-// Size of a face's record if it is a triangle and nothing but the list has a variable size, and the list has
-// the types that nearly every file uses; else 0.
+// Size of a face's record if it is a triangle and nothing but the list has a variable size, and the
+// list has the types that nearly every file uses; else 0.
 std::size_t triangle_stride(const PlyHeader& header, const FaceElement& faces) {
   if (header.form == PlyForm::ascii || faces.strips || size_of(faces.list->count_type) != 1 ||
       !(faces.list->type == PlyType::int32 || faces.list->type == PlyType::uint32)) {
@@ -66,7 +66,8 @@ std::size_t triangle_stride(const PlyHeader& header, const FaceElement& faces) {
 }
 
 // The size of the whole says whether all faces are triangles.
-bool surely_triangles(const PlyHeader& header, const FaceElement& faces, std::optional<std::uint64_t> size) {
+bool surely_triangles(const PlyHeader& header, const FaceElement& faces,
+                      std::optional<std::uint64_t> size) {
   if (faces.element == nullptr) return true;
   const std::size_t stride = triangle_stride(header, faces);
   if (stride == 0 || !size) return false;
@@ -91,20 +92,22 @@ InputFacts facts_of(const PlyHeader& header) {
     std::string line = element.name + ":";
     const PlyProperty* indices = index_list(element);
     for (const PlyProperty& property : element.properties) {
-      const bool geometry = (element.name == "vertex" && is_coordinate(property)) || &property == indices;
+      const bool geometry =
+          (element.name == "vertex" && is_coordinate(property)) || &property == indices;
       if (!geometry)
-        line += " " + property.name + (property.list ? " (list of " : " (") + name_of(property.type) + ")";
+        line += " " + property.name + (property.list ? " (list of " : " (") +
+                name_of(property.type) + ")";
     }
     if (line != element.name + ":") facts.attributes.push_back(line);
     if (&element != vertex) continue;
     for (const char* axis : {"x", "y", "z"}) {
       const PlyProperty* property = element.find(axis);
-      facts.double_positions |=
-          property != nullptr && (property->type == PlyType::float64 || property->type == PlyType::int32 ||
-                                  property->type == PlyType::uint32);
+      facts.double_positions |= property != nullptr && (property->type == PlyType::float64 ||
+                                                        property->type == PlyType::int32 ||
+                                                        property->type == PlyType::uint32);
     }
-    facts.normals =
-        element.find("nx") != nullptr && element.find("ny") != nullptr && element.find("nz") != nullptr;
+    facts.normals = element.find("nx") != nullptr && element.find("ny") != nullptr &&
+                    element.find("nz") != nullptr;
   }
   return facts;
 }
@@ -158,12 +161,15 @@ class PlyReader final : public IndexedReader {
     values_->sync();
     faces_offset_ = source_->position();
     if (faces_.element != nullptr && !vertices_loaded_) {
-      throw Error(ErrorKind::bad_input, "'" + source_->name() + "' has faces but no element 'vertex'");
+      throw Error(ErrorKind::bad_input,
+                  "'" + source_->name() + "' has faces but no element 'vertex'");
     }
     facts_.polygons = !surely_triangles(header_, faces_, source_->size());
   }
 
-  [[nodiscard]] std::uint64_t bytes() const override { return std::max(source_->position(), bytes_seen_); }
+  [[nodiscard]] std::uint64_t bytes() const override {
+    return std::max(source_->position(), bytes_seen_);
+  }
 
  protected:
   void begin_indices() override {
@@ -192,7 +198,8 @@ class PlyReader final : public IndexedReader {
     return batch.count > 0;
   }
 
-  void decode_indices(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const override {
+  void decode_indices(const RawBatch& batch, FaceBatch& slice,
+                      const FaceSink& sink) const override {
     if (!batch.indices.empty()) {
       slice_indices(batch, vertices_, slice, sink);
     } else if (header_.form == PlyForm::big_endian) {
@@ -222,20 +229,22 @@ class PlyReader final : public IndexedReader {
   bool sample_indices(double place, RawBatch& batch) override {
     if (faces_.element == nullptr) return false;
     if (kept_faces_ != nullptr) {
-      kept_faces_->read(kept_faces_->begin_of(sample_begin(place, kept_faces_->size())), memory_.batch_faces,
-                        batch);
+      kept_faces_->read(kept_faces_->begin_of(sample_begin(place, kept_faces_->size())),
+                        memory_.batch_faces, batch);
       return true;
     }
     const std::size_t stride = triangle_stride();
     if (stride == 0 || !source_->seekable()) return false;
     values_->sync();
     source_->seek(faces_offset_ + sample_begin(place, faces_.element->count) * stride);
-    const std::size_t wanted = std::min<std::uint64_t>(triangles_at_once(stride), faces_.element->count);
+    const std::size_t wanted =
+        std::min<std::uint64_t>(triangles_at_once(stride), faces_.element->count);
     return take_triangles(stride, wanted, batch) == wanted;
   }
 
  private:
-  // A header that promises more than the file can hold is refused before anything is built on its counts.
+  // A header that promises more than the file can hold is refused before anything is built on its
+  // counts.
   void check_size() const {
     if (!source_->size()) return;
     const std::uint64_t rest = *source_->size() - source_->position();
@@ -245,10 +254,11 @@ class PlyReader final : public IndexedReader {
       const std::size_t record =
           header_.form == PlyForm::ascii ? 2 * element.properties.size() : element.smallest_size();
       if (record != 0 && element.count > left / record) {
-        throw Error(ErrorKind::bad_input, "'" + source_->name() + "' is too short for its header: element '" +
-                                              element.name + "' says " + grouped(element.count) +
-                                              ", but only " + human_bytes(rest) +
-                                              " follow the header; it was cut short, or the count is wrong");
+        throw Error(ErrorKind::bad_input,
+                    "'" + source_->name() + "' is too short for its header: element '" +
+                        element.name + "' says " + grouped(element.count) + ", but only " +
+                        human_bytes(rest) +
+                        " follow the header; it was cut short, or the count is wrong");
       }
       left -= element.count * record;
     }
@@ -278,7 +288,9 @@ class PlyReader final : public IndexedReader {
     kept_faces_->finish();
   }
 
-  [[nodiscard]] std::size_t triangle_stride() const { return winnow::triangle_stride(header_, faces_); }
+  [[nodiscard]] std::size_t triangle_stride() const {
+    return winnow::triangle_stride(header_, faces_);
+  }
 
   [[nodiscard]] std::size_t list_offset() const {
     std::size_t offset = 0;
@@ -361,8 +373,8 @@ class PlyReader final : public IndexedReader {
 
 }  // namespace
 
-std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                                     const AttributeWish& wish) {
+std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory, const AttributeWish& wish) {
   return std::make_unique<PlyReader>(job, std::move(source), memory, wish);
 }
 
@@ -374,7 +386,8 @@ InputOutlook look_at_ply(ByteSource& source, const AttributeWish& wish) {
   outlook.facts.offer = offer_of(header);
   outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, source.name());
   const PlyElement* vertex = header.find("vertex");
-  outlook.vertices_kept = vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
+  outlook.vertices_kept =
+      vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
   if (vertex != nullptr && !outlook.vertices_kept) outlook.vertex_bytes = vertex->smallest_size();
   const FaceElement faces = find_faces(header, source.name());
   outlook.facts.polygons = !surely_triangles(header, faces, source.size());

@@ -28,11 +28,13 @@ T load(const std::byte* at, bool swapped) {
 }
 
 inline double load_real(const std::byte* at, PlyType type, bool swapped) {
-  return with_type(type,
-                   [&]<typename Number>(Number) { return static_cast<double>(load<Number>(at, swapped)); });
+  return with_type(type, [&]<typename Number>(Number) {
+    return static_cast<double>(load<Number>(at, swapped));
+  });
 }
 
-// Integers of any of the format's types; a real number is cut to its whole part, as other readers do.
+// Integers of any of the format's types; a real number is cut to its whole part, as other readers
+// do.
 inline std::int64_t load_integer(const std::byte* at, PlyType type, bool swapped) {
   if (type == PlyType::uint32) return load<std::uint32_t>(at, swapped);
   const double value = load_real(at, type, swapped);

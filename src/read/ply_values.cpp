@@ -21,7 +21,9 @@ class BinaryValues final : public PlyValues {
   BinaryValues(ByteSource& source, bool swapped) : source_(source), swapped_(swapped) {}
 
   double real(PlyType type) override { return load_real(next(size_of(type)), type, swapped_); }
-  std::int64_t integer(PlyType type) override { return load_integer(next(size_of(type)), type, swapped_); }
+  std::int64_t integer(PlyType type) override {
+    return load_integer(next(size_of(type)), type, swapped_);
+  }
 
   void skip(PlyType type, std::uint64_t count) override {
     for (std::uint64_t left = count * size_of(type); left > 0;) {
@@ -70,8 +72,8 @@ class AsciiValues final : public PlyValues {
     if (!source.seekable()) return;
     source.seek(0);
     const Block header = source.take(here);
-    tokens_.start_line(1 + static_cast<std::uint64_t>(
-                               std::count(header.bytes.begin(), header.bytes.end(), std::byte{'\n'})));
+    tokens_.start_line(1 + static_cast<std::uint64_t>(std::count(
+                               header.bytes.begin(), header.bytes.end(), std::byte{'\n'})));
   }
 
   double real(PlyType type) override {
@@ -99,16 +101,16 @@ class AsciiValues final : public PlyValues {
   std::string_view next() {
     const std::string_view word = tokens_.next();
     if (word.empty()) {
-      throw Error(ErrorKind::bad_input, "'" + source_.name() + "' ends at line " + grouped(tokens_.line()) +
-                                            ", inside " + record() +
+      throw Error(ErrorKind::bad_input, "'" + source_.name() + "' ends at line " +
+                                            grouped(tokens_.line()) + ", inside " + record() +
                                             ": it was cut short, or its header is wrong");
     }
     return word;
   }
 
   [[noreturn]] void fail(std::string_view word) const {
-    throw Error(ErrorKind::bad_input, "'" + source_.name() + "', line " + grouped(tokens_.line()) + ", " +
-                                          record() + ": " + not_a_number(word));
+    throw Error(ErrorKind::bad_input, "'" + source_.name() + "', line " + grouped(tokens_.line()) +
+                                          ", " + record() + ": " + not_a_number(word));
   }
 
   ByteSource& source_;
@@ -120,7 +122,8 @@ class AsciiValues final : public PlyValues {
 void skip_property(PlyValues& values, const PlyProperty& property) {
   std::uint64_t count = 1;
   if (property.list)
-    count = static_cast<std::uint64_t>(std::max<std::int64_t>(0, values.integer(property.count_type)));
+    count =
+        static_cast<std::uint64_t>(std::max<std::int64_t>(0, values.integer(property.count_type)));
   values.skip(property.type, count);
 }
 

@@ -10,8 +10,8 @@
 
 namespace winnow {
 
-// Reads ahead; sync() gives back what was not used. Throws Error(bad_input) at the end of the content and,
-// in ASCII, at what is no number.
+// Reads ahead; sync() gives back what was not used. Throws Error(bad_input) at the end of the
+// content and, in ASCII, at what is no number.
 class PlyValues {
  public:
   virtual ~PlyValues() = default;

@@ -34,7 +34,8 @@ VertexLayout PlyVertices::layout_of(const PlyElement& element) const {
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (found[axis]) continue;
-    throw Error(ErrorKind::bad_input, "'" + source_.name() + "': the PLY element 'vertex' has no property '" +
+    throw Error(ErrorKind::bad_input, "'" + source_.name() +
+                                          "': the PLY element 'vertex' has no property '" +
                                           std::string(1, static_cast<char>('x' + axis)) + "'");
   }
   return layout;
@@ -42,7 +43,8 @@ VertexLayout PlyVertices::layout_of(const PlyElement& element) const {
 
 void PlyVertices::read(const PlyElement& element, VertexStore& vertices) {
   if (element.count > UINT32_MAX) {
-    throw Error(ErrorKind::bad_input, "'" + source_.name() + "' says it has " + grouped(element.count) +
+    throw Error(ErrorKind::bad_input, "'" + source_.name() + "' says it has " +
+                                          grouped(element.count) +
                                           " vertices; indices of PLY count to 4,294,967,295");
   }
   if (element.count == 0) {
@@ -67,29 +69,32 @@ void PlyVertices::read(const PlyElement& element, VertexStore& vertices) {
   vertices.finish_keeping();
 }
 
-void PlyVertices::keep_fixed(const PlyElement& element, const VertexLayout& layout, VertexStore& vertices) {
+void PlyVertices::keep_fixed(const PlyElement& element, const VertexLayout& layout,
+                             VertexStore& vertices) {
   std::vector<double> xyz;
   std::vector<double> attributes;
   for (std::uint64_t done = 0; done < element.count;) {
-    const std::size_t at_once = std::clamp<std::size_t>((std::size_t{1} << 18) / layout.stride, 1, 8192);
+    const std::size_t at_once =
+        std::clamp<std::size_t>((std::size_t{1} << 18) / layout.stride, 1, 8192);
     const std::size_t count = std::min<std::uint64_t>(at_once, element.count - done);
     const Block block = source_.take(count * layout.stride);
     if (block.bytes.size() < count * layout.stride) {
       throw Error(ErrorKind::bad_input, "'" + source_.name() + "' ends at byte " +
                                             grouped(source_.position()) + ", inside vertex " +
-                                            grouped(done + block.bytes.size() / layout.stride) + " of " +
-                                            grouped(element.count) + ": it was cut short");
+                                            grouped(done + block.bytes.size() / layout.stride) +
+                                            " of " + grouped(element.count) + ": it was cut short");
     }
     xyz.resize(3 * count);
     attributes.clear();
     const std::byte* record = block.bytes.data();
     const bool floats =
-        !layout.swapped && layout.type == std::array{PlyType::float32, PlyType::float32, PlyType::float32};
+        !layout.swapped &&
+        layout.type == std::array{PlyType::float32, PlyType::float32, PlyType::float32};
     for (std::size_t i = 0; i < count; ++i, record += layout.stride) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        xyz[3 * i + axis] = floats
-                                ? load<float>(record + layout.offset[axis], false)
-                                : load_real(record + layout.offset[axis], layout.type[axis], layout.swapped);
+        xyz[3 * i + axis] =
+            floats ? load<float>(record + layout.offset[axis], false)
+                   : load_real(record + layout.offset[axis], layout.type[axis], layout.swapped);
       }
       for (const auto& [offset, type] : layout.attributes)
         attributes.push_back(load_real(record + offset, type, layout.swapped));

@@ -13,11 +13,13 @@ namespace winnow {
 class PlyVertices {
  public:
   // Of the facts: what positions are, and which attributes are chosen.
-  PlyVertices(Job& job, ByteSource& source, PlyValues& values, PlyForm form, const InputFacts& facts)
+  PlyVertices(Job& job, ByteSource& source, PlyValues& values, PlyForm form,
+              const InputFacts& facts)
       : job_(job), source_(source), values_(values), form_(form), facts_(facts) {}
 
-  // Fills `vertices` with the element, at whose beginning the source stands, and passes over it. Throws
-  // Error(bad_input) where it has no positions, more than indices count to, or was cut short.
+  // Fills `vertices` with the element, at whose beginning the source stands, and passes over it.
+  // Throws Error(bad_input) where it has no positions, more than indices count to, or was cut
+  // short.
   void read(const PlyElement& element, VertexStore& vertices);
 
  private:

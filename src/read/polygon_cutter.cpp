@@ -9,10 +9,11 @@ namespace winnow {
 
 namespace {
 
-// Triangles that overlap or leave something out differ in area from the polygon by more than this part.
+// Triangles that overlap or leave something out differ in area from the polygon by more than this
+// part.
 constexpr double rounding = 1e-9;
-// Where corners or edges touch, as of a hole that is linked to the outline by two edges in one place, corners
-// are moved inwards by this part of the polygon's size, so that they are apart.
+// Where corners or edges touch, as of a hole that is linked to the outline by two edges in one
+// place, corners are moved inwards by this part of the polygon's size, so that they are apart.
 constexpr double nudge_of_size = 1e-7;
 
 Point normal_of(std::span<const Point> corners) {
@@ -22,15 +23,18 @@ Point normal_of(std::span<const Point> corners) {
   return normal;
 }
 
-// On the plane of the two axes that the normal is farthest from, so that the polygon keeps its sense.
+// On the plane of the two axes that the normal is farthest from, so that the polygon keeps its
+// sense.
 std::vector<PlanePoint> flattened(std::span<const Point> corners, const Point& normal) {
   std::size_t up = 0;
-  for (std::size_t axis = 1; axis < 3; ++axis) up = std::abs(normal[axis]) > std::abs(normal[up]) ? axis : up;
+  for (std::size_t axis = 1; axis < 3; ++axis)
+    up = std::abs(normal[axis]) > std::abs(normal[up]) ? axis : up;
   std::size_t u = (up + 1) % 3;
   std::size_t v = (up + 2) % 3;
   if (normal[up] < 0) std::swap(u, v);
   std::vector<PlanePoint> flat;
-  for (const Point& corner : corners) flat.push_back({corner[u] - corners[0][u], corner[v] - corners[0][v]});
+  for (const Point& corner : corners)
+    flat.push_back({corner[u] - corners[0][u], corner[v] - corners[0][v]});
   return flat;
 }
 
@@ -61,7 +65,8 @@ void move_inwards(std::vector<PlanePoint>& corners, double part) {
 
 }  // namespace
 
-const std::vector<std::array<std::uint32_t, 3>>& PolygonCutter::cut(std::span<const Point> corners) {
+const std::vector<std::array<std::uint32_t, 3>>& PolygonCutter::cut(
+    std::span<const Point> corners) {
   triangles_.clear();
   if (!std::all_of(corners.begin(), corners.end(), finite)) return triangles_;
   normal_ = normal_of(corners);

@@ -15,9 +15,9 @@ class PolygonCutter {
   // Bytes that cut() needs besides for so many corners.
   static constexpr std::uint64_t memory(std::uint64_t corners) { return 256 * corners; }
 
-  // The triangles of a polygon of four corners or more, as numbers of its corners, in its own sense. It is
-  // seen along the mean of its normals. A convex one is a fan around its first corner. Nothing where it
-  // crosses itself, or where a corner is no number. Time: n log n.
+  // The triangles of a polygon of four corners or more, as numbers of its corners, in its own
+  // sense. It is seen along the mean of its normals. A convex one is a fan around its first corner.
+  // Nothing where it crosses itself, or where a corner is no number. Time: n log n.
   const std::vector<std::array<std::uint32_t, 3>>& cut(std::span<const Point> corners);
 
  private:

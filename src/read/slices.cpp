@@ -8,7 +8,8 @@ namespace {
 
 // The range of the vertices, all of which there are afterwards; nothing where there is none at all.
 std::optional<VertexRange> check_numbers(const VertexStore& vertices,
-                                         const std::array<std::uint32_t*, 3>& index, FaceBatch& slice) {
+                                         const std::array<std::uint32_t*, 3>& index,
+                                         FaceBatch& slice) {
   const std::uint64_t size = vertices.size();
   slice.index = {index[0], index[1], index[2]};
   // As signed numbers, which the plainest vector instructions compare.
@@ -22,7 +23,8 @@ std::optional<VertexRange> check_numbers(const VertexStore& vertices,
     low = std::min({low, a, b, c});
     high = std::max({high, a, b, c});
   }
-  VertexRange range{static_cast<std::uint32_t>(low) ^ sign, static_cast<std::uint32_t>(high) ^ sign};
+  VertexRange range{static_cast<std::uint32_t>(low) ^ sign,
+                    static_cast<std::uint32_t>(high) ^ sign};
   if (slice.count > 0 && range.highest >= size) {
     for (std::size_t i = 0; i < slice.count; ++i) {
       if (slice.status[i] != FaceStatus::good) continue;
@@ -79,7 +81,8 @@ void for_each_slice(const RawBatch& batch, FaceBatch& slice, const FaceSink& sin
 
 // The same with the vertices' numbers side by side.
 template <typename Fill>
-void for_each_slice_of_indices(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink, Fill fill) {
+void for_each_slice_of_indices(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink,
+                               Fill fill) {
   std::array<std::array<std::uint32_t, FaceBatch::capacity>, 3> index;
   for_each_slice(batch, slice, sink, [&](std::uint64_t from) {
     for (std::size_t i = 0; i < slice.count; ++i) {

@@ -11,8 +11,8 @@ namespace winnow {
 void slice_indices(const RawBatch& batch, const VertexStore& vertices, FaceBatch& slice,
                    const FaceSink& sink);
 
-// The same for one slice whose indices the caller has laid side by side: `index[corner]` is changed where it
-// names no vertex, and the slice's status says so.
+// The same for one slice whose indices the caller has laid side by side: `index[corner]` is changed
+// where it names no vertex, and the slice's status says so.
 void gather_checked(const VertexStore& vertices, const std::array<std::uint32_t*, 3>& index,
                     FaceBatch& slice);
 

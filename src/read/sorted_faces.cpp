@@ -22,8 +22,8 @@ std::uint64_t SortedFaces::near(std::size_t record_bytes, std::uint64_t memory) 
   return memory / 16 / record_bytes;
 }
 
-// Faces of one part span the part and twice what is near: together what VertexStore looks up in its mapping
-// at once. Small parts bring more cells together.
+// Faces of one part span the part and twice what is near: together what VertexStore looks up in its
+// mapping at once. Small parts bring more cells together.
 std::optional<SortedFaces::Plan> SortedFaces::plan(std::uint64_t vertices, std::size_t record_bytes,
                                                    std::uint64_t memory) {
   const std::uint64_t part_bytes = memory / 8;
@@ -33,7 +33,8 @@ std::optional<SortedFaces::Plan> SortedFaces::plan(std::uint64_t vertices, std::
   plan.part_bits = part_bits_for(part_bytes, record_bytes);
   constexpr std::uint64_t usual_part_bytes = std::uint64_t{1} << 20;
   const unsigned usual_bits = part_bits_for(usual_part_bytes, record_bytes);
-  while (plan.part_bits > usual_bits && parts_of(vertices, plan.part_bits - 1) < most_parts) --plan.part_bits;
+  while (plan.part_bits > usual_bits && parts_of(vertices, plan.part_bits - 1) < most_parts)
+    --plan.part_bits;
   plan.parts = parts_of(vertices, plan.part_bits) + 1;
   if (plan.parts > most_parts) return {};
   plan.buffer_bytes = part_buffer_bytes(memory, plan.parts) / sizeof(Face) * sizeof(Face);

@@ -36,15 +36,16 @@ constexpr auto equals_small = [](char a, char b) { return small_letter(a) == b; 
 
 // `word` in small letters.
 bool contains_word(std::string_view text, std::string_view word) {
-  return std::search(text.begin(), text.end(), word.begin(), word.end(), equals_small) != text.end();
+  return std::search(text.begin(), text.end(), word.begin(), word.end(), equals_small) !=
+         text.end();
 }
 
 bool is_word(std::string_view word, std::string_view small) {
   return std::equal(word.begin(), word.end(), small.begin(), small.end(), equals_small);
 }
 
-// Any binary file could be an STL. Whether half of the faces that are looked at are of numbers that a model
-// may have.
+// Any binary file could be an STL. Whether half of the faces that are looked at are of numbers that
+// a model may have.
 bool looks_like_faces(std::string_view head) {
   std::size_t faces = 0, likely = 0;
   for (std::size_t at = header_bytes; at + face_bytes <= head.size(); at += face_bytes) {
@@ -64,43 +65,50 @@ bool is_right_count(std::uint64_t declared, std::uint64_t faces) {
   return declared == faces || (declared == UINT32_MAX && faces > declared);
 }
 
-[[noreturn]] void refuse_count(const std::string& name, std::uint64_t declared, std::uint64_t stored) {
-  throw Error(ErrorKind::bad_input, "'" + name + "' is no mesh in a format that winnow reads, or a damaged " +
-                                        "STL: its header would say " + grouped(declared) +
-                                        " faces, and it has room for " + grouped(stored) +
-                                        "; --from stl reads it all the same");
+[[noreturn]] void refuse_count(const std::string& name, std::uint64_t declared,
+                               std::uint64_t stored) {
+  throw Error(ErrorKind::bad_input,
+              "'" + name + "' is no mesh in a format that winnow reads, or a damaged " +
+                  "STL: its header would say " + grouped(declared) +
+                  " faces, and it has room for " + grouped(stored) +
+                  "; --from stl reads it all the same");
 }
 
-// What there is to decide by: whether the count fits the size, whether it reads like text. Many binary files
-// begin with "solid" all the same.
+// What there is to decide by: whether the count fits the size, whether it reads like text. Many
+// binary files begin with "solid" all the same.
 StlHead look_at_head(ByteSource& source, bool asked) {
   const Block block = source.peek(1024);
-  const std::string_view head(reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size());
+  const std::string_view head(reinterpret_cast<const char*>(block.bytes.data()),
+                              block.bytes.size());
   if (head.empty()) throw Error(ErrorKind::bad_input, "'" + source.name() + "' is empty");
   StlHead found;
-  if (head.size() >= header_bytes) std::memcpy(&found.declared, head.data() + 80, sizeof found.declared);
+  if (head.size() >= header_bytes)
+    std::memcpy(&found.declared, head.data() + 80, sizeof found.declared);
   if (source.size() && *source.size() >= header_bytes)
     found.stored = (*source.size() - header_bytes) / face_bytes;
   if (has_size_of_binary_stl(source)) return found;
   const std::string wrong = "'" + source.name() + "' is no mesh in a format that winnow reads: ";
   if (is_text(head)) {
     const Block more = source.peek(text_head_bytes);
-    const std::string_view text =
-        without_byte_order_mark({reinterpret_cast<const char*>(more.bytes.data()), more.bytes.size()});
+    const std::string_view text = without_byte_order_mark(
+        {reinterpret_cast<const char*>(more.bytes.data()), more.bytes.size()});
     found.ascii = match_stl(text) != TextMatch::none;
     if (found.ascii) return found;
     throw Error(ErrorKind::bad_input, wrong + kind_of_text(text));
   }
   if (head.size() < header_bytes)
-    throw Error(ErrorKind::bad_input, wrong + human_bytes(head.size()) + " are too short for an STL");
-  // A random file would be read as a handful of wild faces. A damaged STL has a count that its size nearly
-  // fits.
-  if (found.stored && *found.stored == 0 && found.declared != 0) {
     throw Error(ErrorKind::bad_input,
-                "'" + source.name() + "' ends inside its first face: it was cut short, or is no STL");
+                wrong + human_bytes(head.size()) + " are too short for an STL");
+  // A random file would be read as a handful of wild faces. A damaged STL has a count that its size
+  // nearly fits.
+  if (found.stored && *found.stored == 0 && found.declared != 0) {
+    throw Error(
+        ErrorKind::bad_input,
+        "'" + source.name() + "' ends inside its first face: it was cut short, or is no STL");
   }
   if (found.stored != found.declared && !looks_like_faces(head)) {
-    throw Error(ErrorKind::bad_input, wrong + "as a binary STL it would have faces of wild numbers" +
+    throw Error(ErrorKind::bad_input, wrong +
+                                          "as a binary STL it would have faces of wild numbers" +
                                           (found.stored ? ", and another size" : ""));
   }
   found.exact = !asked;
@@ -127,7 +135,8 @@ class StlReader : public MeshReader {
     begin_faces();
   }
   bool next_positions(RawBatch& batch) override { return next_faces(batch); }
-  void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override {
+  void decode_positions(const RawBatch& batch, FaceBatch& slice,
+                        const PositionSink& sink) const override {
     decode_faces(batch, slice, [&](const FaceBatch& faces) { corners_as_positions(faces, sink); });
   }
 
@@ -143,7 +152,9 @@ class StlReader : public MeshReader {
     return found;
   }
 
-  [[nodiscard]] std::uint64_t bytes() const override { return std::max(bytes_seen_, source_->position()); }
+  [[nodiscard]] std::uint64_t bytes() const override {
+    return std::max(bytes_seen_, source_->position());
+  }
   [[nodiscard]] const std::string& name() const override { return source_->name(); }
   void check_whole() const override { source_->check_whole(); }
 
@@ -164,7 +175,8 @@ class StlReader : public MeshReader {
       looked_at_.push_back(std::move(batch));
       // A pipe of nothing but bad faces must not pile up in memory.
       if (!found && looked_at_.size() >= 64) {
-        throw Error(ErrorKind::bad_input, "'" + source_->name() + "': none of the first " + grouped(seen) +
+        throw Error(ErrorKind::bad_input, "'" + source_->name() + "': none of the first " +
+                                              grouped(seen) +
                                               " faces has a finite corner; this is no mesh");
       }
     }
@@ -175,7 +187,8 @@ class StlReader : public MeshReader {
     for (std::size_t i = 0; i < faces.count && !found; ++i) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::array<double, 3> xyz = faces.corner(corner, i);
-        if (!found && std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2])) found = xyz;
+        if (!found && std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]))
+          found = xyz;
       }
     }
   }
@@ -196,7 +209,7 @@ class StlReader : public MeshReader {
   std::vector<RawBatch> looked_at_;
   std::uint64_t next_face_ = 0;
   std::uint64_t bytes_seen_ = 0;
-  bool noted_ = false;                        // the end was reached once and what is odd about it was said
+  bool noted_ = false;  // the end was reached once and what is odd about it was said
   mutable std::atomic<bool> colors_ = false;  // faces have some
 
  private:
@@ -211,7 +224,8 @@ class BinaryStlReader final : public StlReader {
     facts_ = facts_of(head);
     if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
     const Block header = source_->take(header_bytes);
-    const std::string_view text(reinterpret_cast<const char*>(header.bytes.data()), header.bytes.size());
+    const std::string_view text(reinterpret_cast<const char*>(header.bytes.data()),
+                                header.bytes.size());
     colors_ = text.substr(0, 80).find("COLOR=") != std::string_view::npos;
   }
 
@@ -264,7 +278,8 @@ class BinaryStlReader final : public StlReader {
   }
 
   // Without the detour over faces: passes over positions are bound by nothing but this.
-  void decode_positions(const RawBatch& batch, FaceBatch& slice, const PositionSink& sink) const override {
+  void decode_positions(const RawBatch& batch, FaceBatch& slice,
+                        const PositionSink& sink) const override {
     const std::byte* record = batch.block.bytes.data() + 12;
     const unsigned corners = corners_ == PassCorners::all ? 3 : 1;
     for (std::uint64_t from = 0; from < batch.count; from += FaceBatch::capacity) {
@@ -292,7 +307,8 @@ class BinaryStlReader final : public StlReader {
     noted_ = true;
     if (!is_right_count(declared_, next_face_)) {
       if (exact_) refuse_count(source_->name(), declared_, next_face_);
-      job_.note("the STL header says " + grouped(declared_) + " faces; there are " + grouped(next_face_));
+      job_.note("the STL header says " + grouped(declared_) + " faces; there are " +
+                grouped(next_face_));
     }
     if (rest > 0)
       job_.note("the last " + std::to_string(rest) + " bytes are no whole face and were left out");
@@ -394,16 +410,18 @@ class AsciiStlReader final : public StlReader {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ErrorKind::bad_input, "'" + source_->name() + "', line " + grouped(tokens_->line()) +
-                                          ", face " + grouped(next_face_ + found_) + ": " + what);
+    throw Error(ErrorKind::bad_input, "'" + source_->name() + "', line " +
+                                          grouped(tokens_->line()) + ", face " +
+                                          grouped(next_face_ + found_) + ": " + what);
   }
 
-  // The name of a solid may hold any words and ends with its line, or, where the whole file is one line,
-  // before "outer loop vertex". Whether that was there.
+  // The name of a solid may hold any words and ends with its line, or, where the whole file is one
+  // line, before "outer loop vertex". Whether that was there.
   bool pass_over_name() {
     std::size_t found = 0;
     constexpr std::array<std::string_view, 3> begin{"outer", "loop", "vertex"};
-    for (std::string_view word = tokens_->next_in_line(); !word.empty(); word = tokens_->next_in_line()) {
+    for (std::string_view word = tokens_->next_in_line(); !word.empty();
+         word = tokens_->next_in_line()) {
       found = is_word(word, begin.at(found)) ? found + 1 : is_word(word, begin[0]) ? 1 : 0;
       if (found == begin.size()) return true;
     }
@@ -415,8 +433,8 @@ class AsciiStlReader final : public StlReader {
     colors_ = true;
   }
 
-  // Goes on to the next face: to its "facet", or where that is missing to its "outer" or its first "vertex",
-  // which is returned. At the end of the file, that.
+  // Goes on to the next face: to its "facet", or where that is missing to its "outer" or its first
+  // "vertex", which is returned. At the end of the file, that.
   Mark find_face() {
     for (;;) {
       const Mark mark = next_mark();
@@ -519,7 +537,8 @@ class AsciiStlReader final : public StlReader {
       add_face(batch, corners_[0], corners_[i - 1], corners_[i], FaceStatus::good);
   }
 
-  static void add_face(RawBatch& batch, const Point& a, const Point& b, const Point& c, FaceStatus status) {
+  static void add_face(RawBatch& batch, const Point& a, const Point& b, const Point& c,
+                       FaceStatus status) {
     for (const Point& corner : {a, b, c})
       batch.corners.insert(batch.corners.end(), corner.begin(), corner.end());
     batch.status.push_back(status);
@@ -558,9 +577,10 @@ TextMatch match_stl(std::string_view head) {
       return match;
     }
     // A long name can fill what was looked at.
-    if (is_word(word, "solid") && (contains_word(head, "facet") || contains_word(head, "vertex") ||
-                                   contains_word(head, "endsolid") || contains_word(head, "end solid") ||
-                                   head.size() < header_bytes || head.size() + 3 >= text_head_bytes)) {
+    if (is_word(word, "solid") &&
+        (contains_word(head, "facet") || contains_word(head, "vertex") ||
+         contains_word(head, "endsolid") || contains_word(head, "end solid") ||
+         head.size() < header_bytes || head.size() + 3 >= text_head_bytes)) {
       return match;
     }
     match = TextMatch::later;
@@ -576,8 +596,8 @@ bool has_size_of_binary_stl(ByteSource& source) {
   return *source.size() == header_bytes + face_bytes * std::uint64_t{declared};
 }
 
-std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                                     bool asked) {
+std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source,
+                                     const ReaderMemory& memory, bool asked) {
   const StlHead head = look_at_head(*source, asked);
   if (head.ascii) return std::make_unique<AsciiStlReader>(job, std::move(source), memory, head);
   return std::make_unique<BinaryStlReader>(job, std::move(source), memory, head);

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t longest_planned = std::size_t{1} << 20;
 constexpr std::size_t longest_line = std::size_t{1} << 30;
-// The bytes twice while they are read on; a corner of two characters is 8 bytes, and 4 more when handed over.
+// The bytes twice while they are read on; a corner of two characters is 8 bytes, and 4 more when
+// handed over.
 constexpr std::uint64_t memory_a_byte = 2 + (8 + 4) / 2;
 
 constexpr std::string_view line_blanks = " \t\v\f";
@@ -25,7 +26,8 @@ constexpr bool parts_words(char c) {
 // Of either kind, whichever the text uses.
 std::uint64_t line_ends(std::string_view text) {
   const auto feeds = std::count(text.begin(), text.end(), '\n');
-  return static_cast<std::uint64_t>(feeds != 0 ? feeds : std::count(text.begin(), text.end(), '\r'));
+  return static_cast<std::uint64_t>(feeds != 0 ? feeds
+                                               : std::count(text.begin(), text.end(), '\r'));
 }
 
 // By its first characters, whether a backslash at the end of a line joins the next to it.
@@ -38,7 +40,8 @@ bool may_be_continued(std::string_view text) {
 // Blanks may follow. A backslash in a comment is none.
 bool ends_in_backslash(std::string_view line) {
   const std::size_t last = line.find_last_not_of(line_blanks);
-  return last != std::string_view::npos && line[last] == '\\' && line.find('#') == std::string_view::npos;
+  return last != std::string_view::npos && line[last] == '\\' &&
+         line.find('#') == std::string_view::npos;
 }
 
 // Just behind the last end of a line that has no backslash before it; 0 where there is none.
@@ -78,7 +81,8 @@ std::size_t last_cut(std::string_view text) {
 }  // namespace
 
 std::uint64_t TextBlock::line_of(std::string_view place) const {
-  return first_line + line_ends(text().substr(0, static_cast<std::size_t>(place.data() - text().data())));
+  return first_line +
+         line_ends(text().substr(0, static_cast<std::size_t>(place.data() - text().data())));
 }
 
 bool TextLines::next(std::string_view& line) {
@@ -87,7 +91,8 @@ bool TextLines::next(std::string_view& line) {
   std::size_t end = 0;
   for (std::size_t begin = 0;; begin = end + 1) {
     end = std::min(rest_.find_first_of("\r\n", begin), rest_.size());
-    if (end == rest_.size() || !continued || !ends_in_backslash(rest_.substr(begin, end - begin))) break;
+    if (end == rest_.size() || !continued || !ends_in_backslash(rest_.substr(begin, end - begin)))
+      break;
     if (rest_[end] == '\r' && end + 1 < rest_.size() && rest_[end + 1] == '\n') ++end;
   }
   line = rest_.substr(0, end);
@@ -146,7 +151,8 @@ void TextBlocks::reserve_for_line(std::size_t bytes) {
   std::size_t length = 0;
   for (bool ended = false; !ended && length <= longest_line; job_.progress.check_cancelled()) {
     const Block block = source_.take(std::size_t{1} << 16);
-    const std::string_view text(reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size());
+    const std::string_view text(reinterpret_cast<const char*>(block.bytes.data()),
+                                block.bytes.size());
     std::size_t end = 0;
     do {
       end = std::min(text.find_first_of("\r\n", end), text.size());
@@ -161,8 +167,8 @@ void TextBlocks::reserve_for_line(std::size_t bytes) {
                                           ": this is no mesh as text");
   }
   while (bytes < length) bytes *= 2;
-  const std::string what =
-      "line " + grouped(next_line_) + " of '" + source_.name() + "', of " + human_bytes(length) + ",";
+  const std::string what = "line " + grouped(next_line_) + " of '" + source_.name() + "', of " +
+                           human_bytes(length) + ",";
   long_line_ = job_.budget.reserve(memory_a_byte * bytes, what.c_str());
 }
 

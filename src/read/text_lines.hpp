@@ -26,9 +26,9 @@ struct TextBlock {
   [[nodiscard]] std::uint64_t line_of(std::string_view place) const;
 };
 
-// The lines of a block one after the other. They end at "\n", "\r" or both. A backslash before that joins the
-// next to it in statements "v" and "f" alone: what is passed over may end in a name, and a name in a
-// backslash.
+// The lines of a block one after the other. They end at "\n", "\r" or both. A backslash before that
+// joins the next to it in statements "v" and "f" alone: what is passed over may end in a name, and
+// a name in a backslash.
 class TextLines {
  public:
   explicit TextLines(std::string_view text) : rest_(text) {}
@@ -59,8 +59,8 @@ class TextBlocks {
   TextBlocks(Job& job, ByteSource& source, std::size_t bytes);
 
   // False at the end. For a long line it reserves what reading and parsing it takes. Throws
-  // Error(resources) where the budget does not hold that, naming one that does, and Error(bad_input) where
-  // a line is longer than any mesh's.
+  // Error(resources) where the budget does not hold that, naming one that does, and
+  // Error(bad_input) where a line is longer than any mesh's.
   bool next(TextBlock& block);
 
   // Leaves the last block's text from `place` on for the next block.

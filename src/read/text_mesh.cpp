@@ -21,7 +21,8 @@ constexpr std::size_t corners_between_questions = 1 << 16;
 
 }  // namespace
 
-ParsedLines::ParsedLines(const TextBlock& block, const KeptMesh& mesh) : block_(block), mesh_(mesh) {
+ParsedLines::ParsedLines(const TextBlock& block, const KeptMesh& mesh)
+    : block_(block), mesh_(mesh) {
   // A vector that grows would hold three times as much.
   if (block.long_line) corners_.reserve(block.text().size() / 2);
 }
@@ -87,7 +88,8 @@ void ParsedLines::hand_over(KeptMesh& mesh) const {
     for (const std::size_t end = at + size; at < end; ++at) {
       if ((at + 1) % corners_between_questions == 0) mesh.job().progress.check_cancelled();
       const std::int64_t vertex = (corners_[at] >> 1) + ((corners_[at] & 1) != 0 ? base : 0);
-      polygon.push_back(vertex < 0 || vertex > no_vertex ? no_vertex : static_cast<std::uint32_t>(vertex));
+      polygon.push_back(vertex < 0 || vertex > no_vertex ? no_vertex
+                                                         : static_cast<std::uint32_t>(vertex));
     }
     mesh.add_polygon(polygon);
   }

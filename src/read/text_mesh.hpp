@@ -21,15 +21,17 @@ class ParsedLines {
   // Three coordinates, the next words of a line.
   void add_position(LineWords& words);
 
-  // Of the last position's vertex the next words of its line, as many as attributes are offered. Where words
-  // are missing, no vertex carries anything, or, if they are `required`, it is an error.
+  // Of the last position's vertex the next words of its line, as many as attributes are offered.
+  // Where words are missing, no vertex carries anything, or, if they are `required`, it is an
+  // error.
   void add_attributes(LineWords& words, bool required);
 
-  // What the next position's vertex is called; for all vertices or for none. Corners then name vertices so.
+  // What the next position's vertex is called; for all vertices or for none. Corners then name
+  // vertices so.
   void add_number(std::uint32_t number) { numbers_.push_back(number); }
 
-  // A corner counts vertices from 0, over the whole file or, relative, from the block's first on (negative:
-  // before it).
+  // A corner counts vertices from 0, over the whole file or, relative, from the block's first on
+  // (negative: before it).
   void add_corner(std::int64_t vertex, bool relative);
   void end_face();
 
@@ -59,8 +61,8 @@ class ParsedLines {
   std::vector<const char*> passed_over_;
 };
 
-// Cuts blocks off, parses them in parallel, a long line alone, and hands them over in their order. `parse`
-// takes a block apart.
+// Cuts blocks off, parses them in parallel, a long line alone, and hands them over in their order.
+// `parse` takes a block apart.
 struct TextParser {
   std::function<bool(TextBlock&)> next;
   std::function<void(const TextBlock&, ParsedLines&)> parse;

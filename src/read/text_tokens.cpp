@@ -13,7 +13,8 @@ namespace winnow {
 namespace {
 
 constexpr std::size_t usual_block = std::size_t{1} << 16;
-// A longer word is no number in any mesh file; without a limit a file of zeros would be read into memory.
+// A longer word is no number in any mesh file; without a limit a file of zeros would be read into
+// memory.
 constexpr std::size_t longest_word = std::size_t{1} << 16;
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -73,7 +74,8 @@ std::string_view TextTokens::take_word() {
     const std::size_t length = end - at_;
     if (length > longest_word) {
       throw Error(ErrorKind::bad_input, "'" + source_.name() + "', line " + grouped(line_) +
-                                            ", has a word of more than " + human_bytes(longest_word) +
+                                            ", has a word of more than " +
+                                            human_bytes(longest_word) +
                                             ": this is not a text file");
     }
     if (!refill()) break;
@@ -108,7 +110,8 @@ std::string_view without_byte_order_mark(std::string_view text) {
 
 void skip_byte_order_mark(ByteSource& source) {
   const Block block = source.peek(byte_order_mark.size());
-  const std::string_view text(reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size());
+  const std::string_view text(reinterpret_cast<const char*>(block.bytes.data()),
+                              block.bytes.size());
   if (text == byte_order_mark) source.take(text.size());
 }
 
@@ -139,7 +142,8 @@ std::optional<double> parse_real(std::string_view word) {
   if (error == std::errc::result_out_of_range)
     return word.find('-', 1) != std::string_view::npos ? 0.0 : infinity;
   if (error != std::errc{}) return {};
-  // Other programs write "nan(ind)", "1.#QNAN" and the like: a number that is not finite all the same.
+  // Other programs write "nan(ind)", "1.#QNAN" and the like: a number that is not finite all the
+  // same.
   if (end != word.data() + word.size() && *end != '(' && *end != '#') return {};
   return end != word.data() + word.size() && *end == '#' ? infinity : value;
 }

@@ -23,7 +23,9 @@ class TextTokens {
   void skip_line();  // the rest of the line the last word stood in
   void sync();       // gives back to the source what was not used
 
-  [[nodiscard]] std::uint64_t line() const { return line_; }  // of the last word, from 1 where reading began
+  [[nodiscard]] std::uint64_t line() const {
+    return line_;
+  }  // of the last word, from 1 where reading began
   void start_line(std::uint64_t line) { line_ = line; }
 
  private:

@@ -67,9 +67,9 @@ void VertexNumbers::find(std::span<std::uint32_t> numbers) const {
 }
 
 std::uint32_t VertexNumbers::place_of(std::uint32_t number, RecentBlocks& others) const {
-  const std::uint64_t behind = first_not_before(0, others_->size() / sizeof(Named), [&](std::uint64_t n) {
-    return others.at<Named>(n).number <= number;
-  });
+  const std::uint64_t behind =
+      first_not_before(0, others_->size() / sizeof(Named),
+                       [&](std::uint64_t n) { return others.at<Named>(n).number <= number; });
   if (behind > 0) {
     const Named found = others.at<Named>(behind - 1);
     if (found.number == number) return found.place;

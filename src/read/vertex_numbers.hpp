@@ -11,8 +11,8 @@
 
 namespace winnow {
 
-// Filled once, by one thread; then asked by any number of threads. Numbers that count 1, 2, 3 ... take
-// nothing; all from the first other one on take eight bytes each, in memory or scratch.
+// Filled once, by one thread; then asked by any number of threads. Numbers that count 1, 2, 3 ...
+// take nothing; all from the first other one on take eight bytes each, in memory or scratch.
 class VertexNumbers {
  public:
   VertexNumbers(Job& job, std::uint64_t memory_limit);
@@ -22,8 +22,8 @@ class VertexNumbers {
 
   [[nodiscard]] bool used() const { return count_ > 0; }
 
-  // From numbers to the vertices that have them, from 0 in their order, the last of several; UINT32_MAX where
-  // none has.
+  // From numbers to the vertices that have them, from 0 in their order, the last of several;
+  // UINT32_MAX where none has.
   void find(std::span<std::uint32_t> numbers) const;
 
  private:

@@ -22,7 +22,8 @@ void VertexStore::ResidentBlocks::reset(std::uint64_t bytes) {
 }
 
 template <typename First>
-std::uint64_t VertexStore::ResidentBlocks::touch(std::uint64_t begin, std::uint64_t end, const First& first) {
+std::uint64_t VertexStore::ResidentBlocks::touch(std::uint64_t begin, std::uint64_t end,
+                                                 const First& first) {
   for (std::uint64_t block = begin >> block_bits; block <= end >> block_bits; ++block) {
     if (touched_[block].load(std::memory_order_relaxed) == 0 && touched_[block].exchange(1) == 0) {
       resident_ += std::uint64_t{1} << block_bits;
@@ -55,7 +56,8 @@ void VertexStore::open_mapping(const std::string& path, std::uint64_t offset, st
   }
   resident_.reset(bytes);
   fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd_ < 0) throw Error(cannot_open(errno), "cannot open '" + path + "': " + std::strerror(errno));
+  if (fd_ < 0)
+    throw Error(cannot_open(errno), "cannot open '" + path + "': " + std::strerror(errno));
 }
 
 void VertexStore::map(const std::string& path, std::uint64_t offset, std::uint64_t count,
@@ -81,8 +83,8 @@ void VertexStore::begin_keeping(bool double_positions, std::span<const ScalarTyp
 
 namespace {
 
-// As a binary file has it: what is not finite stays so where the type can say it. Text may have such where it
-// promised whole numbers.
+// As a binary file has it: what is not finite stays so where the type can say it. Text may have
+// such where it promised whole numbers.
 void store_real(double value, ScalarType type, std::byte* at) {
   if (type == ScalarType::float64) {
     std::memcpy(at, &value, sizeof value);
@@ -132,8 +134,8 @@ namespace {
 
 // The layout nearly every file has gets a loop of its own.
 template <typename Real, typename Given>
-void gather_plain(const std::byte* base, std::size_t stride, const std::uint32_t* index, std::size_t count,
-                  std::array<std::array<Given, FaceBatch::capacity>, 3>& out) {
+void gather_plain(const std::byte* base, std::size_t stride, const std::uint32_t* index,
+                  std::size_t count, std::array<std::array<Given, FaceBatch::capacity>, 3>& out) {
   for (std::size_t i = 0; i < count; ++i) {
     std::array<Real, 3> xyz;
     std::memcpy(xyz.data(), base + std::size_t{index[i]} * stride, sizeof xyz);
@@ -150,7 +152,8 @@ template <typename Real>
 bool is_plain(const VertexLayout& layout) {
   const auto [x, y, z] = layout.offset;
   return !layout.swapped && y == x + sizeof(Real) && z == y + sizeof(Real) &&
-         std::all_of(layout.type.begin(), layout.type.end(), [](PlyType t) { return t == real_type<Real>; });
+         std::all_of(layout.type.begin(), layout.type.end(),
+                     [](PlyType t) { return t == real_type<Real>; });
 }
 
 void load_attributes(const std::byte* record, const VertexLayout& layout, std::size_t corner,
@@ -164,19 +167,20 @@ void load_attributes(const std::byte* record, const VertexLayout& layout, std::s
 }
 
 [[noreturn]] void cannot_read(std::uint64_t at) {
-  throw Error(ErrorKind::bad_input,
-              "cannot read a vertex at byte " + grouped(at) + "; was the file shortened while it was read?");
+  throw Error(ErrorKind::bad_input, "cannot read a vertex at byte " + grouped(at) +
+                                        "; was the file shortened while it was read?");
 }
 
 }  // namespace
 
 void VertexStore::gather_records(const std::byte* records, const VertexLayout& layout,
-                                 const std::array<const std::uint32_t*, 3>& index, std::size_t count,
-                                 FaceBatch& out) const {
+                                 const std::array<const std::uint32_t*, 3>& index,
+                                 std::size_t count, FaceBatch& out) const {
   out.single = is_plain<float>(layout) || floats_;
   for (std::size_t corner = 0; corner < 3; ++corner) {
     if (floats_) {
-      gather_plain<double>(records, layout.stride, index[corner], count, out.single_position[corner]);
+      gather_plain<double>(records, layout.stride, index[corner], count,
+                           out.single_position[corner]);
     } else if (out.single) {
       gather_plain<float>(records + layout.offset[0], layout.stride, index[corner], count,
                           out.single_position[corner]);
@@ -197,14 +201,16 @@ void VertexStore::gather_records(const std::byte* records, const VertexLayout& l
   if (layout.attributes.empty()) return;
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (std::size_t i = 0; i < count; ++i)
-      load_attributes(records + std::size_t{index[corner][i]} * layout.stride, layout, corner, i, out);
+      load_attributes(records + std::size_t{index[corner][i]} * layout.stride, layout, corner, i,
+                      out);
   }
 }
 
 Point VertexStore::position_of(const std::byte* record) const {
   Point position{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double value = load_real(record + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+    const double value =
+        load_real(record + layout_.offset[axis], layout_.type[axis], layout_.swapped);
     position[axis] = floats_ ? double{static_cast<float>(value)} : value;
   }
   return position;
@@ -212,7 +218,9 @@ Point VertexStore::position_of(const std::byte* record) const {
 
 void VertexStore::look_up(std::span<const std::uint32_t> vertices, std::vector<Point>& out) const {
   out.resize(vertices.size());
-  const std::byte* records = window_ == nullptr ? kept_->data() : reservation_ ? window_->data() : nullptr;
+  const std::byte* records = window_ == nullptr ? kept_->data()
+                             : reservation_     ? window_->data()
+                                                : nullptr;
   const bool floats = is_plain<float>(layout_);
   std::vector<std::byte> record(records == nullptr ? layout_.stride : 0);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -233,8 +241,8 @@ void VertexStore::look_up(std::span<const std::uint32_t> vertices, std::vector<P
   }
 }
 
-void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& index, std::size_t count,
-                                    FaceBatch& out) const {
+void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& index,
+                                    std::size_t count, FaceBatch& out) const {
   std::vector<std::byte> record(layout_.stride);
   out.single = false;
   out.attributes.resize(3 * FaceBatch::capacity * layout_.attributes.size());
@@ -284,7 +292,8 @@ const std::byte* VertexStore::stretch(std::uint64_t first, std::size_t count) co
   return window_->data() + begin;
 }
 
-void VertexStore::for_each_stretch(const std::function<void(const std::byte*, std::size_t)>& each) const {
+void VertexStore::for_each_stretch(
+    const std::function<void(const std::byte*, std::size_t)>& each) const {
   constexpr std::uint64_t at_once = 1024;
   for (std::uint64_t first = 0; first < count_; first += at_once) {
     const std::size_t count = std::min(at_once, count_ - first);
@@ -293,7 +302,8 @@ void VertexStore::for_each_stretch(const std::function<void(const std::byte*, st
   }
 }
 
-void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const {
+void VertexStore::read(std::uint64_t first, std::size_t count,
+                       const std::array<double*, 3>& out) const {
   const std::byte* base = stretch(first, count);
   if (is_plain<float>(layout_)) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -305,14 +315,15 @@ void VertexStore::read(std::uint64_t first, std::size_t count, const std::array<
   }
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double value =
-          load_real(base + i * layout_.stride + layout_.offset[axis], layout_.type[axis], layout_.swapped);
+      const double value = load_real(base + i * layout_.stride + layout_.offset[axis],
+                                     layout_.type[axis], layout_.swapped);
       out[axis][i] = floats_ ? double{static_cast<float>(value)} : value;
     }
   }
 }
 
-void VertexStore::read_attributes(std::uint64_t first, std::size_t count, std::vector<double>& out) const {
+void VertexStore::read_attributes(std::uint64_t first, std::size_t count,
+                                  std::vector<double>& out) const {
   const std::byte* record = stretch(first, count);
   for (std::size_t i = 0; i < count; ++i, record += layout_.stride) {
     for (const VertexLayout::Number& number : layout_.attributes)
@@ -351,9 +362,10 @@ void VertexStore::wake() {
 
 void VertexStore::check_intact(const std::string& name) const {
   if (window_ != nullptr && window_->damaged()) {
-    throw Error(ErrorKind::bad_input, "'" + name +
-                                          "' was shortened by another program while its vertices were read; "
-                                          "run again when it is whole");
+    throw Error(ErrorKind::bad_input,
+                "'" + name +
+                    "' was shortened by another program while its vertices were read; "
+                    "run again when it is whole");
   }
 }
 

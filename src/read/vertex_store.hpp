@@ -49,12 +49,13 @@ class VertexStore {
   VertexStore(const VertexStore&) = delete;
   VertexStore& operator=(const VertexStore&) = delete;
 
-  // Either: records that stand in a file which can be mapped (`scratch`: its own, where it is such) ...
-  void map(const std::string& path, std::uint64_t offset, std::uint64_t count, const VertexLayout& layout,
-           std::shared_ptr<const ScratchFile> scratch = nullptr);
+  // Either: records that stand in a file which can be mapped (`scratch`: its own, where it is such)
+  // ...
+  void map(const std::string& path, std::uint64_t offset, std::uint64_t count,
+           const VertexLayout& layout, std::shared_ptr<const ScratchFile> scratch = nullptr);
 
-  // ... or: records handed over one stretch after the other. `attributes`: their types; then come their
-  // numbers, as many a vertex.
+  // ... or: records handed over one stretch after the other. `attributes`: their types; then come
+  // their numbers, as many a vertex.
   void begin_keeping(bool double_positions, std::span<const ScalarType> attributes = {});
   void keep(std::span<const double> xyz, std::span<const double> attributes = {});
   void finish_keeping();
@@ -67,12 +68,13 @@ class VertexStore {
 
   [[nodiscard]] std::uint64_t size() const { return count_; }
 
-  // Positions and attributes of three vertices for each of `count` faces: `index[corner][face]`, all in
-  // `range` and below size().
-  void gather(const std::array<const std::uint32_t*, 3>& index, VertexRange range, std::size_t count,
-              FaceBatch& out) const;
+  // Positions and attributes of three vertices for each of `count` faces: `index[corner][face]`,
+  // all in `range` and below size().
+  void gather(const std::array<const std::uint32_t*, 3>& index, VertexRange range,
+              std::size_t count, FaceBatch& out) const;
 
-  // The same of records of another layout that somebody brought together: `index[corner][face]` counts these.
+  // The same of records of another layout that somebody brought together: `index[corner][face]`
+  // counts these.
   void gather_records(const std::byte* records, const VertexLayout& layout,
                       const std::array<const std::uint32_t*, 3>& index, std::size_t count,
                       FaceBatch& out) const;
@@ -89,18 +91,20 @@ class VertexStore {
   // Calls each(record, count) with all records in their order, stretch by stretch.
   void for_each_stretch(const std::function<void(const std::byte*, std::size_t)>& each) const;
 
-  // Where not all records may be resident at a time, what gather() does with faces that jump is slow.
+  // Where not all records may be resident at a time, what gather() does with faces that jump is
+  // slow.
   [[nodiscard]] bool larger_than_memory() const { return watched_; }
   [[nodiscard]] std::uint64_t memory_limit() const { return memory_limit_; }
   [[nodiscard]] const VertexLayout& layout() const { return layout_; }
-  // One batch alone may use a quarter; faces that jump farther are read one vertex at a time, which is slow
-  // but touches no page.
+  // One batch alone may use a quarter; faces that jump farther are read one vertex at a time, which
+  // is slow but touches no page.
   [[nodiscard]] bool too_wide(VertexRange range) const {
     return (range.highest - range.lowest + std::uint64_t{1}) * layout_.stride > memory_limit_ / 4;
   }
   static constexpr std::uint64_t resident_block = std::uint64_t{1} << 16;
 
-  // Whole records from `first` on, read into `out` past the mapping; only where larger_than_memory().
+  // Whole records from `first` on, read into `out` past the mapping; only where
+  // larger_than_memory().
   void read_records(std::uint64_t first, std::size_t count, std::byte* out) const;
 
   // Between passes the pages of a mapping need not stay.
@@ -126,7 +130,8 @@ class VertexStore {
   };
 
   void open_mapping(const std::string& path, std::uint64_t offset, std::uint64_t bytes);
-  void touch(std::uint64_t begin, std::uint64_t end) const;  // of the mapping; lets go of other pages
+  void touch(std::uint64_t begin,
+             std::uint64_t end) const;  // of the mapping; lets go of other pages
   void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;  // of the mapped file
   // Records that are read in order.
   const std::byte* stretch(std::uint64_t first, std::size_t count) const;

@@ -30,8 +30,8 @@ AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encode
   AttributeWish wish;
   wish.names = options.attributes;
   wish.no_data = options.no_data;
-  wish.refusal = [&encoder, normals = options.normals](const Attribute& attribute,
-                                                       std::span<const Attribute> wanted) -> std::string {
+  wish.refusal = [&encoder, normals = options.normals](
+                     const Attribute& attribute, std::span<const Attribute> wanted) -> std::string {
     if (normals && names_normal(attribute))
       return "normals of the input, as --normals computes those of the result:";
     return encoder.attribute_refusal(attribute, wanted);
@@ -47,7 +47,8 @@ std::vector<std::string> descriptions(const AttributeChoice& choice) {
 
 void note_dropped(Job& job, const AttributeChoice& choice) {
   std::string line;
-  for (const std::string& what : choice.dropped) line += (line.empty() ? "not carried: " : "; ") + what;
+  for (const std::string& what : choice.dropped)
+    line += (line.empty() ? "not carried: " : "; ") + what;
   if (!line.empty()) job.note(line);
 }
 
@@ -73,7 +74,8 @@ void settle_colors(Job& job, std::vector<Attribute>& attributes,
       job.note(std::string(what) + " are reals up to " + seen + ": " + shortest(full[group]) +
                " was taken for 1");
     if (largest[group] > full[group])
-      job.note(std::string(what) + " above " + shortest(full[group]) + " (up to " + seen + ") were clipped");
+      job.note(std::string(what) + " above " + shortest(full[group]) + " (up to " + seen +
+               ") were clipped");
   }
   for (Attribute& attribute : attributes) {
     if (const std::optional<std::size_t> group = group_of(attribute)) attribute.full = full[*group];
@@ -94,7 +96,8 @@ CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& 
   note_dropped(job, choice);
   if (report.attributes.ignored > 0) {
     job.note(grouped(report.attributes.ignored) +
-             " numbers of carried attributes are not finite, or the largest of their type; the means leave "
+             " numbers of carried attributes are not finite, or the largest of their type; the "
+             "means leave "
              "them out");
   }
   return carried;
@@ -120,7 +123,8 @@ void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVer
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (attributes[i].kind != AttributeKind::normal) continue;
     if (!unit)
-      values[i] = length > 0 ? values[i] / length : double{vertex.normal.at(axis_of_normal(attributes[i]))};
+      values[i] =
+          length > 0 ? values[i] / length : double{vertex.normal.at(axis_of_normal(attributes[i]))};
   }
   take_normal(shape, vertex);
 }

@@ -19,18 +19,18 @@ std::vector<std::string> descriptions(const AttributeChoice& choice);
 // Notes what is not carried.
 void note_dropped(Job& job, const AttributeChoice& choice);
 
-// Of colours as reals what all of a component is, by the largest of them: 1, or 255 or 65535 where some are
-// above 2. Notes that, and where some are above that.
+// Of colours as reals what all of a component is, by the largest of them: 1, or 255 or 65535 where
+// some are above 2. Notes that, and where some are above that.
 void settle_colors(Job& job, std::vector<Attribute>& attributes,
                    const std::vector<MeshReader::AttributeRange>& ranges);
 
-// What the reader carries; fills report.attributes and notes what is not carried. To be called before any
-// faces are read.
+// What the reader carries; fills report.attributes and notes what is not carried. To be called
+// before any faces are read.
 CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report);
 
-// From means, or what is stored, to what is written, in place: light to colours, normals of means as long as
-// 1; these become the vertex's normal where the shape has one besides. Where they cancel out the vertex's
-// normal stands in for their mean. The vertex holds `values` from now on.
+// From means, or what is stored, to what is written, in place: light to colours, normals of means
+// as long as 1; these become the vertex's normal where the shape has one besides. Where they cancel
+// out the vertex's normal stands in for their mean. The vertex holds `values` from now on.
 void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVertex& vertex);
 
 }  // namespace winnow

@@ -23,21 +23,23 @@ namespace winnow {
 
 namespace {
 
-// By how much the count may miss before the faces are clustered again with a better cell, and how often. What
-// is refined afterwards may miss by more.
+// By how much the count may miss before the faces are clustered again with a better cell, and how
+// often. What is refined afterwards may miss by more.
 constexpr double tolerance = 0.10;
 constexpr double detail_tolerance = 0.4;
 constexpr std::uint64_t most_runs_refined = 3;
 constexpr std::uint64_t most_runs = 8;
 
-// Faces that clustering leaves for each that is wanted, if the caller does not say (bench/RESULTS.md).
+// Faces that clustering leaves for each that is wanted, if the caller does not say
+// (bench/RESULTS.md).
 constexpr double usual_detail = 6;
 // Inputs of no more faces are refined from all of them.
 constexpr std::uint64_t always_full = std::uint64_t{1} << 20;
-// Clustering is to spare three quarters of the faces; with less to gain than that, what it loses of a spongy
-// surface is not worth it (bench/RESULTS.md).
+// Clustering is to spare three quarters of the faces; with less to gain than that, what it loses of
+// a spongy surface is not worth it (bench/RESULTS.md).
 constexpr double worth_clustering = 0.25;
-// Where the finest cells leave less than this part of the faces that are wanted, clustering is no help.
+// Where the finest cells leave less than this part of the faces that are wanted, clustering is no
+// help.
 constexpr double fine_enough = 0.5;
 constexpr const char* keeps_boundaries = "boundaries are to keep all of their vertices";
 constexpr const char* much_damage = "it would damage much of the surface";
@@ -52,7 +54,8 @@ std::uint64_t count_faces(Job& job, MeshReader& reader) {
   for_each_face_batch(job, reader,
                       [&](const FaceBatch& faces) {
                         const auto* end = faces.status.begin() + faces.count;
-                        const auto cropped = std::count(faces.status.begin(), end, FaceStatus::cropped);
+                        const auto cropped =
+                            std::count(faces.status.begin(), end, FaceStatus::cropped);
                         count += faces.count - static_cast<std::uint64_t>(cropped);
                       },
                       {});
@@ -95,10 +98,12 @@ Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::
   const double wanted = options.detail.value_or(usual_detail) * static_cast<double>(target);
   const auto all = static_cast<double>(available);
   const auto clustered = static_cast<std::uint64_t>(wanted);
-  if (target >= available && wanted >= all) return {true, available, grouped(available) + " faces already"};
+  if (target >= available && wanted >= all)
+    return {true, available, grouped(available) + " faces already"};
   if (options.borders == Borders::keep) return {true, available, keeps_boundaries};
   if (options.detail && wanted >= all)
-    return {true, available, std::isinf(*options.detail) ? detail_full : "--detail asks for all faces"};
+    return {true, available,
+            std::isinf(*options.detail) ? detail_full : "--detail asks for all faces"};
   if (options.detail) return {false, clustered, "--detail asks for it"};
   if (available <= always_full) return {true, available, few_faces()};
   if (wanted > worth_clustering * all)
@@ -156,7 +161,8 @@ ClusteredMesh Clustering::as_asked() {
   if (options_.error || options_.relative_error) return to_error();
   target_ = target_of(options_, available_).value_or(0);
   report_.target_faces = target_;
-  return cost_of(options_) == Refine::none ? to_count(sample(target_), target_, tolerance) : to_detail();
+  return cost_of(options_) == Refine::none ? to_count(sample(target_), target_, tolerance)
+                                           : to_detail();
 }
 
 Grid Clustering::grid_of_cell() {
@@ -172,9 +178,10 @@ Grid Clustering::grid_of_box() {
 }
 
 ClusteredMesh Clustering::to_error() {
-  const Box box = options_.relative_error
-                      ? measure_box_of_faces(job_, reader_)
-                      : measure_surface(job_, reader_, reader_.facts().vertices.value_or(available_));
+  const Box box =
+      options_.relative_error
+          ? measure_box_of_faces(job_, reader_)
+          : measure_surface(job_, reader_, reader_.facts().vertices.value_or(available_));
   if (box.empty) refuse_empty();
   error_ = options_.error ? *options_.error : *options_.relative_error * box.diagonal();
   const double cell = cell_for_error * error_;
@@ -201,11 +208,13 @@ ClusteredMesh Clustering::to_detail() {
   const CellCounts cells = sample(detail.faces);
   const auto wanted = static_cast<double>(detail.faces);
   if (cells.expected_faces(cells.cell_for(wanted)) >= fine_enough * wanted) {
-    std::optional<SafeMesh> safe = safely(cells.box(), to_count(cells, detail.faces, detail_tolerance));
+    std::optional<SafeMesh> safe =
+        safely(cells.box(), to_count(cells, detail.faces, detail_tolerance));
     return safe ? std::move(safe->mesh) : welded(much_damage);
   }
-  job_.note("the finest cells in a box of " + shortest(cells.box().longest_side()) +
-            " are too coarse for this count, so all faces were refined: some vertices may be far off");
+  job_.note(
+      "the finest cells in a box of " + shortest(cells.box().longest_side()) +
+      " are too coarse for this count, so all faces were refined: some vertices may be far off");
   return welded("the finest cells are too coarse");
 }
 
@@ -254,10 +263,11 @@ CellCounts Clustering::sample(std::uint64_t target) {
   return sample;
 }
 
-// Cells that were tried and how many faces they gave. On most surfaces the sample is right the first time. On
-// others the count is searched for between the nearest cells on either side, as if it were a power of the
-// cell.
-ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t target, double tolerated) {
+// Cells that were tried and how many faces they gave. On most surfaces the sample is right the
+// first time. On others the count is searched for between the nearest cells on either side, as if
+// it were a power of the cell.
+ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t target,
+                                   double tolerated) {
   const auto wanted = static_cast<double>(target);
   // What is refined afterwards may miss, so the old price of a few runs is the limit there.
   const std::uint64_t runs = settings_.for_refinement ? most_runs_refined : most_runs;
@@ -270,8 +280,8 @@ ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t targe
     if (std::abs(miss - 1) <= tolerated) return mesh;
     const bool last = report_.runs == runs || search.exhausted();
     if (!last) {
-      job_.note("the sample misled: " + grouped(mesh.face_count) + " faces instead of " + grouped(target) +
-                "; the faces were clustered again");
+      job_.note("the sample misled: " + grouped(mesh.face_count) + " faces instead of " +
+                grouped(target) + "; the faces were clustered again");
       continue;
     }
     if (search.best() != settings_.grid.cell) {
@@ -285,22 +295,27 @@ ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t targe
   }
 }
 
-void Clustering::note_missed_count(const CellSearch& search, std::uint64_t faces, std::uint64_t target) {
+void Clustering::note_missed_count(const CellSearch& search, std::uint64_t faces,
+                                   std::uint64_t target) {
   const std::string line = grouped(faces) + " faces instead of " + grouped(target) + ": ";
   if (faces < target && target >= available_) {
-    job_.note("the input has no more detail than these " + grouped(faces) + " faces at its own resolution");
+    job_.note("the input has no more detail than these " + grouped(faces) +
+              " faces at its own resolution");
   } else if (faces < target && search.finest()) {
-    job_.note(line + "finer cells do not exist in a box of " + shortest(search.box().longest_side()) +
-              "; some vertices may be far off, see --crop");
+    job_.note(line + "finer cells do not exist in a box of " +
+              shortest(search.box().longest_side()) + "; some vertices may be far off, see --crop");
   } else if (settings_.for_refinement) {
     job_.note(line + "the count changes too fast with the size of cells");
   } else {
-    job_.note(line + "no size of cells that was tried comes nearer; --faces without --refine none is exact");
+    job_.note(
+        line +
+        "no size of cells that was tried comes nearer; --faces without --refine none is exact");
   }
 }
 
 ClusteredMesh Clustering::once() {
-  const ClusterMemory memory = settings_.for_refinement ? safe_memory(plan_.cluster) : plan_.cluster;
+  const ClusterMemory memory =
+      settings_.for_refinement ? safe_memory(plan_.cluster) : plan_.cluster;
   const std::unique_ptr<Clusterer> clusterer = Clusterer::make(job_, settings_, memory);
   reader_.begin_faces();
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
@@ -335,25 +350,28 @@ void Clustering::take_counts(const ClusterCounts& counts) {
 void Clustering::refuse_empty() const {
   if (!options_.crop && reader_.facts().faces == std::uint64_t{0})
     refuse_without_faces(reader_, "simplified");
-  throw Error(ErrorKind::bad_input,
-              "'" + reader_.name() + "' has no face that could be simplified" +
-                  (options_.crop ? " in the box of --crop; winnow info tells where the mesh is" : "") +
-                  (welds(options_) && report_.weld.vertices > 0
-                       ? "; --weld joined too many vertices, choose a smaller distance"
-                       : ""));
+  throw Error(
+      ErrorKind::bad_input,
+      "'" + reader_.name() + "' has no face that could be simplified" +
+          (options_.crop ? " in the box of --crop; winnow info tells where the mesh is" : "") +
+          (welds(options_) && report_.weld.vertices > 0
+               ? "; --weld joined too many vertices, choose a smaller distance"
+               : ""));
 }
 
 void Clustering::refuse_result(const ClusteredMesh& mesh) const {
   if (mesh.cells == 0) refuse_empty();
   if (!options_.cell && !options_.grid) {
-    throw Error(ErrorKind::failed, "no face is left: all cells that were tried, down to " +
-                                       shortest(settings_.grid.cell) +
-                                       ", are too coarse; leave --refine none out, or use --crop if some "
-                                       "vertices are far off");
+    throw Error(ErrorKind::failed,
+                "no face is left: all cells that were tried, down to " +
+                    shortest(settings_.grid.cell) +
+                    ", are too coarse; leave --refine none out, or use --crop if some "
+                    "vertices are far off");
   }
-  throw Error(ErrorKind::failed, "no face is left: the whole model falls into " + grouped(mesh.cells) +
-                                     " cells of " + shortest(settings_.grid.cell) + "; choose smaller cells" +
-                                     (options_.cell ? "" : ", or --crop if some vertices are far off"));
+  throw Error(ErrorKind::failed,
+              "no face is left: the whole model falls into " + grouped(mesh.cells) + " cells of " +
+                  shortest(settings_.grid.cell) + "; choose smaller cells" +
+                  (options_.cell ? "" : ", or --crop if some vertices are far off"));
 }
 
 }  // namespace winnow

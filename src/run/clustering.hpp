@@ -1,4 +1,5 @@
-// The first half of the road: the input as a clustered or welded mesh, as fine as the options ask for.
+// The first half of the road: the input as a clustered or welded mesh, as fine as the options ask
+// for.
 #pragma once
 
 #include <winnow/simplify.hpp>
@@ -21,14 +22,15 @@ namespace winnow {
 // What all that comes after has to know of it.
 struct Clustered {
   ClusteredMesh mesh;
-  std::uint64_t target = 0;             // faces wanted; 0 where an error says how many
-  double error = 0;                     // the error wanted, in model units; 0 where faces are counted
-  bool normals = false;                 // of the input
-  bool double_positions = false;        // likewise
+  std::uint64_t target = 0;       // faces wanted; 0 where an error says how many
+  double error = 0;               // the error wanted, in model units; 0 where faces are counted
+  bool normals = false;           // of the input
+  bool double_positions = false;  // likewise
   std::vector<Attribute> attributes{};  // that vertices carry
 };
 
-// Faces that are asked for, of so many in the input; nothing where a cell or an error says how many.
+// Faces that are asked for, of so many in the input; nothing where a cell or an error says how
+// many.
 std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint64_t available);
 
 // What refinement starts from: all faces, welded, or as many as clustering leaves.
@@ -45,8 +47,8 @@ inline constexpr const char* clustering_alone = "clustering alone was asked for"
 // Fills what the report says of input and cells.
 class Clustering {
  public:
-  Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options, CarriedAttributes attributes,
-             const MemoryPlan& plan, SimplifyReport& report);
+  Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options,
+             CarriedAttributes attributes, const MemoryPlan& plan, SimplifyReport& report);
 
   // The mesh that is written, or, if it is going to be refined, what that starts from.
   Clustered run();

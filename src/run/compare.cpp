@@ -43,7 +43,8 @@ std::uint64_t faces_in_flight(unsigned threads) {
   return batches_in_flight(threads) * batch_faces;
 }
 
-// The least of an original that is looked at in one tree: what is under way when it is full must still fit.
+// The least of an original that is looked at in one tree: what is under way when it is full must
+// still fit.
 std::uint64_t smallest_chunk(unsigned threads) {
   return 64 * 1024 + 2 * faces_in_flight(threads);
 }
@@ -60,12 +61,13 @@ constexpr std::uint64_t most_samples = 1'000'000'000'000;
 bool same_place(const std::string& one, const std::string& other) {
   if (one.empty() || other.empty()) return false;
   std::error_code ignored;
-  return one == other ||
-         std::filesystem::weakly_canonical(one, ignored) == std::filesystem::weakly_canonical(other, ignored);
+  return one == other || std::filesystem::weakly_canonical(one, ignored) ==
+                             std::filesystem::weakly_canonical(other, ignored);
 }
 
 // What no ending tells is written all the same.
-void check_ending(const char* option, const std::string& path, const std::vector<std::string>& written) {
+void check_ending(const char* option, const std::string& path,
+                  const std::vector<std::string>& written) {
   std::string name = std::filesystem::path(path).filename().string();
   std::transform(name.begin(), name.end(), name.begin(), small_letter);
   if (name.find('.') == std::string::npos) return;
@@ -135,7 +137,8 @@ class Comparison {
                     {job_.budget.left() / 8, batch_faces});
     report_.simplified.format = reader->facts().format;
     if (reader->facts().faces) check_room(*reader->facts().faces);
-    simplified_ = std::make_unique<FaceStore>(job_.budget, job_.budget.left() / sizeof(NumberedFace));
+    simplified_ =
+        std::make_unique<FaceStore>(job_.budget, job_.budget.left() / sizeof(NumberedFace));
     FaceIntake intake(job_, reader->first_finite_position().value_or(Point{}));
     job_.progress.begin("read the simplified mesh", reader->facts().faces.value_or(0), "faces");
     reader->begin_faces();
@@ -163,9 +166,9 @@ class Comparison {
       for (const double x : p) most = std::max(most, std::abs(x));
     }
     if (totals.faces() > 0 && (most > largest || totals.box().diagonal() < 1 / largest)) {
-      throw Error(ErrorKind::bad_input, "'" + name + "' has coordinates up to " + shortest(most) +
-                                            " and a diagonal of " + shortest(totals.box().diagonal()) +
-                                            "; both must be between 1e-35 and 1e35");
+      throw Error(ErrorKind::bad_input,
+                  "'" + name + "' has coordinates up to " + shortest(most) + " and a diagonal of " +
+                      shortest(totals.box().diagonal()) + "; both must be between 1e-35 and 1e35");
     }
   }
 
@@ -175,18 +178,18 @@ class Comparison {
   }
 
   [[nodiscard]] std::uint64_t needed_for(std::uint64_t faces) const {
-    return fixed_.bytes() + views_memory_.bytes() + loose_places_ + faces * bytes_a_simplified_face() +
-           options_.samples * sizeof(double) + smallest_chunk(job_.threads) * bytes_a_chunk_face * 3 / 2 +
-           16 * mebibyte;
+    return fixed_.bytes() + views_memory_.bytes() + loose_places_ +
+           faces * bytes_a_simplified_face() + options_.samples * sizeof(double) +
+           smallest_chunk(job_.threads) * bytes_a_chunk_face * 3 / 2 + 16 * mebibyte;
   }
 
   // `besides`: what a compressed original takes, which only its content tells.
   [[noreturn]] void refuse(std::uint64_t faces, std::uint64_t besides = 0) const {
-    throw Error(ErrorKind::resources,
-                "a memory budget of " + human_bytes(job_.budget.total()) +
-                    " is too small to compare with a mesh of " + grouped(faces) +
-                    " faces; enough is --memory " +
-                    size_option((needed_for(faces) + besides + mebibyte - 1) / mebibyte * mebibyte));
+    throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(job_.budget.total()) +
+                                          " is too small to compare with a mesh of " +
+                                          grouped(faces) + " faces; enough is --memory " +
+                                          size_option((needed_for(faces) + besides + mebibyte - 1) /
+                                                      mebibyte * mebibyte));
   }
 
   [[nodiscard]] double density_for(double area) const {
@@ -195,17 +198,20 @@ class Comparison {
 
   void compare_with(const std::string& name, const SurfaceTree& tree, NearestPoints& points) {
     const std::uint64_t left = job_.budget.left();
-    const std::unique_ptr<MeshReader> reader = open_reader(
-        job_, open_source(job_, name), options_.from_original, Access::repeatedly, {left / 4, batch_faces});
+    const std::unique_ptr<MeshReader> reader =
+        open_reader(job_, open_source(job_, name), options_.from_original, Access::repeatedly,
+                    {left / 4, batch_faces});
     report_.original.format = reader->facts().format;
-    const std::uint64_t capacity =
-        std::min(SurfaceTree::most_faces,
-                 (job_.budget.left() - std::min(job_.budget.left(), left / 4)) / bytes_a_chunk_face);
-    if (capacity < smallest_chunk(job_.threads)) refuse(simplified_->size(), 2 * (left - job_.budget.left()));
+    const std::uint64_t capacity = std::min(
+        SurfaceTree::most_faces,
+        (job_.budget.left() - std::min(job_.budget.left(), left / 4)) / bytes_a_chunk_face);
+    if (capacity < smallest_chunk(job_.threads))
+      refuse(simplified_->size(), 2 * (left - job_.budget.left()));
     FaceStore chunk(job_.budget, capacity);
 
-    // A first pass for what the samples hang on; of a large original it also takes a few faces everywhere, as
-    // points whose distance is nearly known are passed over quickly by most of what comes later.
+    // A first pass for what the samples hang on; of a large original it also takes a few faces
+    // everywhere, as points whose distance is nearly known are passed over quickly by most of what
+    // comes later.
     FaceIntake intake(job_, reader->first_finite_position().value_or(Point{}));
     const std::uint64_t known = reader->facts().faces.value_or(UINT64_MAX);
     const bool whole = known <= capacity;
@@ -267,8 +273,10 @@ class Comparison {
     }
   }
 
-  // What is seen of the original is measured pixel by pixel, of the simplified mesh at its vertices.
-  void draw_picture(const SurfaceTree& tree, const WeldedMesh& mesh, std::span<const double> squared) {
+  // What is seen of the original is measured pixel by pixel, of the simplified mesh at its
+  // vertices.
+  void draw_picture(const SurfaceTree& tree, const WeldedMesh& mesh,
+                    std::span<const double> squared) {
     job_.progress.begin("picture", 0, "pixels");
     views_->original().revalue(
         [&tree](const Point& point) {
@@ -281,10 +289,12 @@ class Comparison {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       job_.progress.check_cancelled();
       const auto& [a, b, c] = mesh.faces()[f];
-      views_->simplified().draw(faces[f].corner, f,
-                                {std::sqrt(squared[a]), std::sqrt(squared[b]), std::sqrt(squared[c])});
+      views_->simplified().draw(
+          faces[f].corner, f,
+          {std::sqrt(squared[a]), std::sqrt(squared[b]), std::sqrt(squared[c])});
     }
-    views_->write_png(*picture_, 3 * std::max(report_.forward.rms, report_.backward.rms), report_.diagonal);
+    views_->write_png(*picture_, 3 * std::max(report_.forward.rms, report_.backward.rms),
+                      report_.diagonal);
   }
 
   void combine() {
@@ -294,11 +304,12 @@ class Comparison {
                          std::max(f.max, b.max)};
     report_.worst = f.max >= b.max ? forward_.worst() : backward_.worst();
     if (report_.original.area > 0) {
-      report_.area_change = (report_.simplified.area - report_.original.area) / report_.original.area;
+      report_.area_change =
+          (report_.simplified.area - report_.original.area) / report_.original.area;
     }
     if (report_.original.volume && report_.simplified.volume && *report_.original.volume != 0) {
-      report_.volume_change =
-          (*report_.simplified.volume - *report_.original.volume) / std::abs(*report_.original.volume);
+      report_.volume_change = (*report_.simplified.volume - *report_.original.volume) /
+                              std::abs(*report_.original.volume);
     }
   }
 
@@ -326,7 +337,8 @@ CompareReport compare(Context& context, const std::string& original, const std::
                 "--samples takes 100 to 1,000,000,000,000, not " + grouped(options.samples));
   check_ending("--colored", options.colored, {".ply", ".ply.gz", ".ply.zst"});
   check_ending("--picture", options.picture, {".png"});
-  if (options.view == View::from && (!finite(options.viewer) || options.viewer == std::array<double, 3>{}))
+  if (options.view == View::from &&
+      (!finite(options.viewer) || options.viewer == std::array<double, 3>{}))
     throw Error(ErrorKind::usage, "--view takes a direction of finite numbers that are not all 0");
   if (!options.colored.empty() && same_place(options.colored, options.picture))
     throw Error(ErrorKind::usage, "the coloured mesh and the picture need a name each");
@@ -335,7 +347,8 @@ CompareReport compare(Context& context, const std::string& original, const std::
   // So that the first refusal already names what is enough for a small mesh.
   job.budget.expect(options.samples * sizeof(double) +
                     smallest_chunk(job.threads) * bytes_a_chunk_face * 3 / 2 + 20 * mebibyte);
-  CompareReport report = in_arena(job, [&] { return Comparison(job, options).run(original, simplified); });
+  CompareReport report =
+      in_arena(job, [&] { return Comparison(job, options).run(original, simplified); });
   report.notes = job.notes;
   report.peak_memory_bytes = peak_resident_bytes();
   report.seconds = watch.seconds();

@@ -34,7 +34,8 @@ ClusteredMesh mesh_of(Job& job, MeshReader& reader, const MemoryPlan& plan, Clus
     const std::uint64_t attributes = left / (sizeof(IndexedVertex) + carried) * carried;
     return plain_mesh(job, reader, {left - attributes, attributes, plan.cluster.result}, counts);
   }
-  return weld(job, reader, {}, {plan.cluster.table, plan.cluster.vertices, plan.cluster.result, {}, 0},
+  return weld(job, reader, {},
+              {plan.cluster.table, plan.cluster.vertices, plan.cluster.result, {}, 0},
               reader.facts().faces.value_or(0), counts);
 }
 
@@ -64,7 +65,8 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   std::unique_ptr<ByteSource> source = open_source(job, input);
   source->peek(1);
   const AttributeWish wish = wish_for(*encoder);
-  const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, nothing);
+  const MemoryPlan plan =
+      MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, nothing);
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
   const std::unique_ptr<MeshReader> reader =
@@ -88,17 +90,19 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   reader->rest();
   report.seconds.read = watch.seconds();
   const bool normals = carries_normals(attributes) && encoder->normals_apart();
-  MeshShape shape =
-      shape_of(job, mesh, *encoder, normals, doubles, facts.double_positions, "converted by winnow");
+  MeshShape shape = shape_of(job, mesh, *encoder, normals, doubles, facts.double_positions,
+                             "converted by winnow");
   shape.attributes = attributes;
   shape.closed = encoder->needs_survey() && is_closed(job, mesh);
   shape.as_stored = true;
   write_mesh(job, mesh, shape, *encoder, sink);
   sink.finish();
 
-  report.input = {facts.format, counts.faces, facts.vertices.value_or(0), reader->bytes(), counts.bad};
+  report.input = {facts.format, counts.faces, facts.vertices.value_or(0), reader->bytes(),
+                  counts.bad};
   report.output = {mesh.face_count, mesh.vertices->size(), sink.written(),
-                   format_written(options.to, output, options.encoding), encoder->position_error(shape)};
+                   format_written(options.to, output, options.encoding),
+                   encoder->position_error(shape)};
   report.attributes = {descriptions(facts.choice), facts.choice.dropped};
   report.welded = !facts.vertices;
   report.doubled_faces = counts.faces - counts.bad.total() - mesh.face_count;

@@ -48,7 +48,8 @@ InfoReport info_in_arena(Job& job, const std::string& input, Format from) {
   job.progress.begin("read faces", facts.faces.value_or(0), "faces");
   // Vertices that no face uses belong to the box, too.
   if (facts.vertices) {
-    for_each_position_batch(job, *reader, [&](const PositionView& view) { census.add_positions(view); });
+    for_each_position_batch(job, *reader,
+                            [&](const PositionView& view) { census.add_positions(view); });
   }
   reader->begin_faces();
   const bool corners_too = !facts.vertices;

@@ -39,8 +39,9 @@ std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options, const 
 }
 
 InputOutlook Input::outlook(const SimplifyOptions& options, const AttributeWish& wish) {
-  InputOutlook outlook = source_ != nullptr ? look_at(job_, *source_, options.from, access_for(options), wish)
-                                            : look_at_files(job_, names_, options.from, wish);
+  InputOutlook outlook = source_ != nullptr
+                             ? look_at(job_, *source_, options.from, access_for(options), wish)
+                             : look_at_files(job_, names_, options.from, wish);
   if (options.crop) outlook.facts.faces.reset();
   return outlook;
 }
@@ -49,10 +50,12 @@ void refuse_without_faces(const MeshReader& reader, const std::string& purpose) 
   const InputFacts& facts = reader.facts();
   const std::uint64_t points = facts.vertices.value_or(0);
   if (points == 0 || facts.faces != std::uint64_t{0})
-    throw Error(ErrorKind::bad_input, "'" + reader.name() + "' has no face that could be " + purpose);
-  throw Error(ErrorKind::bad_input,
-              "'" + reader.name() + "' has " + grouped(points) + (points == 1 ? " point" : " points") +
-                  " and no faces; make a surface of a point cloud first, by Poisson reconstruction say");
+    throw Error(ErrorKind::bad_input,
+                "'" + reader.name() + "' has no face that could be " + purpose);
+  throw Error(
+      ErrorKind::bad_input,
+      "'" + reader.name() + "' has " + grouped(points) + (points == 1 ? " point" : " points") +
+          " and no faces; make a surface of a point cloud first, by Poisson reconstruction say");
 }
 
 }  // namespace winnow

@@ -24,8 +24,8 @@ class Input {
   // What of the budget it takes before the rest can be divided.
   [[nodiscard]] std::uint64_t memory() const { return memory_; }
 
-  // What would be read, from the first bytes; to be called before reader(). Throws Error(usage) where `wish`
-  // names what the input lacks.
+  // What would be read, from the first bytes; to be called before reader(). Throws Error(usage)
+  // where `wish` names what the input lacks.
   InputOutlook outlook(const SimplifyOptions& options, const AttributeWish& wish);
   // To be called once.
   std::unique_ptr<MeshReader> reader(const SimplifyOptions& options, const AttributeWish& wish,

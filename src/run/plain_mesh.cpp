@@ -58,7 +58,8 @@ void read_vertices(Job& job, MeshReader& reader, const Point& instead, Clustered
 
 }  // namespace
 
-ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory, ClusterCounts& counts) {
+ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory,
+                         ClusterCounts& counts) {
   ClusteredMesh mesh;
   mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
   if (!reader.facts().choice.carried.empty())
@@ -80,7 +81,8 @@ ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& me
         here.first_bad = good.first_bad();
         workers.local().add(here);
         for (const NumberedFace& face : good.faces()) {
-          for (const std::uint32_t* corner : batch.index) append(bytes, corner[face.number - batch.first]);
+          for (const std::uint32_t* corner : batch.index)
+            append(bytes, corner[face.number - batch.first]);
         }
       },
       [&](std::span<const std::byte> bytes) {

@@ -15,10 +15,11 @@ struct PlainMeshMemory {
   std::uint64_t faces = 0;
 };
 
-// All vertices, with the attributes that the reader carries as they are stored, and all good faces, in the
-// order of the input; a vertex that is not finite stands where the first that is finite does, and a note says
-// so. Fills `counts` of the faces. The mesh's faces do not begin with their lowest vertex, nor come in the
-// order of those: it is good for write_mesh() alone.
-ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory, ClusterCounts& counts);
+// All vertices, with the attributes that the reader carries as they are stored, and all good faces,
+// in the order of the input; a vertex that is not finite stands where the first that is finite
+// does, and a note says so. Fills `counts` of the faces. The mesh's faces do not begin with their
+// lowest vertex, nor come in the order of those: it is good for write_mesh() alone.
+ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory,
+                         ClusterCounts& counts);
 
 }  // namespace winnow

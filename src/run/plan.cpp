@@ -57,7 +57,8 @@ std::uint64_t MemoryPlan::smallest_for(unsigned threads, const CellNeeds& needs)
   const std::uint64_t merge = SortedRuns<CellFace>::merge_memory() * (needs.attributes > 0 ? 2 : 1);
   // The smallest share decides.
   const std::uint64_t rest =
-      std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)}) * (needs.weld ? 4 : 3) / 3;
+      std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)}) *
+      (needs.weld ? 4 : 3) / 3;
   const std::uint64_t fixed = threads * per_thread(needs) + blocks_in_flight(threads, small_batch);
   return (fixed + rest + mebibyte - 1) / mebibyte * mebibyte;
 }
@@ -67,21 +68,22 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned
   MemoryPlan plan;
   plan.smallest = smallest_for(threads, needs);
   if (total < taken + plan.smallest) {
-    throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) + " is too small for " +
-                                          std::to_string(threads) + (threads == 1 ? " thread" : " threads") +
-                                          "; the smallest that works is --memory " +
-                                          size_option(taken + plan.smallest));
+    throw Error(ErrorKind::resources,
+                "a memory budget of " + human_bytes(total) + " is too small for " +
+                    std::to_string(threads) + (threads == 1 ? " thread" : " threads") +
+                    "; the smallest that works is --memory " + size_option(taken + plan.smallest));
   }
   plan.cluster.table_parts = table_parts(threads);
   // Fewer faces a batch in a small budget: it bounds what is under way when the table is full.
   const bool large = total - taken >= std::max(256 * mebibyte, 4 * plan.smallest);
   plan.reader.batch_faces = large ? large_batch : small_batch;
   plan.fixed = threads * per_thread(needs) + blocks_in_flight(threads, plan.reader.batch_faces);
-  // The rest in eighths: three for cells, two for faces, two for vertices of the input, one for merging.
+  // The rest in eighths: three for cells, two for faces, two for vertices of the input, one for
+  // merging.
   std::uint64_t rest = total - taken - plan.fixed;
   if (needs.weld) {
-    // What has moved is looked up for as long as faces are read. The rest of what welding takes is free
-    // before they are clustered. Two lists are merged at a time; a quarter is left for that.
+    // What has moved is looked up for as long as faces are read. The rest of what welding takes is
+    // free before they are clustered. Two lists are merged at a time; a quarter is left for that.
     plan.weld.moved = rest / 4;
     rest -= plan.weld.moved;
     plan.weld.sorting = rest / 4;
@@ -98,18 +100,19 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned
   }
   plan.cluster.faces = rest / 4;
   plan.reader.vertices = rest / 4;
-  // When the input is read, its vertices make room for those of the result, and the table, once merged,
-  // for the faces.
+  // When the input is read, its vertices make room for those of the result, and the table, once
+  // merged, for the faces.
   plan.cluster.vertices = rest / 4;
   plan.cluster.result = rest / 4;
   return plan;
 }
 
 std::vector<SimplifyPlan::Part> MemoryPlan::parts() const {
-  std::vector<SimplifyPlan::Part> parts{{"threads and blocks in flight", fixed},
-                                        {"vertices of the input, then of the result", reader.vertices},
-                                        {"cells", cluster.table},
-                                        {"faces between cells", cluster.faces}};
+  std::vector<SimplifyPlan::Part> parts{
+      {"threads and blocks in flight", fixed},
+      {"vertices of the input, then of the result", reader.vertices},
+      {"cells", cluster.table},
+      {"faces between cells", cluster.faces}};
   if (weld.moved > 0) parts.push_back({"vertices that --weld moved", weld.moved});
   if (cluster.attributes > 0) parts.push_back({"attributes of cells", cluster.attributes});
   return parts;
@@ -117,22 +120,24 @@ std::vector<SimplifyPlan::Part> MemoryPlan::parts() const {
 
 std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs) {
   const std::uint64_t cell = cell_size(needs) + AttributeMemory::entry_size(needs.attributes);
-  // Three cells a face and the face itself, both twice while runs are merged; a block that does not compress
-  // grows by less than a hundredth. Then three vertices and three numbers a face.
+  // Three cells a face and the face itself, both twice while runs are merged; a block that does not
+  // compress grows by less than a hundredth. Then three vertices and three numbers a face.
   const std::uint64_t runs = 2 * (3 * cell + sizeof(CellFace));
   const std::uint64_t vertex = vertex_size(needs);
   const std::uint64_t weld = needs.weld ? near_weld_scratch(faces) : 0;
-  return weld + weld / 100 + faces * (runs + runs / 100 + 1 + 3 * vertex + 3 * sizeof(std::uint32_t)) +
-         mebibyte;
+  return weld + weld / 100 +
+         faces * (runs + runs / 100 + 1 + 3 * vertex + 3 * sizeof(std::uint32_t)) + mebibyte;
 }
 
-std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, const CellNeeds& needs) {
+std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan,
+                               const CellNeeds& needs) {
   const std::uint64_t cell = cell_size(needs) + AttributeMemory::entry_size(needs.attributes);
   const std::uint64_t cells = faces / 2;
   const std::uint64_t kept = faces + faces / 4;
   std::uint64_t bytes = 0;
   // Packed to about seven tenths.
-  if (cells * cell * 3 / 2 > plan.cluster.table + plan.cluster.attributes) bytes += cells * cell * 7 / 10;
+  if (cells * cell * 3 / 2 > plan.cluster.table + plan.cluster.attributes)
+    bytes += cells * cell * 7 / 10;
   if (kept * sizeof(CellFace) > plan.cluster.faces) bytes += kept * sizeof(CellFace) * 7 / 10;
   const std::uint64_t vertex = vertex_size(needs);
   if (cells * vertex > plan.cluster.vertices) bytes += cells * vertex;
@@ -140,7 +145,8 @@ std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan, cons
   return bytes;
 }
 
-std::uint64_t refining_scratch(std::uint64_t faces, const RefineMemory& memory, const CellNeeds& needs) {
+std::uint64_t refining_scratch(std::uint64_t faces, const RefineMemory& memory,
+                               const CellNeeds& needs) {
   const std::uint64_t vertices = faces / 2 * vertex_size(needs);
   const std::uint64_t corners = faces * sizeof(FaceVertices);
   const std::uint64_t collapses = faces / 2 * CollapseLog::entry_size;

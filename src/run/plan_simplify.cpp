@@ -21,10 +21,12 @@ namespace {
 std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOptions& options) {
   std::vector<std::string> passes;
   if (outlook.copied_first) passes.emplace_back("copy the input to scratch");
-  if (outlook.faces_kept) passes.emplace_back("keep the faces in scratch until the vertices are read");
+  if (outlook.faces_kept)
+    passes.emplace_back("keep the faces in scratch until the vertices are read");
   if (outlook.vertices_kept)
     passes.emplace_back("read the vertices into memory, or scratch where they do not fit");
-  if (outlook.taken_in) passes.emplace_back("parse the input into memory, or scratch where it does not fit");
+  if (outlook.taken_in)
+    passes.emplace_back("parse the input into memory, or scratch where it does not fit");
   if (std::any_of(outlook.facts.choice.carried.begin(), outlook.facts.choice.carried.end(),
                   [](const Attribute& attribute) { return !is_integer(attribute.type); }))
     passes.emplace_back("find the largest numbers that the vertices carry");
@@ -44,9 +46,9 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
     passes.push_back("sample the " + positions + " for the cell size");
   }
   const bool refine = cost_of(options) != Refine::none;
-  passes.emplace_back(
-      refine ? "cluster the faces, or weld equal positions where clustering would not spare three quarters"
-             : "cluster the faces");
+  passes.emplace_back(refine ? "cluster the faces, or weld equal positions where clustering would "
+                               "not spare three quarters"
+                             : "cluster the faces");
   if ((options.faces || options.ratio) && !refine)
     passes.emplace_back("cluster them again, only if the sample misled by more than 10 %");
   if (refine) passes.emplace_back("collapse edges, tile by tile");
@@ -65,28 +67,32 @@ std::uint64_t vertex_record(const InputFacts& facts) {
 // Scratch at the most where faces jump over more vertices than their share of memory has room for.
 std::uint64_t worst_of_jumping(const InputOutlook& outlook, const MemoryPlan& plan) {
   const std::uint64_t record = vertex_record(outlook.facts);
-  const std::uint64_t looked_up = std::max(outlook.vertices_kept ? record : 0, outlook.vertex_bytes);
+  const std::uint64_t looked_up =
+      std::max(outlook.vertices_kept ? record : 0, outlook.vertex_bytes);
   if (outlook.facts.vertices.value_or(0) * looked_up <= plan.reader.vertices) return 0;
   // Of a pipe the faces wait, too.
   const std::uint64_t face = outlook.vertices_kept ? KeptFaces::bytes_a_face : 0;
   return outlook.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
 }
 
-// Rates of one thread in faces a second, measured once (bench/RESULTS.md), for want of knowing the machine.
+// Rates of one thread in faces a second, measured once (bench/RESULTS.md), for want of knowing the
+// machine.
 constexpr double clustered_a_second = 2.2e7;
 constexpr double welded_a_second = 2e6;
 constexpr double collapsed_a_second = 3e5;
-// Of a scan: the part of the faces that is near cells which clustering damages, and how many more faces the
-// mesh of cells has when these are split.
+// Of a scan: the part of the faces that is near cells which clustering damages, and how many more
+// faces the mesh of cells has when these are split.
 constexpr double near_damage = 0.08;
 constexpr double split_faces = 1.3;
 
-// Of a coherent scan; at a tenth of its faces for a cell or grid. How far an error goes shows only later.
+// Of a coherent scan; at a tenth of its faces for a cell or grid. How far an error goes shows only
+// later.
 void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const CellNeeds& needs,
               std::uint64_t memory, unsigned threads, SimplifyPlan& out) {
   if (options.error || options.relative_error) return;
   const auto faces = static_cast<double>(*out.faces);
-  const std::uint64_t target = std::min(*out.faces, target_of(options, *out.faces).value_or(*out.faces / 10));
+  const std::uint64_t target =
+      std::min(*out.faces, target_of(options, *out.faces).value_or(*out.faces / 10));
   out.scratch_expected = expected_scratch(target, plan, needs);
   double seconds = faces / clustered_a_second;
   if (cost_of(options) != Refine::none) {
@@ -97,13 +103,16 @@ void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const Cell
     } else {
       // They are read again, and those near damage clustered again.
       seconds *= 2;
-      near = static_cast<std::uint64_t>(near_damage * faces) * NearFaces::bytes_a_face(needs.attributes);
+      near = static_cast<std::uint64_t>(near_damage * faces) *
+             NearFaces::bytes_a_face(needs.attributes);
       if (near <= plan.cluster.vertices / 2) near = 0;
       near += expected_scratch(detail.faces, plan, needs);
       detail.faces = static_cast<std::uint64_t>(split_faces * static_cast<double>(detail.faces));
     }
-    if (detail.faces > target) seconds += static_cast<double>(detail.faces - target) / collapsed_a_second;
-    out.scratch_expected = std::max(near, refining_scratch(detail.faces, refine_memory(memory), needs));
+    if (detail.faces > target)
+      seconds += static_cast<double>(detail.faces - target) / collapsed_a_second;
+    out.scratch_expected =
+        std::max(near, refining_scratch(detail.faces, refine_memory(memory), needs));
   }
   out.seconds_expected = seconds / threads;
 }
@@ -139,8 +148,8 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
     if (outlook.vertices_kept) kept += out.vertices.value_or(0) * vertex_record(outlook.facts);
     if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
-    out.scratch_worst =
-        BlockSums::with_sums(worst_scratch(*out.faces, needs) + kept + worst_of_jumping(outlook, plan));
+    out.scratch_worst = BlockSums::with_sums(worst_scratch(*out.faces, needs) + kept +
+                                             worst_of_jumping(outlook, plan));
     if (cost_of(options) != Refine::none) {
       const auto target = target_of(options, *out.faces);
       const Detail detail = target ? detail_for(options, *out.faces, std::min(*out.faces, *target))

@@ -51,15 +51,15 @@ const char* sentence_of(StoppedBy reason, bool free) {
     case StoppedBy::pieces:
       return "--keep-pieces keeps every piece of the surface; without it the smallest go";
     default:
-      return free
-                 ? "no edge is left that could be collapsed"
-                 : "fewer would change the topology or destroy the shape; --topology free closes handles and "
-                   "holes, and meets the count";
+      return free ? "no edge is left that could be collapsed"
+                  : "fewer would change the topology or destroy the shape; --topology free closes "
+                    "handles and "
+                    "holes, and meets the count";
   }
 }
 
-void tell_reasons(Job& job, const RefineReport& done, std::uint64_t left, std::uint64_t wanted, bool free,
-                  SimplifyReport& report) {
+void tell_reasons(Job& job, const RefineReport& done, std::uint64_t left, std::uint64_t wanted,
+                  bool free, SimplifyReport& report) {
   const std::vector<StoppedBy> reasons = done.blocked.reasons();
   for (const StoppedBy reason : reasons) {
     const std::string sentence = sentence_of(reason, free);
@@ -73,23 +73,27 @@ void tell_reasons(Job& job, const RefineReport& done, std::uint64_t left, std::u
 // What a run holds at the most beside the tile that it works on, under a budget of any size.
 class HeldBesideTile {
  public:
-  HeldBesideTile(const Job& job, const RefinedMesh& whole, const RefineSettings& settings, PlanOf plan)
+  HeldBesideTile(const Job& job, const RefinedMesh& whole, const RefineSettings& settings,
+                 PlanOf plan)
       : plan_(std::move(plan)), total_(job.budget.total()), fixed_(job.budget.used()) {
     const std::uint64_t vertices = whole.mesh.vertices->size();
     const std::uint64_t faces = whole.mesh.face_count;
-    const std::array<const Spool*, 4> spools{&whole.mesh.vertices->records(), whole.mesh.faces.get(),
-                                             whole.mesh.attributes.get(), whole.state.get()};
+    const std::array<const Spool*, 4> spools{&whole.mesh.vertices->records(),
+                                             whole.mesh.faces.get(), whole.mesh.attributes.get(),
+                                             whole.state.get()};
     for (const Spool* spool : spools) {
       if (spool == nullptr) continue;
-      mesh_.push_back({spool->size(), spool->memory_limit() + mebibyte});  // limits are rounded down
+      mesh_.push_back(
+          {spool->size(), spool->memory_limit() + mebibyte});  // limits are rounded down
       if (spool->in_memory()) fixed_ -= spool->size();
     }
     if (std::max(vertices, faces) <= settings.tile_faces) return;
     // A face comes to two other tiles at the most, and a collapse takes away one face at the least.
     incoming_ = 2 * faces * sizeof(FaceVertices);
     log_ = faces * CollapseLog::entry_size;
-    later_mesh_ = std::accumulate(mesh_.begin(), mesh_.end(), std::uint64_t{0},
-                                  [](std::uint64_t sum, const Part& part) { return sum + part.size; });
+    later_mesh_ =
+        std::accumulate(mesh_.begin(), mesh_.end(), std::uint64_t{0},
+                        [](std::uint64_t sum, const Part& part) { return sum + part.size; });
     // A later round has its borders elsewhere: its largest tile may be larger by so much.
     other_tile_ = tile_memory(settings, settings.tile_faces, settings.tile_faces);
   }
@@ -103,10 +107,11 @@ class HeldBesideTile {
       if (part.size <= limit) mesh += std::min(limit, reserved_for(part.size));
     }
     const RefineMemory parts = refine_memory(total - fixed - mesh);
-    // The mesh stays, for unfolding; beside it there is one that goes into a round, and one that comes out.
+    // The mesh stays, for unfolding; beside it there is one that goes into a round, and one that
+    // comes out.
     return fixed + mesh + 2 * std::min(parts.mesh, reserved_for(later_mesh_)) +
-           std::min(parts.lists / 2, reserved_for(incoming_)) + std::min(parts.logs, reserved_for(log_)) +
-           other_tile_;
+           std::min(parts.lists / 2, reserved_for(incoming_)) +
+           std::min(parts.logs, reserved_for(log_)) + other_tile_;
   }
 
  private:
@@ -150,7 +155,8 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   ClusteredMesh out = refine(job, std::move(whole), settings, memory, done, checkpoint);
   job.budget.expect_held({});
   if (out.face_count == 0)
-    throw Error(ErrorKind::failed, "no face is left: faces without neighbours go first; choose more faces");
+    throw Error(ErrorKind::failed,
+                "no face is left: faces without neighbours go first; choose more faces");
   report.refine.cost = cost_of(options);
   report.refine.tiles = done.tiles;
   report.refine.collapses = done.collapses;
@@ -163,7 +169,8 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   report.lost = {done.changes.pieces, done.changes.area, done.changes.handles, done.changes.holes};
   if (report.target_faces) report.target_met = out.face_count <= *report.target_faces;
   if (done.stopped_by != StoppedBy::count && done.stopped_by != StoppedBy::error)
-    tell_reasons(job, done, out.face_count, settings.faces, options.topology == Topology::free, report);
+    tell_reasons(job, done, out.face_count, settings.faces, options.topology == Topology::free,
+                 report);
   return out;
 }
 

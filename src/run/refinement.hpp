@@ -14,16 +14,16 @@
 
 namespace winnow {
 
-// In eighths of what clustering left: four for tiles, one each for the mesh that goes into a round, for the
-// one that comes out, for what was collapsed, and for sorting.
+// In eighths of what clustering left: four for tiles, one each for the mesh that goes into a round,
+// for the one that comes out, for what was collapsed, and for sorting.
 RefineMemory refine_memory(std::uint64_t left);
 
 // How the run would divide a budget of `total`.
 using PlanOf = std::function<MemoryPlan(std::uint64_t total)>;
 
 // `doubles`: positions are going to be written as such. `checkpoint`: null where nothing is kept.
-// Fills report.refine, and what was resumed. Throws Error(resources) where the budget has no room for
-// a tile; it names one that has.
+// Fills report.refine, and what was resumed. Throws Error(resources) where the budget has no room
+// for a tile; it names one that has.
 ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
                       const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report);
 

@@ -21,20 +21,21 @@ namespace winnow {
 
 namespace {
 
-// Where more than one in so many cells is damaged, or one in so many faces is near them, all faces are
-// refined instead.
+// Where more than one in so many cells is damaged, or one in so many faces is near them, all faces
+// are refined instead.
 constexpr std::uint64_t most_damaged = 4;
 constexpr std::uint64_t most_faces_near = 3;
 // A cell that becomes damaged when others are split takes another look at all faces. So many looks.
 constexpr unsigned most_rounds = 8;
 // For so many cells a look leaves out what lies elsewhere.
 constexpr std::size_t few_places = 256;
-// Cells at a boundary draw it in by up to half of their size. They are split at least so deep, and until less
-// than one part in so many of the area can go.
+// Cells at a boundary draw it in by up to half of their size. They are split at least so deep, and
+// until less than one part in so many of the area can go.
 constexpr unsigned least_boundary_depth = 2;
 constexpr std::uint64_t boundary_share = 100;
 
-// A fold's vertex that goes is at most so many cells from the edge that stays: it had little of the surface.
+// A fold's vertex that goes is at most so many cells from the edge that stays: it had little of the
+// surface.
 constexpr double fold_reach = 0.5;
 
 constexpr std::uint64_t tile_share = std::uint64_t{64} << 20;
@@ -60,8 +61,9 @@ struct Level {
 
 class DamageSplitter {
  public:
-  DamageSplitter(Job& job, MeshReader& reader, const ClusterSettings& settings, const ClusterMemory& memory,
-                 const Box& box, std::uint64_t faces, ClusteredMesh coarse)
+  DamageSplitter(Job& job, MeshReader& reader, const ClusterSettings& settings,
+                 const ClusterMemory& memory, const Box& box, std::uint64_t faces,
+                 ClusteredMesh coarse)
       : job_(job),
         reader_(reader),
         settings_(settings),
@@ -78,7 +80,8 @@ class DamageSplitter {
   std::optional<SafeMesh> run() {
     std::optional<Names> damaged = damaged_cells();
     for (unsigned round = 0; damaged && !damaged->empty(); ++round) {
-      if (round == most_rounds || names_.bits() == 0 || names_.size() + damaged->size() > most_cells())
+      if (round == most_rounds || names_.bits() == 0 ||
+          names_.size() + damaged->size() > most_cells())
         return std::nullopt;
       damaged = split_all(*damaged);
     }
@@ -102,7 +105,8 @@ class DamageSplitter {
     SpoolCursor<CellKey> vanished(job_, *whole_.vanished);
     for (CellKey key = 0; vanished.next(key);) cells.push_back(names_.name_of(key));
     VertexIndex::Reader vertices(*whole_.vertices);
-    for (const std::uint32_t v : damage->vertices) cells.push_back(names_.name_of(vertices.at(v).key));
+    for (const std::uint32_t v : damage->vertices)
+      cells.push_back(names_.name_of(vertices.at(v).key));
     for (const std::uint32_t v : damage->at_boundaries)
       boundary_.push_back(names_.name_of(vertices.at(v).key));
     open_ = !boundary_.empty();
@@ -124,8 +128,8 @@ class DamageSplitter {
     return damage;
   }
 
-  // Splits what is damaged, and the parts of it further that stay so, until no damage is left in them. What
-  // else is damaged then. Nothing where damage stays, or too many faces are near.
+  // Splits what is damaged, and the parts of it further that stay so, until no damage is left in
+  // them. What else is damaged then. Nothing where damage stays, or too many faces are near.
   std::optional<Names> split_all(const Names& damaged) {
     split_boundaries();
     std::list<Level> levels;
@@ -146,9 +150,11 @@ class DamageSplitter {
         reader_.rest();
         if (level.near.size() > faces_ / most_faces_near) return std::nullopt;
       } else {
-        level.near.take(std::prev(levels.end(), 2)->near, settings_.grid, level.split, level.beside);
+        level.near.take(std::prev(levels.end(), 2)->near, settings_.grid, level.split,
+                        level.beside);
       }
-      level.mesh = cluster_near(level, first ? whole_ : std::prev(levels.end(), 2)->mesh, first ? shift_ : 0);
+      level.mesh = cluster_near(level, first ? whole_ : std::prev(levels.end(), 2)->mesh,
+                                first ? shift_ : 0);
       deeper.clear();
       Names finest;
       look_around(level, deeper, finest, damaged_beside);
@@ -170,7 +176,8 @@ class DamageSplitter {
   }
 
   void join(ClusteredMesh& into, unsigned shift, const ClusteredMesh& parts, const CellSet& split) {
-    into = joined(job_, into, shift, parts, names_, split, attributes_, {memory_.vertices, memory_.result});
+    into = joined(job_, into, shift, parts, names_, split, attributes_,
+                  {memory_.vertices, memory_.result});
   }
 
   void read_near(Level& level, const Names& damaged) {
@@ -185,7 +192,8 @@ class DamageSplitter {
       for (const double side : {-1.0, 2.0}) {
         Point corner{};
         for (std::size_t axis = 0; axis < 3; ++axis)
-          corner[axis] = settings_.grid.origin[axis] + (part.cell[axis] + side) * settings_.grid.cell;
+          corner[axis] =
+              settings_.grid.origin[axis] + (part.cell[axis] + side) * settings_.grid.cell;
         box.add(corner);
       }
     }
@@ -195,12 +203,13 @@ class DamageSplitter {
   void split_boundaries() {
     make_unique(boundary_);
     unsigned depth = least_boundary_depth;
-    while (depth < names_.bits() && whole_.cells << depth < boundary_share * boundary_.size()) ++depth;
+    while (depth < names_.bits() && whole_.cells << depth < boundary_share * boundary_.size())
+      ++depth;
     for (const CellKey name : boundary_) names_.split(names_.cell_of(name), depth);
   }
 
-  // The faces near the level's cells; and of the mesh those that are not, but touch a cell beside one, so
-  // that all faces around these are there.
+  // The faces near the level's cells; and of the mesh those that are not, but touch a cell beside
+  // one, so that all faces around these are there.
   ClusteredMesh cluster_near(Level& level, const ClusteredMesh& around, unsigned shift) {
     const std::unique_ptr<Spool> ring = ring_of(level, around, shift);
     job_.progress.begin("split cells", level.near.size(), "faces");
@@ -212,7 +221,8 @@ class DamageSplitter {
       clusterer->add(faces);
       job_.progress.advance(faces.count);
     };
-    while (level.near.for_each_batch(sink, [&] { return clusterer->wants_to_spill(); })) clusterer->spill();
+    while (level.near.for_each_batch(sink, [&] { return clusterer->wants_to_spill(); }))
+      clusterer->spill();
     SpoolCursor<NamedFace> faces(job_, *ring);
     for (NamedFace face{}; faces.next(face);) {
       clusterer->add(face);
@@ -249,8 +259,8 @@ class DamageSplitter {
     return ring;
   }
 
-  // Sorts what is damaged: what is to be split deeper, what cannot be, and what is beside, from which that
-  // goes which is damaged no more.
+  // Sorts what is damaged: what is to be split deeper, what cannot be, and what is beside, from
+  // which that goes which is damaged no more.
   void look_around(Level& level, Names& deeper, Names& finest, std::set<CellKey>& damaged_beside) {
     const Damage damage = *look_at(level.mesh, UINT64_MAX);
     const std::uint64_t vertices = level.mesh.vertices->size();
@@ -262,7 +272,8 @@ class DamageSplitter {
       IndexedVertex vertex;
       for (std::uint64_t v = 0; cursor.next(vertex); ++v) each(v, vertex.key);
     };
-    for_each_vertex([&](std::uint64_t v, CellKey name) { split[v] = level.split.has(names_.cell_of(name)); });
+    for_each_vertex(
+        [&](std::uint64_t v, CellKey name) { split[v] = level.split.has(names_.cell_of(name)); });
     SpoolCursor<FaceVertices> faces(job_, *level.mesh.faces);
     for (FaceVertices face{}; faces.next(face);) {
       const auto [a, b, c] = face;
@@ -292,8 +303,8 @@ class DamageSplitter {
     make_unique(deeper);
   }
 
-  // Of the names that are damaged at the finest depth those that hold several positions: at one position, the
-  // input is damaged, too.
+  // Of the names that are damaged at the finest depth those that hold several positions: at one
+  // position, the input is damaged, too.
   Names of_several_positions(const Level& level, Names& names) {
     Names several;
     if (names.empty()) return several;
@@ -347,9 +358,9 @@ ClusterMemory safe_memory(ClusterMemory memory) {
   return memory;
 }
 
-std::optional<SafeMesh> without_damage(Job& job, MeshReader& reader, const ClusterSettings& settings,
-                                       const ClusterMemory& memory, const Box& box, std::uint64_t faces,
-                                       ClusteredMesh coarse) {
+std::optional<SafeMesh> without_damage(Job& job, MeshReader& reader,
+                                       const ClusterSettings& settings, const ClusterMemory& memory,
+                                       const Box& box, std::uint64_t faces, ClusteredMesh coarse) {
   return DamageSplitter(job, reader, settings, memory, box, faces, std::move(coarse)).run();
 }
 

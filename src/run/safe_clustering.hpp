@@ -1,5 +1,5 @@
-// Clustering forgets which faces touch. Where that damaged the surface, cells are split until it no longer
-// does.
+// Clustering forgets which faces touch. Where that damaged the surface, cells are split until it no
+// longer does.
 #pragma once
 
 #include "cluster/clusterer.hpp"
@@ -20,11 +20,11 @@ struct SafeMesh {
 // How the budget is divided for it, of what clustering has.
 ClusterMemory safe_memory(ClusterMemory memory);
 
-// `coarse`: what clustering with `settings` left of the faces in `box`, so many in all. Nothing where so many
-// cells are damaged that all faces are to be refined instead, or where damage does not go although cells
-// cannot be split any more.
-std::optional<SafeMesh> without_damage(Job& job, MeshReader& reader, const ClusterSettings& settings,
-                                       const ClusterMemory& memory, const Box& box, std::uint64_t faces,
-                                       ClusteredMesh coarse);
+// `coarse`: what clustering with `settings` left of the faces in `box`, so many in all. Nothing
+// where so many cells are damaged that all faces are to be refined instead, or where damage does
+// not go although cells cannot be split any more.
+std::optional<SafeMesh> without_damage(Job& job, MeshReader& reader,
+                                       const ClusterSettings& settings, const ClusterMemory& memory,
+                                       const Box& box, std::uint64_t faces, ClusteredMesh coarse);
 
 }  // namespace winnow

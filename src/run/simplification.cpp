@@ -1,4 +1,5 @@
-// A mesh that comes in batches is kept as the file that it would be, which then takes the usual road.
+// A mesh that comes in batches is kept as the file that it would be, which then takes the usual
+// road.
 #include <winnow/error.hpp>
 #include <winnow/simplification.hpp>
 
@@ -63,25 +64,29 @@ struct Simplification::State {
   void set_type(bool triangles) {
     constexpr bool real_is_double = sizeof(Real) == sizeof(double);
     if (doubles.value_or(real_is_double) != real_is_double)
-      throw Error(ErrorKind::usage, "positions were added as floats and as doubles; keep to one of them");
+      throw Error(ErrorKind::usage,
+                  "positions were added as floats and as doubles; keep to one of them");
     set_kind(triangles);
     doubles = real_is_double;
   }
 
   void set_kind(bool triangles) {
     if (soup.value_or(triangles) != triangles)
-      throw Error(ErrorKind::usage,
-                  "triangles of their own were added beside vertices and faces; keep to one of them");
+      throw Error(
+          ErrorKind::usage,
+          "triangles of their own were added beside vertices and faces; keep to one of them");
     soup = triangles;
     job.progress.check_cancelled();
   }
 
   template <typename Real>
   void add_vertices(std::span<const Real> coordinates) {
-    if (coordinates.size() % 3 != 0) throw Error(ErrorKind::usage, "a vertex takes three coordinates");
+    if (coordinates.size() % 3 != 0)
+      throw Error(ErrorKind::usage, "a vertex takes three coordinates");
     vertex_count += coordinates.size() / 3;
     if (vertex_count > UINT32_MAX)
-      throw Error(ErrorKind::usage, "more vertices were added than 32 bits count; add triangles instead");
+      throw Error(ErrorKind::usage,
+                  "more vertices were added than 32 bits count; add triangles instead");
     vertices->append(std::as_bytes(coordinates));
   }
 
@@ -121,7 +126,8 @@ struct Simplification::State {
       const std::size_t count = std::min(coordinates.size() / 9, faces_at_once);
       records.assign(count * record, std::byte{0});
       for (std::size_t i = 0; i < count; ++i)
-        std::memcpy(records.data() + i * record + normal, coordinates.data() + 9 * i, 9 * sizeof(float));
+        std::memcpy(records.data() + i * record + normal, coordinates.data() + 9 * i,
+                    9 * sizeof(float));
       faces->append(records);
       coordinates = coordinates.subspan(9 * count);
       face_count += count;
@@ -131,8 +137,9 @@ struct Simplification::State {
   [[nodiscard]] std::string head() const {
     if (soup.value_or(false) && !doubles.value_or(false))
       return make_stl_encoder()->header({.faces = face_count});
-    return make_ply_encoder()->header(
-        {.vertices = vertex_count, .faces = face_count, .double_positions = doubles.value_or(false)});
+    return make_ply_encoder()->header({.vertices = vertex_count,
+                                       .faces = face_count,
+                                       .double_positions = doubles.value_or(false)});
   }
 
   SimplifyOptions options;
@@ -146,7 +153,8 @@ struct Simplification::State {
   std::optional<bool> soup, doubles;
 };
 
-Simplification::Simplification(Context& context, const std::string& output, const SimplifyOptions& options)
+Simplification::Simplification(Context& context, const std::string& output,
+                               const SimplifyOptions& options)
     : state_(std::make_unique<State>(context, output, options)) {}
 
 Simplification::~Simplification() = default;
@@ -170,7 +178,8 @@ namespace {
 
 template <typename Real>
 void check_triangles(std::span<const Real> coordinates) {
-  if (coordinates.size() % 9 != 0) throw Error(ErrorKind::usage, "a triangle takes nine coordinates");
+  if (coordinates.size() % 9 != 0)
+    throw Error(ErrorKind::usage, "a triangle takes nine coordinates");
 }
 
 }  // namespace
@@ -198,7 +207,8 @@ SimplifyReport Simplification::finish() {
   }
   if (state.face_count == 0) throw Error(ErrorKind::bad_input, "no face was added");
   return in_arena(state.job, [&] {
-    return simplify_source(state.job, spooled_source("what was added", state.head(), std::move(spools)),
+    return simplify_source(state.job,
+                           spooled_source("what was added", state.head(), std::move(spools)),
                            state.output, *state.encoder, state.sink, state.options, watch);
   });
 }

@@ -33,11 +33,13 @@ namespace {
 
 // Joins the vertices that are near each other.
 std::unique_ptr<NearWeldedReader> join_near(Job& job, std::unique_ptr<MeshReader> reader,
-                                            const SimplifyOptions& options, const NearWeldMemory& memory,
-                                            SimplifyReport& report) {
+                                            const SimplifyOptions& options,
+                                            const NearWeldMemory& memory, SimplifyReport& report) {
   report.weld.distance =
-      options.weld ? *options.weld : *options.relative_weld * measure_box_of_faces(job, *reader).diagonal();
-  std::unique_ptr<NearWeldedReader> welded = weld_near(job, std::move(reader), report.weld.distance, memory);
+      options.weld ? *options.weld
+                   : *options.relative_weld * measure_box_of_faces(job, *reader).diagonal();
+  std::unique_ptr<NearWeldedReader> welded =
+      weld_near(job, std::move(reader), report.weld.distance, memory);
   report.weld.vertices = welded->merged();
   return welded;
 }
@@ -52,7 +54,8 @@ Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const 
   CarriedAttributes attributes = take_attributes(job, *reader, report);
   const NearWeldedReader* welded = nullptr;
   if (welds(options)) {
-    std::unique_ptr<NearWeldedReader> near = join_near(job, std::move(reader), options, plan.weld, report);
+    std::unique_ptr<NearWeldedReader> near =
+        join_near(job, std::move(reader), options, plan.weld, report);
     welded = near.get();
     reader = std::move(near);
   }
@@ -101,9 +104,9 @@ void check_surface(Job& job, const ClusteredMesh& mesh, const SimplifyOptions& o
 }
 
 // `input`: of a run whose mesh is not in the checkpoint.
-SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEncoder& encoder, ByteSink& sink,
-                             const SimplifyRequest& request, SimplifyCheckpoint& checkpoint,
-                             const Stopwatch& watch) {
+SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEncoder& encoder,
+                             ByteSink& sink, const SimplifyRequest& request,
+                             SimplifyCheckpoint& checkpoint, const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
   SimplifyReport report;
   if (checkpoint.opened()) report.resumed.emplace();
@@ -128,19 +131,21 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
     report.seconds.read = watch.seconds();
   }
   const std::vector<Attribute> attributes = clustered.attributes;
-  // Where the input's normals are no attributes of the output, its own stand in for them, unless the names
-  // are taken.
+  // Where the input's normals are no attributes of the output, its own stand in for them, unless
+  // the names are taken.
   const bool taken = std::any_of(attributes.begin(), attributes.end(), names_normal);
   const bool normals =
-      options.normals || (carries_normals(attributes) ? encoder.normals_apart()
-                                                      : clustered.normals && !options.attributes && !taken);
+      options.normals ||
+      (carries_normals(attributes) ? encoder.normals_apart()
+                                   : clustered.normals && !options.attributes && !taken);
   const bool exact = clustered.double_positions;
   const bool doubles = writes_doubles(options.encoding, exact);
   ClusteredMesh mesh;
   if (cost_of(options) == Refine::none) {
     mesh = std::move(clustered.mesh);
   } else {
-    mesh = refined(job, std::move(clustered), options, doubles, plan_of, checkpoint.directory(), report);
+    mesh = refined(job, std::move(clustered), options, doubles, plan_of, checkpoint.directory(),
+                   report);
     report.seconds.refine = watch.seconds() - report.seconds.read - report.seconds.cluster;
   }
 
@@ -151,7 +156,10 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
   write_mesh(job, mesh, shape, encoder, sink);
   sink.settle();
 
-  report.output = {mesh.face_count, mesh.vertices->size(), sink.written(), request.output,
+  report.output = {mesh.face_count,
+                   mesh.vertices->size(),
+                   sink.written(),
+                   request.output,
                    format_written(options.to, request.output, options.encoding),
                    encoder.position_error(shape)};
   report.input.names = request.inputs;
@@ -177,14 +185,18 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
   return report;
 }
 
-SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, SimplifyCheckpoint& checkpoint) {
+SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
+                                 SimplifyCheckpoint& checkpoint) {
   const SimplifyOptions& options = request.options;
   const Stopwatch watch;
-  // Before a pipe is waited for; of a file, decompressing may need more, and the message should say it all.
+  // Before a pipe is waited for; of a file, decompressing may need more, and the message should say
+  // it all.
   if (request.inputs.size() == 1 && request.inputs.front() == "-")
     MemoryPlan::divide(job.budget.total(), 0, job.threads, needs_of(options));
-  const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, request.output, options.encoding);
-  if (options.faces) (void)encoder->header({.faces = *options.faces});  // refuses what it cannot count
+  const std::unique_ptr<MeshEncoder> encoder =
+      make_encoder(options.to, request.output, options.encoding);
+  if (options.faces)
+    (void)encoder->header({.faces = *options.faces});  // refuses what it cannot count
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   // Packing, compressing and decompressing take memory of their own; the rest is divided.
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
@@ -198,7 +210,8 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request, Simpl
   return take_the_road(job, std::move(input), *encoder, sink, request, checkpoint, watch);
 }
 
-SimplifyReport simplify_with(Job& job, const SimplifyRequest& request, SimplifyCheckpoint checkpoint) {
+SimplifyReport simplify_with(Job& job, const SimplifyRequest& request,
+                             SimplifyCheckpoint checkpoint) {
   try {
     return in_arena(job, [&] { return simplify_in_arena(job, request, checkpoint); });
   } catch (const Error& error) {
@@ -208,15 +221,17 @@ SimplifyReport simplify_with(Job& job, const SimplifyRequest& request, SimplifyC
 
 }  // namespace
 
-SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source, const std::string& output,
-                               const MeshEncoder& encoder, ByteSink& sink, const SimplifyOptions& options,
+SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source,
+                               const std::string& output, const MeshEncoder& encoder,
+                               ByteSink& sink, const SimplifyOptions& options,
                                const Stopwatch& watch) {
   SimplifyCheckpoint none;
-  return take_the_road(job, Input(job, std::move(source)), encoder, sink, {{}, output, options}, none, watch);
+  return take_the_road(job, Input(job, std::move(source)), encoder, sink, {{}, output, options},
+                       none, watch);
 }
 
-SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
-                        const SimplifyOptions& options) {
+SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,
+                        const std::string& output, const SimplifyOptions& options) {
   check(options);
   Job job(context);
   return simplify_with(job, {inputs, output, options}, {});
@@ -227,8 +242,9 @@ SimplifyReport simplify(Context& context, const std::string& input, const std::s
   return simplify(context, std::vector{input}, output, options);
 }
 
-SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs, const std::string& output,
-                        const SimplifyOptions& options, const Checkpoint& settings) {
+SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,
+                        const std::string& output, const SimplifyOptions& options,
+                        const Checkpoint& settings) {
   check(options);
   Job job(context, settings.directory);
   const SimplifyRequest request{inputs, output, options};

@@ -41,8 +41,9 @@ SimplifyCheckpoint SimplifyCheckpoint::open(Job& job, const Checkpoint& settings
   const Manifest& manifest = checkpoint.directory_->manifest();
   if (manifest.text("version") != WINNOW_VERSION) {
     throw Error(ErrorKind::bad_input,
-                "'" + settings.directory + "' is of winnow " + manifest.text("version") + ", this is " +
-                    WINNOW_VERSION + "; resume it with that one, or remove it and run winnow simplify again");
+                "'" + settings.directory + "' is of winnow " + manifest.text("version") +
+                    ", this is " + WINNOW_VERSION +
+                    "; resume it with that one, or remove it and run winnow simplify again");
   }
   return checkpoint;
 }
@@ -120,7 +121,8 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered, SimplifyReport& re
 bool SimplifyCheckpoint::is_written(const std::string& output, SimplifyReport& report) const {
   if (directory_ == nullptr || !directory_->manifest().has("written")) return false;
   const Manifest& manifest = directory_->manifest();
-  if (manifest.text("written") != done && !ByteSink::is(output, manifest.text("written"))) return false;
+  if (manifest.text("written") != done && !ByteSink::is(output, manifest.text("written")))
+    return false;
   get_report(manifest, report);
   return true;
 }
@@ -141,7 +143,8 @@ void SimplifyCheckpoint::finish(Job& job) {
   }
   directory_->remove();
   if (job.context.notice)
-    job.context.notice("the checkpoint in '" + directory_->path() + "' is no longer needed and was removed");
+    job.context.notice("the checkpoint in '" + directory_->path() +
+                       "' is no longer needed and was removed");
 }
 
 void SimplifyCheckpoint::fail(const Error& error) {
@@ -149,8 +152,10 @@ void SimplifyCheckpoint::fail(const Error& error) {
   // A pipe that was not read to its end cannot be read again.
   const bool can_go_on = has_mesh() || (begun_ && inputs_are_files(directory_->manifest()));
   const ErrorKind kind = error.kind();
-  if (can_go_on && (kind == ErrorKind::resources || kind == ErrorKind::cancelled || kind == ErrorKind::usage))
-    throw Error(kind, std::string(error.what()) + "; go on by winnow resume '" + directory_->path() + "'");
+  if (can_go_on &&
+      (kind == ErrorKind::resources || kind == ErrorKind::cancelled || kind == ErrorKind::usage))
+    throw Error(
+        kind, std::string(error.what()) + "; go on by winnow resume '" + directory_->path() + "'");
   // One that another run made is for its owner to remove.
   if (!opened_) directory_->remove();
   throw Error(error);

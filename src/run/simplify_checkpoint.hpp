@@ -16,7 +16,8 @@ namespace winnow {
 class SimplifyCheckpoint {
  public:
   SimplifyCheckpoint() = default;  // keeps nothing
-  static SimplifyCheckpoint begin(Job& job, const Checkpoint& settings, const SimplifyRequest& request);
+  static SimplifyCheckpoint begin(Job& job, const Checkpoint& settings,
+                                  const SimplifyRequest& request);
   static SimplifyCheckpoint open(Job& job, const Checkpoint& settings);
 
   // Of a checkpoint that was opened.
@@ -42,7 +43,8 @@ class SimplifyCheckpoint {
   // Null where nothing is kept.
   [[nodiscard]] CheckpointDirectory* directory() const { return directory_.get(); }
 
-  // An error came: adds to the message how to go on, where the run can; removes the files otherwise.
+  // An error came: adds to the message how to go on, where the run can; removes the files
+  // otherwise.
   [[noreturn]] void fail(const Error& error);
 
  private:

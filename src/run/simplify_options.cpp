@@ -19,33 +19,38 @@ void check(const SimplifyOptions& options) {
                     int{options.faces.has_value()} + int{options.ratio.has_value()} +
                     int{options.error.has_value()} + int{options.relative_error.has_value()};
   if (given != 1) {
-    throw Error(
-        ErrorKind::usage,
-        "say how fine the result shall be with exactly one of --faces, --ratio, --error, --cell and --grid");
+    throw Error(ErrorKind::usage,
+                "say how fine the result shall be with exactly one of --faces, --ratio, --error, "
+                "--cell and --grid");
   }
   if (options.cell && !(*options.cell > 0 && std::isfinite(*options.cell))) {
     throw Error(ErrorKind::usage, "--cell takes a length above 0, not " + shortest(*options.cell));
   }
   if (options.grid && (*options.grid < 1 || *options.grid > axis_cells)) {
-    throw Error(ErrorKind::usage, "--grid takes 1 to 2,097,152 cells, not " + grouped(*options.grid));
-  }
-  if (options.faces && *options.faces < 4) throw Error(ErrorKind::usage, "--faces takes at least 4");
-  if (options.ratio && !(*options.ratio > 0 && *options.ratio <= 1)) {
     throw Error(ErrorKind::usage,
-                "--ratio takes a part above 0 and at most 1 (or 100%), not " + shortest(*options.ratio));
+                "--grid takes 1 to 2,097,152 cells, not " + grouped(*options.grid));
+  }
+  if (options.faces && *options.faces < 4)
+    throw Error(ErrorKind::usage, "--faces takes at least 4");
+  if (options.ratio && !(*options.ratio > 0 && *options.ratio <= 1)) {
+    throw Error(ErrorKind::usage, "--ratio takes a part above 0 and at most 1 (or 100%), not " +
+                                      shortest(*options.ratio));
   }
   if (options.error && !(*options.error > 0 && std::isfinite(*options.error))) {
-    throw Error(ErrorKind::usage, "--error takes a length above 0, not " + shortest(*options.error));
+    throw Error(ErrorKind::usage,
+                "--error takes a length above 0, not " + shortest(*options.error));
   }
   if (options.relative_error && !(*options.relative_error > 0 && *options.relative_error < 1)) {
-    throw Error(ErrorKind::usage, "--error takes a part of the diagonal above 0 and below 100%, not " +
-                                      shortest(100 * *options.relative_error) + "%");
+    throw Error(ErrorKind::usage,
+                "--error takes a part of the diagonal above 0 and below 100%, not " +
+                    shortest(100 * *options.relative_error) + "%");
   }
   if (options.weld && !(*options.weld > 0 && std::isfinite(*options.weld)))
     throw Error(ErrorKind::usage, "--weld takes a length above 0, not " + shortest(*options.weld));
   if (options.relative_weld && !(*options.relative_weld > 0 && *options.relative_weld < 1)) {
-    throw Error(ErrorKind::usage, "--weld takes a part of the diagonal above 0 and below 100%, not " +
-                                      shortest(100 * *options.relative_weld) + "%");
+    throw Error(ErrorKind::usage,
+                "--weld takes a part of the diagonal above 0 and below 100%, not " +
+                    shortest(100 * *options.relative_weld) + "%");
   }
   if (options.weld && options.relative_weld)
     throw Error(ErrorKind::usage, "--weld takes a length or a part of the diagonal, not both");
@@ -70,22 +75,27 @@ void check(const SimplifyOptions& options) {
                 "--detail takes a number above 1, or full, not " + shortest(*options.detail));
   }
   if (options.detail && std::isfinite(*options.detail) && by_error) {
-    throw Error(ErrorKind::usage,
-                "with --error the error says how much is clustered; --detail can only be full there");
+    throw Error(
+        ErrorKind::usage,
+        "with --error the error says how much is clustered; --detail can only be full there");
   }
   if (options.detail && cost_of(options) == Refine::none) {
-    throw Error(ErrorKind::usage, "--detail says what refinement starts from; it has no meaning without");
+    throw Error(ErrorKind::usage,
+                "--detail says what refinement starts from; it has no meaning without");
   }
   if (options.borders == Borders::keep && cost_of(options) == Refine::none) {
-    throw Error(ErrorKind::usage, "--boundary keep goes with refinement; clustering moves every vertex");
+    throw Error(ErrorKind::usage,
+                "--boundary keep goes with refinement; clustering moves every vertex");
   }
   if (options.topology == Topology::free && cost_of(options) != Refine::quadric) {
     throw Error(ErrorKind::usage,
-                "--topology free goes with --refine quadric alone: the other costs remove vertices inside of "
+                "--topology free goes with --refine quadric alone: the other costs remove vertices "
+                "inside of "
                 "a surface");
   }
   if (options.keep_pieces && cost_of(options) == Refine::none) {
-    throw Error(ErrorKind::usage, "--keep-pieces goes with refinement; clustering joins what is near");
+    throw Error(ErrorKind::usage,
+                "--keep-pieces goes with refinement; clustering joins what is near");
   }
   if (options.max_normal_deviation != SimplifyOptions{}.max_normal_deviation &&
       cost_of(options) == Refine::none) {

@@ -39,7 +39,8 @@ class Put {
   }
   void operator()(const std::string& key, const std::array<std::array<double, 3>, 2>& box) {
     manifest_.set(key, std::uint64_t{1});
-    for (std::size_t i = 0; i < 6; ++i) manifest_.set(key + "." + std::to_string(i), box[i / 3][i % 3]);
+    for (std::size_t i = 0; i < 6; ++i)
+      manifest_.set(key + "." + std::to_string(i), box[i / 3][i % 3]);
   }
   void operator()(const std::string& key, const SimplifyReport::Topology::Edges& edges) {
     manifest_.set(key, edges.total);
@@ -77,7 +78,8 @@ class Get {
     (*this)(key, value.emplace());
   }
   void operator()(const std::string& key, std::array<std::array<double, 3>, 2>& box) {
-    for (std::size_t i = 0; i < 6; ++i) box[i / 3][i % 3] = manifest_.real(key + "." + std::to_string(i));
+    for (std::size_t i = 0; i < 6; ++i)
+      box[i / 3][i % 3] = manifest_.real(key + "." + std::to_string(i));
   }
   void operator()(const std::string& key, SimplifyReport::Topology::Edges& edges) {
     edges.total = manifest_.number(key);
@@ -194,7 +196,8 @@ std::string input_key(std::size_t i) {
 
 std::vector<std::string> inputs_in(const Manifest& manifest) {
   std::vector<std::string> inputs;
-  for (std::size_t i = 0; i < manifest.number("inputs"); ++i) inputs.push_back(manifest.text(input_key(i)));
+  for (std::size_t i = 0; i < manifest.number("inputs"); ++i)
+    inputs.push_back(manifest.text(input_key(i)));
   return inputs;
 }
 
@@ -256,14 +259,16 @@ bool inputs_are_files(const Manifest& manifest) {
 void check_inputs(const Manifest& manifest, bool read, const std::string& directory) {
   const std::vector<std::string> inputs = inputs_in(manifest);
   const auto refuse = [&](const std::string& what) {
-    throw Error(ErrorKind::bad_input, what + "; remove '" + directory + "' and run winnow simplify again");
+    throw Error(ErrorKind::bad_input,
+                what + "; remove '" + directory + "' and run winnow simplify again");
   };
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const std::string key = input_key(i);
     if (!manifest.has(key + ".size")) {
       if (read) continue;
       refuse("the run in '" + directory +
-             "' was killed before it had read all of its input, which was a pipe and cannot be read again");
+             "' was killed before it had read all of its input, which was a pipe and cannot be "
+             "read again");
     }
     const std::optional<Identity> now = identity_of(inputs[i]);
     if (!now) {
@@ -271,7 +276,8 @@ void check_inputs(const Manifest& manifest, bool read, const std::string& direct
       refuse("'" + inputs[i] + "', the input of the run in '" + directory +
              "', is not there or cannot be read any more");
     }
-    if (now->size != manifest.number(key + ".size") || now->modified != manifest.number(key + ".modified") ||
+    if (now->size != manifest.number(key + ".size") ||
+        now->modified != manifest.number(key + ".modified") ||
         now->ends != manifest.number(key + ".ends"))
       refuse("'" + inputs[i] + "' has changed since the run in '" + directory + "' began with it");
   }

@@ -24,8 +24,8 @@ SimplifyRequest request_in(const Manifest& manifest);
 void put_inputs(Manifest& manifest, const std::vector<std::string>& inputs);
 // Whether every input is a file, which can be read again.
 bool inputs_are_files(const Manifest& manifest);
-// Throws Error(bad_input) where an input is not what it was. `read`: all of them were read; then they may be
-// gone.
+// Throws Error(bad_input) where an input is not what it was. `read`: all of them were read; then
+// they may be gone.
 void check_inputs(const Manifest& manifest, bool read, const std::string& directory);
 
 // What a run has reported so far, but for its time, memory and scratch.

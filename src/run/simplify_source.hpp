@@ -15,8 +15,9 @@ namespace winnow {
 
 // Inside the job's arena. `watch` began with the call; the caller holds reserve_block().
 // `output` is what the report calls it.
-SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source, const std::string& output,
-                               const MeshEncoder& encoder, ByteSink& sink, const SimplifyOptions& options,
+SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source,
+                               const std::string& output, const MeshEncoder& encoder,
+                               ByteSink& sink, const SimplifyOptions& options,
                                const Stopwatch& watch);
 
 }  // namespace winnow

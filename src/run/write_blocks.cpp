@@ -17,12 +17,15 @@ namespace winnow {
 namespace {
 
 constexpr std::uint64_t block_faces = std::uint64_t{1} << 15;
-// At most, when no two faces share a vertex: of each its number, its mark, what it is and what it is written
-// as; what it may be packed to; and indices likewise. To order them the encoder takes about as much again.
+// At most, when no two faces share a vertex: of each its number, its mark, what it is and what it
+// is written as; what it may be packed to; and indices likewise. To order them the encoder takes
+// about as much again.
 constexpr std::uint64_t block_memory =
-    block_faces * 3 * (2 * sizeof(std::uint32_t) + sizeof(MeshVertex) + 2 * 24 + 11 * sizeof(std::uint32_t));
+    block_faces * 3 *
+    (2 * sizeof(std::uint32_t) + sizeof(MeshVertex) + 2 * 24 + 11 * sizeof(std::uint32_t));
 // Of normals and colours that are carried, and as what these are written and packed.
-constexpr std::uint64_t block_attributes = block_faces * 3 * (7 * sizeof(double) + 2 * 4 * sizeof(float));
+constexpr std::uint64_t block_attributes =
+    block_faces * 3 * (7 * sizeof(double) + 2 * 4 * sizeof(float));
 
 std::uint64_t memory_of_block(bool attributes) {
   return block_memory + (attributes ? block_attributes : 0);
@@ -83,8 +86,8 @@ Reservation reserve_block(Job& job, const MeshEncoder& encoder, bool attributes)
   return job.budget.reserve(memory_of_block(attributes), "packing the output");
 }
 
-void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const BlockEncoder& encoder,
-                  ByteSink& sink) {
+void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape,
+                  const BlockEncoder& encoder, ByteSink& sink) {
   // Two blocks a thread keep all busy; fewer do where the budget is small.
   std::vector<Reservation> reservations;
   while (reservations.size() + 1 < 2 * std::size_t{job.threads}) {
@@ -135,7 +138,8 @@ void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, c
         job.progress.advance(item.block.faces);
       });
   packed.finish();
-  encoder.header(shape, blocks, [&](std::string_view text) { sink.write(std::as_bytes(std::span(text))); });
+  encoder.header(shape, blocks,
+                 [&](std::string_view text) { sink.write(std::as_bytes(std::span(text))); });
   job.progress.begin("write", packed.size(), "bytes");
   packed.for_each_part(1, [&](std::span<const std::byte> part) {
     sink.write(part);

@@ -36,7 +36,8 @@ void write_chunks(Job& job, std::uint64_t count, ByteSink& sink, Encode encode) 
       },
       [&](Chunk& part) {
         part.bytes.clear();
-        encode(part.first, static_cast<std::size_t>(std::min(chunk, count - part.first)), part.bytes);
+        encode(part.first, static_cast<std::size_t>(std::min(chunk, count - part.first)),
+               part.bytes);
       },
       [&](const Chunk& part) {
         sink.write(part.bytes);
@@ -61,9 +62,10 @@ Box box_of(Job& job, const VertexIndex& vertices) {
 
 void check_finite(const Point& position) {
   if (finite(position)) return;
-  throw Error(ErrorKind::bad_input,
-              "a vertex of the result is not finite: the coordinates of the input are too large to compute "
-              "with; scale the model down");
+  throw Error(
+      ErrorKind::bad_input,
+      "a vertex of the result is not finite: the coordinates of the input are too large to compute "
+      "with; scale the model down");
 }
 
 MeshVertex finished(const IndexedVertex& vertex) {
@@ -75,7 +77,8 @@ MeshVertex finished(const IndexedVertex& vertex) {
   return out;
 }
 
-std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t first, std::size_t count) {
+std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t first,
+                                    std::size_t count) {
   constexpr std::size_t size = 3 * sizeof(std::uint32_t);
   std::vector<std::uint32_t> numbers(3 * count);
   mesh.faces->read(first * size, std::as_writable_bytes(std::span(numbers)));
@@ -83,12 +86,14 @@ std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t fir
 }
 
 bool writes_doubles(const Encoding& encoding, bool input) {
-  return encoding.positions == Positions::as_input ? input : encoding.positions == Positions::doubles;
+  return encoding.positions == Positions::as_input ? input
+                                                   : encoding.positions == Positions::doubles;
 }
 
 MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encoder, bool normals,
                    bool double_positions, bool exact, std::string comment) {
-  MeshShape shape{mesh.vertices->size(), mesh.face_count, normals, double_positions, std::move(comment)};
+  MeshShape shape{mesh.vertices->size(), mesh.face_count, normals, double_positions,
+                  std::move(comment)};
   const bool rounded = exact && !(double_positions && encoder.holds_doubles());
   if (!rounded && !encoder.needs_survey()) return shape;
   const Box box = box_of(job, *mesh.vertices);
@@ -101,8 +106,8 @@ MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encod
   return shape;
 }
 
-void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder,
-                ByteSink& sink) {
+void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape,
+                const MeshEncoder& encoder, ByteSink& sink) {
   if (encoder.blocks() != nullptr) return write_blocks(job, mesh, shape, *encoder.blocks(), sink);
   const std::string header = encoder.header(shape);
   sink.write(std::as_bytes(std::span(header)));
@@ -127,25 +132,26 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, con
                    encoder.vertices(shape, first, vertices, bytes);
                  });
   }
-  PerSlot<VertexIndex::Reader> readers(job.threads,
-                                       [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
-  write_chunks(
-      job, shape.faces, sink, [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-        const std::vector<std::uint32_t> numbers = faces_of(mesh, first, count);
-        std::vector<MeshFace> faces(count);
-        for (std::size_t i = 0; i < count; ++i)
-          faces[i].vertex = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
-        std::vector<Corners> corners;
-        if (encoder.needs_corners()) {
-          VertexIndex::Reader& reader = readers.local();
-          for (const MeshFace& face : faces) {
-            corners.push_back({reader.at(face.vertex[0]).position, reader.at(face.vertex[1]).position,
-                               reader.at(face.vertex[2]).position});
-            for (const Point& corner : corners.back()) check_finite(corner);
-          }
-        }
-        encoder.faces(shape, first, faces, corners, bytes);
-      });
+  PerSlot<VertexIndex::Reader> readers(
+      job.threads, [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
+  write_chunks(job, shape.faces, sink,
+               [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
+                 const std::vector<std::uint32_t> numbers = faces_of(mesh, first, count);
+                 std::vector<MeshFace> faces(count);
+                 for (std::size_t i = 0; i < count; ++i)
+                   faces[i].vertex = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+                 std::vector<Corners> corners;
+                 if (encoder.needs_corners()) {
+                   VertexIndex::Reader& reader = readers.local();
+                   for (const MeshFace& face : faces) {
+                     corners.push_back({reader.at(face.vertex[0]).position,
+                                        reader.at(face.vertex[1]).position,
+                                        reader.at(face.vertex[2]).position});
+                     for (const Point& corner : corners.back()) check_finite(corner);
+                   }
+                 }
+                 encoder.faces(shape, first, faces, corners, bytes);
+               });
   const std::string footer = encoder.footer(shape);
   sink.write(std::as_bytes(std::span(footer)));
 }

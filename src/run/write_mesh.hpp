@@ -12,8 +12,8 @@
 
 namespace winnow {
 
-// How a mesh is going to be written. Notes where floats are too coarse for positions that were `exact`,
-// doubles, or whole numbers for any. Throws Error(usage) where floats do not reach.
+// How a mesh is going to be written. Notes where floats are too coarse for positions that were
+// `exact`, doubles, or whole numbers for any. Throws Error(usage) where floats do not reach.
 MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encoder, bool normals,
                    bool double_positions, bool exact, std::string comment);
 
@@ -21,13 +21,15 @@ MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encod
 bool writes_doubles(const Encoding& encoding, bool input);
 
 // Numbers of the corners of `count` faces from `first` on.
-std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t first, std::size_t count);
+std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t first,
+                                    std::size_t count);
 
-// A vertex as it is written: with a normal as long as 1. Throws Error(bad_input) where it is not finite.
+// A vertex as it is written: with a normal as long as 1. Throws Error(bad_input) where it is not
+// finite.
 MeshVertex finished(const IndexedVertex& vertex);
 
 // Encodes with all threads, writes in order; does not finish() the sink.
-void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape, const MeshEncoder& encoder,
-                ByteSink& sink);
+void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape,
+                const MeshEncoder& encoder, ByteSink& sink);
 
 }  // namespace winnow

@@ -27,7 +27,8 @@ CollapseLog::Price CollapseLog::at(std::uint64_t entry) const {
   return read_record<Price>(prices_, entry);
 }
 
-std::uint64_t CollapseLog::count(std::size_t tile, double price, bool with_equal, Range among) const {
+std::uint64_t CollapseLog::count(std::size_t tile, double price, bool with_equal,
+                                 Range among) const {
   const std::uint64_t first = first_[tile];
   const auto counts = [&](std::uint64_t entry) {
     const double found = at(entry).price;

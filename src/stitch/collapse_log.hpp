@@ -29,15 +29,17 @@ class CollapseLog {
   void append(const std::vector<Collapse>& edges, const std::vector<Price>& prices);
   void finish();
 
-  // The fewest collapses, the cheapest of all tiles, that remove so many faces: how many of each tile; all
-  // where all are not enough. Of equally cheap ones those of lower tiles come first.
+  // The fewest collapses, the cheapest of all tiles, that remove so many faces: how many of each
+  // tile; all where all are not enough. Of equally cheap ones those of lower tiles come first.
   [[nodiscard]] std::vector<std::uint64_t> cut(std::uint64_t faces) const;
 
   // All collapses that cost no more than this: how many of each tile.
   [[nodiscard]] std::vector<std::uint64_t> up_to(double price) const;
 
   // How many collapses of a tile there are.
-  [[nodiscard]] std::uint64_t entries(std::size_t tile) const { return first_[tile + 1] - first_[tile]; }
+  [[nodiscard]] std::uint64_t entries(std::size_t tile) const {
+    return first_[tile + 1] - first_[tile];
+  }
 
   // All collapses of each tile.
   [[nodiscard]] std::vector<std::uint64_t> all() const;
@@ -61,7 +63,8 @@ class CollapseLog {
   struct Range {
     std::uint64_t least, most;
   };
-  [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal, Range among) const;
+  [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal,
+                                    Range among) const;
   [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal) const {
     return count(tile, price, with_equal, {0, entries(tile)});
   }

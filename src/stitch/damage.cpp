@@ -60,8 +60,9 @@ class FallenFaces {
   FallenFaces(Job& job, const ClusteredMesh& mesh) {
     if (mesh.several == nullptr) return;
     const std::uint64_t count = record_count<FusedFace>(*mesh.several);
-    reserved_ = job.budget.reserve(count * (sizeof(FusedFace) + sizeof(Finding)) + mesh.vertices->size() / 8,
-                                   "faces that fell together");
+    reserved_ = job.budget.reserve(
+        count * (sizeof(FusedFace) + sizeof(Finding)) + mesh.vertices->size() / 8,
+        "faces that fell together");
     faces_.resize(count);
     mesh.several->read(0, std::as_writable_bytes(std::span(faces_)));
     std::sort(faces_.begin(), faces_.end(),
@@ -73,17 +74,21 @@ class FallenFaces {
     }
   }
 
-  [[nodiscard]] bool touch(std::uint64_t vertex) const { return !touched_.empty() && touched_[vertex]; }
+  [[nodiscard]] bool touch(std::uint64_t vertex) const {
+    return !touched_.empty() && touched_[vertex];
+  }
 
   static constexpr std::size_t none = SIZE_MAX;
   // By numbers in the whole mesh.
   [[nodiscard]] std::size_t find(const FaceVertices& face) const {
     const FaceVertices wanted = lowest_first(face);
-    const auto at = std::lower_bound(
-        faces_.begin(), faces_.end(), wanted,
-        [](const FusedFace& fused, const FaceVertices& vertices) { return fused.vertices < vertices; });
-    return at == faces_.end() || at->vertices != wanted ? none
-                                                        : static_cast<std::size_t>(at - faces_.begin());
+    const auto at = std::lower_bound(faces_.begin(), faces_.end(), wanted,
+                                     [](const FusedFace& fused, const FaceVertices& vertices) {
+                                       return fused.vertices < vertices;
+                                     });
+    return at == faces_.end() || at->vertices != wanted
+               ? none
+               : static_cast<std::size_t>(at - faces_.begin());
   }
   [[nodiscard]] std::uint64_t faces(std::size_t i) const {
     return std::uint64_t{faces_[i].along} + faces_[i].against;
@@ -102,7 +107,8 @@ class FallenFaces {
       if (is_fold(i)) {
         if (goes(i)) damage.folds.push_back(faces_[i].vertices);
       } else {
-        damage.vertices.insert(damage.vertices.end(), faces_[i].vertices.begin(), faces_[i].vertices.end());
+        damage.vertices.insert(damage.vertices.end(), faces_[i].vertices.begin(),
+                               faces_[i].vertices.end());
       }
     }
   }
@@ -114,8 +120,9 @@ class FallenFaces {
     bool refused = false;
   };
 
-  // n faces hang together by n - 1 of their edges at least, so that at most n + 2 have others beside them. Of
-  // more than three that says too little. One that no other face touches is a piece.
+  // n faces hang together by n - 1 of their edges at least, so that at most n + 2 have others
+  // beside them. Of more than three that says too little. One that no other face touches is a
+  // piece.
   [[nodiscard]] bool is_fold(std::size_t i) const {
     const Finding& found = findings_[i];
     return faces(i) <= 3 && !found.refused && found.corners == 3 && found.others > 0 &&
@@ -166,7 +173,8 @@ class TileLook {
   void for_each_own(const Each& each) const {
     for (const FaceVertices& face : tile_.faces) {
       for (std::size_t i = 0; i < 3; ++i) {
-        if (face[i] < tile_.own_vertices) each(face[i], Sides{face[(i + 1) % 3], face[(i + 2) % 3]});
+        if (face[i] < tile_.own_vertices)
+          each(face[i], Sides{face[(i + 1) % 3], face[(i + 2) % 3]});
       }
     }
   }
@@ -184,7 +192,8 @@ class TileLook {
       std::uint64_t faces;
     };
     std::vector<Seen> seen;
-    std::vector<std::pair<VertexNumber, std::uint64_t>> beside;  // neighbours, and faces at the edge to each
+    std::vector<std::pair<VertexNumber, std::uint64_t>>
+        beside;  // neighbours, and faces at the edge to each
     for (const Sides& side : around_) {
       const std::size_t i = fallen_.find({number(v), number(side[0]), number(side[1])});
       seen.push_back({side, i, i == FallenFaces::none ? 1 : fallen_.faces(i)});
@@ -201,9 +210,11 @@ class TileLook {
     };
     around_.clear();
     for (const Seen& face : seen) {
-      if (face.fallen == FallenFaces::none || !fallen_.goes(face.fallen)) around_.push_back(face.side);
+      if (face.fallen == FallenFaces::none || !fallen_.goes(face.fallen))
+        around_.push_back(face.side);
       if (face.fallen == FallenFaces::none) continue;
-      out_.others.emplace_back(face.fallen, faces_at(face.side[0]) + faces_at(face.side[1]) - 2 * face.faces);
+      out_.others.emplace_back(face.fallen,
+                               faces_at(face.side[0]) + faces_at(face.side[1]) - 2 * face.faces);
     }
     if (!around_.empty()) return fan_of(around_, ends_);
     if (seen.size() == 1 && near_edge(v, seen[0].side)) {
@@ -242,18 +253,20 @@ void make_unique(std::vector<std::uint32_t>& numbers) {
 
 void remove_from(std::vector<std::uint32_t>& numbers, const std::vector<std::uint32_t>& others) {
   std::vector<std::uint32_t> left;
-  std::set_difference(numbers.begin(), numbers.end(), others.begin(), others.end(), std::back_inserter(left));
+  std::set_difference(numbers.begin(), numbers.end(), others.begin(), others.end(),
+                      std::back_inserter(left));
   numbers = std::move(left);
 }
 
 std::uint64_t memory_of(std::uint64_t vertices, std::uint64_t faces) {
-  return Tile::memory(vertices, faces, 0) + vertices * 2 * sizeof(std::uint32_t) + faces * 3 * sizeof(Sides);
+  return Tile::memory(vertices, faces, 0) + vertices * 2 * sizeof(std::uint32_t) +
+         faces * 3 * sizeof(Sides);
 }
 
 }  // namespace
 
-std::optional<Damage> find_damage(Job& job, const RefinedMesh& whole, std::uint64_t most, double reach,
-                                  std::uint64_t memory) {
+std::optional<Damage> find_damage(Job& job, const RefinedMesh& whole, std::uint64_t most,
+                                  double reach, std::uint64_t memory) {
   if (whole.mesh.several != nullptr && record_count<FusedFace>(*whole.mesh.several) > most)
     return std::nullopt;
   FallenFaces fallen(job, whole.mesh);

@@ -62,8 +62,8 @@ ReferenceMesh::ReferenceMesh(Job& job, const ClusteredMesh& mesh, std::uint64_t 
     : job_(job),
       mesh_(mesh),
       boxes_(job, memory),
-      reserved_(
-          job.budget.reserve((mesh.face_count / faces_a_group + 1) * 3 * sizeof(Extent), "boxes of faces")) {
+      reserved_(job.budget.reserve((mesh.face_count / faces_a_group + 1) * 3 * sizeof(Extent),
+                                   "boxes of faces")) {
   const std::uint64_t faces = mesh.face_count;
   std::vector<Extent> groups;
   std::uint64_t next = 0;
@@ -124,7 +124,8 @@ bool ReferenceMesh::Reader::add_faces(std::size_t level, std::uint64_t first, co
   const std::uint64_t all =
       blocks ? record_count<Extent>(reference_.boxes_) : reference_.levels_[level - 1].size();
   for (std::uint64_t i = first; i < std::min(first + group, all); ++i) {
-    if (!boxes_meet(blocks ? boxes_.at<Extent>(i) : reference_.levels_[level - 1][i], place)) continue;
+    if (!boxes_meet(blocks ? boxes_.at<Extent>(i) : reference_.levels_[level - 1][i], place))
+      continue;
     if (!blocks) {
       if (!add_faces(level - 1, i * group, place, looked_at, found)) return false;
       continue;

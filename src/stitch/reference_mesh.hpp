@@ -12,9 +12,9 @@
 
 namespace winnow {
 
-// Faces come in the order of their vertices' keys, so those that follow each other are close. Each block of
-// them has a box, and so has each group of blocks, and each group of groups. So few faces are read for a
-// place.
+// Faces come in the order of their vertices' keys, so those that follow each other are close. Each
+// block of them has a box, and so has each group of blocks, and each group of groups. So few faces
+// are read for a place.
 class ReferenceMesh {
  public:
   // From the lowest to the highest corner of a box.
@@ -22,11 +22,12 @@ class ReferenceMesh {
     Point low, high;
   };
 
-  // `mesh` must stay. Uses at most `memory` for the boxes of blocks, and scratch for the rest of them.
+  // `mesh` must stay. Uses at most `memory` for the boxes of blocks, and scratch for the rest of
+  // them.
   ReferenceMesh(Job& job, const ClusteredMesh& mesh, std::uint64_t memory);
 
-  // For one thread. Gives no faces for a place if more than most_faces() might be near, and none any more
-  // when it has looked at so many faces.
+  // For one thread. Gives no faces for a place if more than most_faces() might be near, and none
+  // any more when it has looked at so many faces.
   class Reader final : public ReferenceSurface {
    public:
     Reader(const ReferenceMesh& reference, std::uint64_t most_looks);
@@ -42,10 +43,10 @@ class ReferenceMesh {
       std::vector<Triangle> faces;
     };
     const std::vector<Triangle>& block(std::uint64_t number);
-    // Adds the faces near `place` that are below the boxes of a level from `first` on, as many as are in one
-    // group. Level 0 has the blocks. False where there are too many.
-    bool add_faces(std::size_t level, std::uint64_t first, const Extent& place, std::size_t& looked_at,
-                   std::vector<Triangle>& found);
+    // Adds the faces near `place` that are below the boxes of a level from `first` on, as many as
+    // are in one group. Level 0 has the blocks. False where there are too many.
+    bool add_faces(std::size_t level, std::uint64_t first, const Extent& place,
+                   std::size_t& looked_at, std::vector<Triangle>& found);
 
     const ReferenceMesh& reference_;
     VertexIndex::Reader vertices_;

@@ -23,23 +23,24 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-// The first round leaves so many times the faces that are wanted, the later rounds the rest: their borders
-// keep faces that are denser than others by no more than this.
+// The first round leaves so many times the faces that are wanted, the later rounds the rest: their
+// borders keep faces that are denser than others by no more than this.
 constexpr double spare = 1.03;
 // Part of a tile's faces that is worth not to be tried.
 constexpr double worth_a_limit = 1.0 / 64;
-// Part of the wanted faces that the last round's borders may freeze, and the round that is the last in any
-// case.
+// Part of the wanted faces that the last round's borders may freeze, and the round that is the last
+// in any case.
 constexpr double few_frozen = 0.25;
 constexpr std::uint64_t last_round = 4;
-// No tile goes below this part of its share of the wanted faces in the first round: what flat tiles can give
-// beyond is left to the later rounds.
+// No tile goes below this part of its share of the wanted faces in the first round: what flat tiles
+// can give beyond is left to the later rounds.
 constexpr double deepest = 1.0 / 8;
-// One face in so many may have corners in several tiles; with more, tiles are larger, up to so many times.
+// One face in so many may have corners in several tiles; with more, tiles are larger, up to so many
+// times.
 constexpr std::uint64_t most_seams = 4;
 constexpr std::uint64_t largest_tiles = 64;
-// How much dearer than the dearest collapse of the last round those of the next may be, before it is tried
-// again: with more, and then without a limit.
+// How much dearer than the dearest collapse of the last round those of the next may be, before it
+// is tried again: with more, and then without a limit.
 constexpr double first_headroom = 2;
 constexpr double more_headroom = 64;
 // Where the count is missed, a collapse may be so many times as dear as the dearest of a result
@@ -54,7 +55,8 @@ bool unfolds(const RefineSettings& settings) {
   return !settings.decimation.error;
 }
 
-// Counts of one tile, told to all in steps: threads would get into each other's way at every collapse.
+// Counts of one tile, told to all in steps: threads would get into each other's way at every
+// collapse.
 class Steps {
  public:
   explicit Steps(ProgressMeter& progress) : progress_(progress) {}
@@ -70,9 +72,13 @@ class Steps {
 
 class Refiner {
  public:
-  Refiner(Job& job, const RefineSettings& settings, const RefineMemory& memory, RefineReport& report,
+  Refiner(Job& job, RefineSettings settings, const RefineMemory& memory, RefineReport& report,
           CheckpointDirectory* checkpoint)
-      : job_(job), settings_(settings), memory_(memory), report_(report), checkpoint_(checkpoint) {}
+      : job_(job),
+        settings_(std::move(settings)),
+        memory_(memory),
+        report_(report),
+        checkpoint_(checkpoint) {}
 
   ClusteredMesh run(RefinedMesh whole) {
     if (!restore()) whole = collapsed(std::move(whole));
@@ -91,16 +97,16 @@ class Refiner {
       whole = std::move(smaller);
       settings_.decimation.borders_known = true;
       if (whole.mesh.face_count <= settings_.faces) break;
-      // One tile has no borders that kept anything. Of several, two rounds that hardly helped say that no
-      // other will: one for each way in which the tiles lie.
+      // One tile has no borders that kept anything. Of several, two rounds that hardly helped say
+      // that no other will: one for each way in which the tiles lie.
       if (before - whole.mesh.face_count <= before / 1000) ++idle_;
       if (tiling.tiles() == 1 || idle_ > 1) {
         find_reasons(whole);
         break;
       }
       const bool back = report_.rounds % 2 == 0;
-      whole = reorder(job_, std::move(whole), back, state_size(), settings_.attributes.size(), memory_.lists,
-                      memory_.mesh);
+      whole = reorder(job_, std::move(whole), back, state_size(), settings_.attributes.size(),
+                      memory_.lists, memory_.mesh);
       keep(whole, false);
     }
     keep(whole, true);
@@ -114,7 +120,8 @@ class Refiner {
     for_each_tile<BlockedFaces>(
         tiling, incoming, 0,
         [&, &tiling = tiling, &incoming = incoming](std::size_t number, BlockedFaces& blocked) {
-          blocked = blocked_faces(load_tile(whole, tiling, incoming, number, 0, 0), settings_.decimation);
+          blocked =
+              blocked_faces(load_tile(whole, tiling, incoming, number, 0, 0), settings_.decimation);
           job_.progress.check_cancelled();
         },
         [&](std::size_t, const BlockedFaces& blocked) { report_.blocked.add(blocked); });
@@ -142,7 +149,8 @@ class Refiner {
     auto vertices = std::make_unique<VertexIndex>(job_, memory_.mesh);
     for_each_tile<std::vector<IndexedVertex>>(
         tiling, incoming, 0,
-        [&, &tiling = tiling, &incoming = incoming](std::size_t number, std::vector<IndexedVertex>& moved) {
+        [&, &tiling = tiling, &incoming = incoming](std::size_t number,
+                                                    std::vector<IndexedVertex>& moved) {
           Tile tile = load_tile(whole, tiling, incoming, number, 0, 0);
           job_.progress.advance(tile.own_faces);
           moved = unfolded_vertices(std::move(tile), reference, ratio, settings_.decimation.single);
@@ -202,7 +210,9 @@ class Refiner {
     checkpoint_->commit();
   }
 
-  [[nodiscard]] std::size_t state_size() const { return Decimation::state_size(settings_.decimation); }
+  [[nodiscard]] std::size_t state_size() const {
+    return Decimation::state_size(settings_.decimation);
+  }
 
   // Of the mesh that a round begins with.
   [[nodiscard]] std::size_t known_state_size() const {
@@ -210,7 +220,8 @@ class Refiner {
                                               : Decimation::first_state_size(settings_.decimation);
   }
 
-  // What a round is going to remove, for its progress: the first of many tiles tries more than it keeps.
+  // What a round is going to remove, for its progress: the first of many tiles tries more than it
+  // keeps.
   [[nodiscard]] std::uint64_t faces_to_try(std::uint64_t faces, const Tiling& tiling) const {
     const bool deep = report_.rounds == 1 && tiling.tiles() > 1;
     const double left = (deep ? deepest : 1) * static_cast<double>(settings_.faces);
@@ -222,8 +233,8 @@ class Refiner {
     IncomingFaces incoming;
   };
 
-  // Where most faces are longer than tiles, as those of a tube without rings, nothing could go: such a mesh
-  // gets larger tiles.
+  // Where most faces are longer than tiles, as those of a tube without rings, nothing could go:
+  // such a mesh gets larger tiles.
   Cut cut(const ClusteredMesh& mesh) {
     for (std::uint64_t tile_faces = settings_.tile_faces;; tile_faces *= 8) {
       Tiling tiling(mesh, tile_faces);
@@ -246,7 +257,8 @@ class Refiner {
     if (tiling.tiles() == 1 || settings_.faces == 0) {
       const RefineReport before = report_;
       RefinedMesh smaller = run_through(whole, tiling, incoming);
-      if (smaller.mesh.face_count <= settings_.faces || !find_dearest_allowed(whole, tiling, incoming))
+      if (smaller.mesh.face_count <= settings_.faces ||
+          !find_dearest_allowed(whole, tiling, incoming))
         return smaller;
       report_ = before;
       return run_through(whole, tiling, incoming);
@@ -254,7 +266,8 @@ class Refiner {
     const bool first = report_.rounds == 1;
     double more = more_headroom;
     unsigned attempt = 0;
-    TryLimits limits{first ? deepest : 0, first || dearest_ == 0 ? no_limit : first_headroom * dearest_};
+    TryLimits limits{first ? deepest : 0,
+                     first || dearest_ == 0 ? no_limit : first_headroom * dearest_};
     limits.price = std::min(limits.price, dearest_allowed_);
     Tried tried = try_all(whole, tiling, incoming, limits, attempt);
     for (;;) {
@@ -271,15 +284,17 @@ class Refiner {
       if (tried.complete_to(dearest_))
         return repeat(whole, tiling, incoming, log,
                       dearest_ < dearest ? log.up_to(dearest_) : log.cut(wanted));
-      // Some tiles have more to give at this price than they were let: as those that are flat, beside a
-      // statue.
+      // Some tiles have more to give at this price than they were let: as those that are flat,
+      // beside a statue.
       limits = {0, dearest_};
       tried = try_all(whole, tiling, incoming, limits, ++attempt, &tried);
     }
   }
 
-  // What is left when each tile has collapsed what it can: down to the count where it is the only one.
-  RefinedMesh run_through(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming) {
+  // What is left when each tile has collapsed what it can: down to the count where it is the only
+  // one.
+  RefinedMesh run_through(const RefinedMesh& whole, const Tiling& tiling,
+                          const IncomingFaces& incoming) {
     return make_smaller(whole, tiling, incoming,
                         [&](std::size_t, Decimation& decimation, CarriedValues& values) {
                           Steps steps(job_.progress);
@@ -299,7 +314,8 @@ class Refiner {
   // Sets how dear a collapse may be where the count cannot be met: as dear as the dearest would be
   // that met it if nothing were kept. What is left then would cost more than the detail that the
   // count has no room for. False where it is known, or nothing is kept.
-  bool find_dearest_allowed(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming) {
+  bool find_dearest_allowed(const RefinedMesh& whole, const Tiling& tiling,
+                            const IncomingFaces& incoming) {
     DecimationSettings nothing_kept = settings_.decimation;
     nothing_kept.free_topology = true;
     nothing_kept.keep_borders = nothing_kept.keep_pieces = false;
@@ -310,7 +326,8 @@ class Refiner {
     const Tried tried = try_all(whole, tiling, incoming, {0, no_limit}, no_attempt);
     settings_.decimation = kept;
     const std::uint64_t wanted = wanted_now(whole.mesh.face_count, tried.frozen);
-    dearest_allowed_ = headroom_when_blocked * tried.log->price_of(std::min(wanted, tried.log->removed()));
+    dearest_allowed_ =
+        headroom_when_blocked * tried.log->price_of(std::min(wanted, tried.log->removed()));
     return true;
   }
 
@@ -328,14 +345,15 @@ class Refiner {
                         });
   }
 
-  // How many faces a round removes. The first, and each whose borders freeze more than a few of the faces,
-  // leaves some to the next: the frozen faces will become fewer in proportion, and it is not known yet which
-  // of them are flat.
+  // How many faces a round removes. The first, and each whose borders freeze more than a few of the
+  // faces, leaves some to the next: the frozen faces will become fewer in proportion, and it is not
+  // known yet which of them are flat.
   [[nodiscard]] std::uint64_t wanted_now(std::uint64_t faces, std::uint64_t frozen) const {
     const auto few = static_cast<std::uint64_t>(few_frozen * static_cast<double>(settings_.faces));
     const bool last = report_.rounds >= last_round || (report_.rounds > 1 && frozen <= few);
     const auto free = static_cast<double>(faces - frozen);
-    const double left = spare * static_cast<double>(settings_.faces) * free / static_cast<double>(faces);
+    const double left =
+        spare * static_cast<double>(settings_.faces) * free / static_cast<double>(faces);
     return last || left >= free ? faces - settings_.faces : static_cast<std::uint64_t>(free - left);
   }
 
@@ -345,16 +363,17 @@ class Refiner {
     report_.largest_error = std::max(report_.largest_error, largest_error);
   }
 
-  // Tiles from `first` on in order, several at once while their memory lasts: work(tile number) on any
-  // thread, finish in order.
+  // Tiles from `first` on in order, several at once while their memory lasts: work(tile number) on
+  // any thread, finish in order.
   template <typename Item, typename Work, typename Finish>
-  void for_each_tile(const Tiling& tiling, const IncomingFaces& incoming, std::size_t first, const Work& work,
-                     const Finish& finish) {
+  void for_each_tile(const Tiling& tiling, const IncomingFaces& incoming, std::size_t first,
+                     const Work& work, const Finish& finish) {
     const std::uint64_t largest =
         largest_tile(tiling, incoming, [this](std::uint64_t vertices, std::uint64_t faces) {
           return tile_memory(settings_, vertices, faces);
         });
-    const std::uint64_t at_once = std::clamp<std::uint64_t>(memory_.tiles / largest, 1, job_.threads);
+    const std::uint64_t at_once =
+        std::clamp<std::uint64_t>(memory_.tiles / largest, 1, job_.threads);
     const Reservation reserved = job_.budget.reserve(at_once * largest, "refining a tile");
     std::size_t next = first;
     pipeline<std::pair<std::size_t, Item>>(
@@ -373,7 +392,8 @@ class Refiner {
     std::vector<double> reached;  // of each tile: all that costs no more was tried
 
     [[nodiscard]] bool complete_to(double price) const {
-      return std::all_of(reached.begin(), reached.end(), [price](double to) { return to >= price; });
+      return std::all_of(reached.begin(), reached.end(),
+                         [price](double to) { return to >= price; });
     }
   };
 
@@ -382,8 +402,8 @@ class Refiner {
     double share, price;
   };
 
-  // Collapses what can be collapsed and writes it down; nothing is changed. `before`: another attempt, whose
-  // tiles are taken over where they went as far.
+  // Collapses what can be collapsed and writes it down; nothing is changed. `before`: another
+  // attempt, whose tiles are taken over where they went as far.
   Tried try_all(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                 const TryLimits& most, unsigned attempt, const Tried* before = nullptr) {
     Tried all;
@@ -417,11 +437,13 @@ class Refiner {
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
           CollapseLimits limits{0, most.price};
-          const double share =
-              most.share * static_cast<double>(settings_.faces) / static_cast<double>(whole.mesh.face_count);
+          const double share = most.share * static_cast<double>(settings_.faces) /
+                               static_cast<double>(whole.mesh.face_count);
           if (share > worth_a_limit) {
-            const auto others = static_cast<double>(mesh.face_count() - tile.own_faces + tried.frozen);
-            limits.faces = static_cast<std::uint64_t>(share * static_cast<double>(tile.own_faces) + others);
+            const auto others =
+                static_cast<double>(mesh.face_count() - tile.own_faces + tried.frozen);
+            limits.faces =
+                static_cast<std::uint64_t>(share * static_cast<double>(tile.own_faces) + others);
           }
           std::uint64_t removed = 0;
           Steps steps(job_.progress);
@@ -449,14 +471,14 @@ class Refiner {
 
   // What is left when `shrink` has been at every tile.
   template <typename Shrink>
-  RefinedMesh make_smaller(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
-                           const Shrink& shrink) {
+  RefinedMesh make_smaller(const RefinedMesh& whole, const Tiling& tiling,
+                           const IncomingFaces& incoming, const Shrink& shrink) {
     SmallerMesh smaller(job_, state_size(), settings_.attributes.size(), memory_.mesh);
     for_each_tile<TileRest>(
         tiling, incoming, 0,
         [&](std::size_t number, TileRest& rest) {
-          Tile tile =
-              load_tile(whole, tiling, incoming, number, known_state_size(), settings_.attributes.size());
+          Tile tile = load_tile(whole, tiling, incoming, number, known_state_size(),
+                                settings_.attributes.size());
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
@@ -489,19 +511,23 @@ class Refiner {
 
 }  // namespace
 
-std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices, std::uint64_t faces) {
+std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices,
+                          std::uint64_t faces) {
   const std::size_t state_size = Decimation::state_size(settings.decimation);
   const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
   const std::size_t attributes = settings.attributes.size() * sizeof(double);
   const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size + attributes);
-  const std::uint64_t collapsing =
-      Tile::memory(vertices, faces, state_size) + Decimation::memory(settings.decimation, vertices) +
-      CarriedValues::memory(vertices, settings.attributes.size()) + std::max(log, rest);
-  return unfolds(settings) ? std::max(collapsing, unfolded_tile_memory(vertices, faces)) : collapsing;
+  const std::uint64_t collapsing = Tile::memory(vertices, faces, state_size) +
+                                   Decimation::memory(settings.decimation, vertices) +
+                                   CarriedValues::memory(vertices, settings.attributes.size()) +
+                                   std::max(log, rest);
+  return unfolds(settings) ? std::max(collapsing, unfolded_tile_memory(vertices, faces))
+                           : collapsing;
 }
 
-ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings, const RefineMemory& memory,
-                     RefineReport& report, CheckpointDirectory* checkpoint) {
+ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings,
+                     const RefineMemory& memory, RefineReport& report,
+                     CheckpointDirectory* checkpoint) {
   return Refiner(job, settings, memory, report, checkpoint).run(std::move(whole));
 }
 

@@ -1,4 +1,5 @@
-// The second half of the road: a clustered or welded mesh is made smaller by collapsing edges, tile by tile.
+// The second half of the road: a clustered or welded mesh is made smaller by collapsing edges, tile
+// by tile.
 #pragma once
 
 #include "decimate/decimation.hpp"
@@ -15,13 +16,14 @@ struct RefineSettings {
   DecimationSettings decimation;
   std::uint64_t faces = 0;  // wanted; 0: as few as there can be
   std::uint64_t tile_faces = std::uint64_t{1}
-                             << 16;     // changes the result a little: never derived from memory
-  std::uint64_t hub_faces = 512;        // a vertex with more faces across tiles is a hub: as tile_faces
+                             << 16;  // changes the result a little: never derived from memory
+  std::uint64_t hub_faces = 512;  // a vertex with more faces across tiles is a hub: as tile_faces
   std::vector<Attribute> attributes{};  // that vertices carry
 };
 
 // What a tile of so many vertices and faces takes while it is worked on.
-std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices, std::uint64_t faces);
+std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices,
+                          std::uint64_t faces);
 
 struct RefineMemory {
   std::uint64_t tiles = 0;  // being worked on, all threads together
@@ -54,8 +56,9 @@ struct RefineReport {
   std::uint64_t tiles = 0;  // of the first round
   std::uint64_t rounds = 0;
   std::uint64_t collapses = 0;
-  double largest_error = 0;                 // of a vertex from its planes, in the mean; model units
-  StoppedBy stopped_by = StoppedBy::count;  // the first of blocked.reasons() where the count was missed
+  double largest_error = 0;  // of a vertex from its planes, in the mean; model units
+  StoppedBy stopped_by =
+      StoppedBy::count;  // the first of blocked.reasons() where the count was missed
   BlockedFaces blocked;
   TopologyChanges changes;
   // What a checkpoint held: rounds that were done, and tiles of the next.
@@ -64,10 +67,11 @@ struct RefineReport {
 
 // Never more faces than wanted, unless topology allows no fewer; at most one collapse less.
 //
-// With a checkpoint, every round and every tile that is done is kept in it, and at the end the result. Where
-// it holds some already, `whole` has to be the mesh in it, and what is done is not done again;
-// report.tiles_before says how much.
-ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings, const RefineMemory& memory,
-                     RefineReport& report, CheckpointDirectory* checkpoint = nullptr);
+// With a checkpoint, every round and every tile that is done is kept in it, and at the end the
+// result. Where it holds some already, `whole` has to be the mesh in it, and what is done is not
+// done again; report.tiles_before says how much.
+ClusteredMesh refine(Job& job, RefinedMesh whole, const RefineSettings& settings,
+                     const RefineMemory& memory, RefineReport& report,
+                     CheckpointDirectory* checkpoint = nullptr);
 
 }  // namespace winnow

@@ -37,14 +37,16 @@ struct Moved {
 struct Renumbered {
   std::uint32_t old_number, new_number;
 
-  static bool before(const Renumbered& a, const Renumbered& b) { return a.old_number < b.old_number; }
+  static bool before(const Renumbered& a, const Renumbered& b) {
+    return a.old_number < b.old_number;
+  }
   static bool combine(Renumbered&, const Renumbered&) { return false; }
 };
 
 }  // namespace
 
-RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size, std::size_t attributes,
-                    std::uint64_t list_memory, std::uint64_t mesh_memory) {
+RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size,
+                    std::size_t attributes, std::uint64_t list_memory, std::uint64_t mesh_memory) {
   const Reservation reserved = job.budget.reserve(list_memory, "sorting");
   const std::uint64_t vertices = whole.mesh.vertices->size();
   const std::size_t bytes = attributes * sizeof(double);
@@ -70,7 +72,8 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
       SortedRuns<Moved> runs(job);
       SortedList<Moved> list(job, list_memory / 2, runs);
       VertexIndex::Reader reader(*whole.mesh.vertices);
-      for (std::uint32_t v = 0; v < vertices; ++v) list.add({shifted(reader.at(v).key, back), v, 0});
+      for (std::uint32_t v = 0; v < vertices; ++v)
+        list.add({shifted(reader.at(v).key, back), v, 0});
       list.sort();
       MergedCursor<Moved> merged = merge<Moved>({&list}, runs);
       Appender<IndexedVertex, VertexIndex> append(job, *out.mesh.vertices);

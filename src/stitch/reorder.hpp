@@ -5,10 +5,11 @@
 
 namespace winnow {
 
-// Shifts the keys by a third of the lattice, or back. That puts the borders of tiles of every size a third of
-// a tile away from where they were, as a third is never near a sum of powers of one half. What is shifted out
-// of the lattice comes in again on the other side, where it is as good as anywhere.
-RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size, std::size_t attributes,
-                    std::uint64_t list_memory, std::uint64_t mesh_memory);
+// Shifts the keys by a third of the lattice, or back. That puts the borders of tiles of every size
+// a third of a tile away from where they were, as a third is never near a sum of powers of one
+// half. What is shifted out of the lattice comes in again on the other side, where it is as good as
+// anywhere.
+RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size,
+                    std::size_t attributes, std::uint64_t list_memory, std::uint64_t mesh_memory);
 
 }  // namespace winnow

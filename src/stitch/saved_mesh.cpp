@@ -34,7 +34,8 @@ void save_mesh(CheckpointDirectory& checkpoint, const RefinedMesh& whole, std::u
   checkpoint.save(stage + vertices_part, whole.mesh.vertices->records());
   checkpoint.save(stage + faces_part, *whole.mesh.faces);
   if (whole.state != nullptr) checkpoint.save(stage + state_part, *whole.state);
-  if (whole.mesh.attributes != nullptr) checkpoint.save(stage + attributes_part, *whole.mesh.attributes);
+  if (whole.mesh.attributes != nullptr)
+    checkpoint.save(stage + attributes_part, *whole.mesh.attributes);
   manifest.set(stage_key, stage);
   manifest.set("mesh.faces", whole.mesh.face_count);
   manifest.set("mesh.cells", whole.mesh.cells);
@@ -48,7 +49,8 @@ RefinedMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint
   RefinedMesh whole;
   if (checkpoint.has(stage + attributes_part)) {
     memory /= 2;
-    whole.mesh.attributes = std::make_unique<Spool>(checkpoint.load(stage + attributes_part, memory));
+    whole.mesh.attributes =
+        std::make_unique<Spool>(checkpoint.load(stage + attributes_part, memory));
   }
   whole.mesh.vertices =
       std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
@@ -62,10 +64,12 @@ RefinedMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint
   return whole;
 }
 
-ClusteredMesh load_reference(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
+ClusteredMesh load_reference(Job& job, const CheckpointDirectory& checkpoint,
+                             std::uint64_t memory) {
   const std::string stage = stage_after(0);
   ClusteredMesh mesh;
-  mesh.vertices = std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
+  mesh.vertices =
+      std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
   mesh.faces = std::make_unique<Spool>(checkpoint.load(stage + faces_part, memory / 2));
   mesh.face_count = record_count<FaceVertices>(*mesh.faces);
   return mesh;

@@ -76,7 +76,8 @@ TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decim
   return rest;
 }
 
-SmallerMesh::SmallerMesh(Job& job, std::size_t state_size, std::size_t attributes, std::uint64_t memory)
+SmallerMesh::SmallerMesh(Job& job, std::size_t state_size, std::size_t attributes,
+                         std::uint64_t memory)
     : job_(job),
       memory_(memory),
       faces_(job, memory / 8),
@@ -164,7 +165,8 @@ RefinedMesh SmallerMesh::finish(const Tiling& tiling, const std::vector<std::uin
   RecentBlocks named(named_, sizeof(NamedVertex));
   const auto renumbered = [&](SeamFace face) {
     for (std::size_t i = 0; i < 3; ++i) {
-      if ((face.old_mask >> i & 1) != 0) face.vertices[i] = new_number(tiling, named, face.vertices[i]);
+      if ((face.old_mask >> i & 1) != 0)
+        face.vertices[i] = new_number(tiling, named, face.vertices[i]);
     }
     return face.vertices;
   };

@@ -33,11 +33,12 @@ struct TileRest {
   std::vector<IndexedVertex> vertices;
   std::vector<std::byte> state;
   std::vector<double> attributes;
-  std::vector<FaceVertices> faces;   // by places in `vertices`, the lowest first; in ascending order
-  std::vector<SeamFace> seam_faces;  // the lowest first, which is the tile's own; in ascending order
-  std::vector<SeamFace> hub_faces;   // those that have a hub; in any order
-  std::vector<NamedVertex> named;    // in ascending order
-  TopologyChanges changes;           // that its collapses made
+  std::vector<FaceVertices> faces;  // by places in `vertices`, the lowest first; in ascending order
+  std::vector<SeamFace>
+      seam_faces;                   // the lowest first, which is the tile's own; in ascending order
+  std::vector<SeamFace> hub_faces;  // those that have a hub; in any order
+  std::vector<NamedVertex> named;   // in ascending order
+  TopologyChanges changes;          // that its collapses made
 };
 
 // Vertices without faces go; the others get the normals of their faces.
@@ -51,7 +52,8 @@ class SmallerMesh {
 
   void append(TileRest rest);
 
-  // `tiling`: that of the tiles; `hubs`: IncomingFaces::hubs(). A hub that has lost all its faces is left.
+  // `tiling`: that of the tiles; `hubs`: IncomingFaces::hubs(). A hub that has lost all its faces
+  // is left.
   RefinedMesh finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs);
 
  private:

@@ -35,7 +35,8 @@ std::uint32_t incoming_list(std::size_t tile) {
 
 // each(face) for the faces with corners in several tiles.
 template <typename Each>
-void for_each_seam_face(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, const Each& each) {
+void for_each_seam_face(Job& job, const ClusteredMesh& mesh, const Tiling& tiling,
+                        const Each& each) {
   std::size_t tile = 0;  // of the lowest vertices, which come in order
   SpoolCursor<FaceVertices> faces(job, *mesh.faces);
   for (FaceVertices face{}; faces.next(face);) {
@@ -47,8 +48,8 @@ void for_each_seam_face(Job& job, const ClusteredMesh& mesh, const Tiling& tilin
 
 }  // namespace
 
-IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, std::uint64_t memory,
-                             std::uint64_t hub_faces)
+IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& tiling,
+                             std::uint64_t memory, std::uint64_t hub_faces)
     : faces_(job, memory / 2), first_(2 * tiling.tiles() + 1, 0) {
   if (tiling.tiles() == 1) {
     faces_.finish();
@@ -69,7 +70,8 @@ IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& 
     for (std::size_t i = 0; i < 3; ++i) {
       if (is_hub(face[i])) continue;
       const std::size_t tile = tiling.tile_of(face[i]);
-      if (std::find(told.begin(), told.end(), tile) == told.end()) list.add({incoming_list(tile), face});
+      if (std::find(told.begin(), told.end(), tile) == told.end())
+        list.add({incoming_list(tile), face});
       told[i] = tile;
     }
     seam_faces_ += told != std::array{at_home, at_home, at_home};
@@ -86,15 +88,17 @@ IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& 
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }
 
-// Counts by hashes first, as there may be more vertices than memory has room for: few are worth a count of
-// their own.
+// Counts by hashes first, as there may be more vertices than memory has room for: few are worth a
+// count of their own.
 void IncomingFaces::find_hubs(Job& job, const ClusteredMesh& mesh, const Tiling& tiling,
                               std::uint64_t hub_faces) {
   constexpr std::uint64_t least_counts = std::uint64_t{1} << 12;
   const std::uint64_t counts = std::bit_ceil(std::max(least_counts, mesh.face_count / hub_faces));
   const Reservation reserved = job.budget.reserve(counts * sizeof(std::uint32_t), "finding hubs");
   std::vector<std::uint32_t> count(counts, 0);
-  const auto counted = [&](std::uint32_t v) -> std::uint32_t& { return count[mixed_hash(v) & (counts - 1)]; };
+  const auto counted = [&](std::uint32_t v) -> std::uint32_t& {
+    return count[mixed_hash(v) & (counts - 1)];
+  };
   bool some = false;
   for_each_seam_face(job, mesh, tiling, [&](const FaceVertices& face) {
     for (const std::uint32_t v : face) some |= ++counted(v) > hub_faces;
@@ -138,11 +142,13 @@ std::uint64_t Tile::memory(std::uint64_t vertices, std::uint64_t faces, std::siz
 
 namespace {
 
-// Gives the corners of faces their numbers in the tile, and locks those of faces that other tiles need.
+// Gives the corners of faces their numbers in the tile, and locks those of faces that other tiles
+// need.
 void lock_shared(Tile& tile, const IncomingFaces& incoming) {
   const std::uint64_t end = tile.first_vertex + tile.own_vertices;
   const auto own = [&](std::uint32_t v) { return v >= tile.first_vertex && v < end; };
-  std::fill(tile.locked.begin() + tile.own_vertices, tile.locked.end(), std::uint8_t{closed_vertex});
+  std::fill(tile.locked.begin() + tile.own_vertices, tile.locked.end(),
+            std::uint8_t{closed_vertex});
   for (FaceVertices& face : tile.faces) {
     std::array<bool, 3> hub{};
     bool shared = false;
@@ -168,7 +174,8 @@ void lock_shared(Tile& tile, const IncomingFaces& incoming) {
     const auto other = std::lower_bound(tile.others.begin(), tile.others.end(), hub);
     if (own(hub)) tile.hubs.push_back(static_cast<VertexNumber>(hub - tile.first_vertex));
     if (other != tile.others.end() && *other == hub)
-      tile.hubs.push_back(static_cast<VertexNumber>(tile.own_vertices + (other - tile.others.begin())));
+      tile.hubs.push_back(
+          static_cast<VertexNumber>(tile.own_vertices + (other - tile.others.begin())));
   }
   std::sort(tile.hubs.begin(), tile.hubs.end());
   for (FaceNumber f = 0; f < tile.own_faces; ++f) {
@@ -187,8 +194,8 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
   const std::uint64_t end = tiling.first_vertex(number + 1);
   tile.own_vertices = static_cast<VertexNumber>(end - tile.first_vertex);
   const std::uint64_t first_face = tiling.first_face(number);
-  tile.vertices =
-      read_records<IndexedVertex>(whole.mesh.vertices->records(), tile.first_vertex, tile.own_vertices);
+  tile.vertices = read_records<IndexedVertex>(whole.mesh.vertices->records(), tile.first_vertex,
+                                              tile.own_vertices);
   const std::uint64_t end_face = tiling.first_face(number + 1);
   if (incoming.hubs().empty()) {
     tile.faces = read_records<FaceVertices>(*whole.mesh.faces, first_face, end_face - first_face);
@@ -197,7 +204,8 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
     for (std::uint64_t at = first_face; at < end_face; at += chunk_records) {
       const std::uint64_t count = std::min<std::uint64_t>(chunk_records, end_face - at);
       for (const FaceVertices& face : read_records<FaceVertices>(*whole.mesh.faces, at, count)) {
-        if (!incoming.is_hub(face[0]) || incoming.home(face, tiling) == number) tile.faces.push_back(face);
+        if (!incoming.is_hub(face[0]) || incoming.home(face, tiling) == number)
+          tile.faces.push_back(face);
       }
     }
     const std::vector<FaceVertices> adopted = incoming.adopted(number);

@@ -16,15 +16,17 @@ namespace winnow {
 // A mesh between two rounds: clustered or welded, then smaller and smaller.
 struct RefinedMesh {
   ClusteredMesh mesh;
-  std::unique_ptr<Spool> state;  // Decimation::state_size() bytes a vertex; none where nothing was collapsed
+  std::unique_ptr<Spool>
+      state;  // Decimation::state_size() bytes a vertex; none where nothing was collapsed
 };
 
 // Which faces a tile has beside those whose lowest vertex is its own.
 //
-// A face belongs to the tile of its lowest vertex, and comes to each other tile that has a corner of it. Not
-// so for a hub, a vertex with very many faces that have corners in several tiles: all of them would be
-// locked, and its tile would be as large as they are many. A hub stays as it is in every tile, no tile gets a
-// face because of it, and a face that has one belongs to the tile of its lowest corner that is none.
+// A face belongs to the tile of its lowest vertex, and comes to each other tile that has a corner
+// of it. Not so for a hub, a vertex with very many faces that have corners in several tiles: all of
+// them would be locked, and its tile would be as large as they are many. A hub stays as it is in
+// every tile, no tile gets a face because of it, and a face that has one belongs to the tile of its
+// lowest corner that is none.
 class IncomingFaces {
  public:
   // `hub_faces`: a vertex with more faces across tiles is a hub.
@@ -40,7 +42,9 @@ class IncomingFaces {
   }
 
   // How many of the faces whose lowest vertex is the tile's belong to other tiles.
-  [[nodiscard]] std::uint64_t away(std::size_t tile) const { return away_.empty() ? 0 : away_[tile]; }
+  [[nodiscard]] std::uint64_t away(std::size_t tile) const {
+    return away_.empty() ? 0 : away_[tile];
+  }
 
   // Vertices that are hubs, in ascending order.
   [[nodiscard]] const std::vector<std::uint32_t>& hubs() const { return hubs_; }
@@ -54,7 +58,8 @@ class IncomingFaces {
   [[nodiscard]] std::uint64_t seam_faces() const { return seam_faces_; }
 
  private:
-  void find_hubs(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, std::uint64_t hub_faces);
+  void find_hubs(Job& job, const ClusteredMesh& mesh, const Tiling& tiling,
+                 std::uint64_t hub_faces);
   [[nodiscard]] std::vector<FaceVertices> read(std::size_t list) const;
 
   Spool faces_;
@@ -85,7 +90,8 @@ struct Tile {
 
 // The most that memory_of(vertices, faces) says of any tile.
 template <typename MemoryOf>
-std::uint64_t largest_tile(const Tiling& tiling, const IncomingFaces& incoming, const MemoryOf& memory_of) {
+std::uint64_t largest_tile(const Tiling& tiling, const IncomingFaces& incoming,
+                           const MemoryOf& memory_of) {
   std::uint64_t largest = 0;
   for (std::size_t t = 0; t < tiling.tiles(); ++t) {
     const std::uint64_t faces =

@@ -18,7 +18,8 @@ class Cutter {
       : mesh_(mesh), vertices_(*mesh.vertices), most_(most) {}
 
   // Cuts the keys from `low`, 3 * `level` bits of them, and writes where the tiles end.
-  void cut(CellKey low, unsigned level, const Place& begin, const Place& end, std::vector<Place>& ends) {
+  void cut(CellKey low, unsigned level, const Place& begin, const Place& end,
+           std::vector<Place>& ends) {
     if (begin.vertex == end.vertex) return;
     if (level == 0 || fits(begin, end)) {
       ends.push_back(end);
@@ -78,7 +79,8 @@ class Cutter {
 
 }  // namespace
 
-Tiling::Tiling(const ClusteredMesh& mesh, std::uint64_t tile_faces) : first_vertex_{0}, first_face_{0} {
+Tiling::Tiling(const ClusteredMesh& mesh, std::uint64_t tile_faces)
+    : first_vertex_{0}, first_face_{0} {
   std::vector<Place> ends;
   Cutter(mesh, tile_faces).cut(0, axis_bits, {}, {mesh.vertices->size(), mesh.face_count}, ends);
   for (const Place& end : ends) {

@@ -12,9 +12,9 @@ namespace winnow {
 
 class Tiling {
  public:
-  // Tiles of at most `tile_faces` faces and as many vertices: eighths of the lattice are cut into eighths
-  // until they are small enough, and neighbours under one prefix joined while they are. Only vertices that
-  // share one key cannot be told apart.
+  // Tiles of at most `tile_faces` faces and as many vertices: eighths of the lattice are cut into
+  // eighths until they are small enough, and neighbours under one prefix joined while they are.
+  // Only vertices that share one key cannot be told apart.
   Tiling(const ClusteredMesh& mesh, std::uint64_t tile_faces);
 
   [[nodiscard]] std::size_t tiles() const { return first_vertex_.size() - 1; }
@@ -23,8 +23,9 @@ class Tiling {
 
   // A tile has its own vertices, and the faces whose lowest vertex is one.
   [[nodiscard]] std::size_t tile_of(std::uint64_t vertex) const {
-    return static_cast<std::size_t>(std::upper_bound(first_vertex_.begin(), first_vertex_.end(), vertex) -
-                                    first_vertex_.begin()) -
+    return static_cast<std::size_t>(
+               std::upper_bound(first_vertex_.begin(), first_vertex_.end(), vertex) -
+               first_vertex_.begin()) -
            1;
   }
 

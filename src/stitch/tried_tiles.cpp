@@ -14,7 +14,8 @@ struct Head {
 
 }  // namespace
 
-TriedTiles::TriedTiles(const CheckpointDirectory* checkpoint, std::uint64_t round, unsigned attempt) {
+TriedTiles::TriedTiles(const CheckpointDirectory* checkpoint, std::uint64_t round,
+                       unsigned attempt) {
   if (checkpoint == nullptr) return;
   journal_ = std::make_unique<Journal>(
       checkpoint->file("round-" + std::to_string(round) + ".attempt-" + std::to_string(attempt)));
@@ -26,7 +27,8 @@ bool TriedTiles::next(TriedTile& tile) {
   if (record_.size() < sizeof head) return false;
   std::memcpy(&head, record_.data(), sizeof head);
   const std::size_t rest = record_.size() - sizeof head;
-  if (rest % CollapseLog::entry_size != 0 || rest / CollapseLog::entry_size != head.edges) return false;
+  if (rest % CollapseLog::entry_size != 0 || rest / CollapseLog::entry_size != head.edges)
+    return false;
   tile.edges.resize(head.edges);
   tile.prices.resize(head.edges);
   tile.frozen = head.frozen;

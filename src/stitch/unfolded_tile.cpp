@@ -10,17 +10,19 @@ namespace winnow {
 
 namespace {
 
-// How often faces of the reference may be looked at, for each face of the tile and for each of the reference,
-// in the mean. Surfaces take a part of that; among faces that lie criss-cross very many may be near.
+// How often faces of the reference may be looked at, for each face of the tile and for each of the
+// reference, in the mean. Surfaces take a part of that; among faces that lie criss-cross very many
+// may be near.
 constexpr std::uint64_t looks_a_face = 500;
 constexpr std::uint64_t looks_a_reference_face = 100;
 
-// A tile does not know all faces of a hub. So the hub's normal has to stay, and the vertices beside it, too.
+// A tile does not know all faces of a hub. So the hub's normal has to stay, and the vertices beside
+// it, too.
 void lock_beside_hubs(Tile& tile) {
   if (tile.hubs.empty()) return;
   for (const FaceVertices& face : tile.faces) {
-    const bool at_hub =
-        std::any_of(face.begin(), face.end(), [&](VertexNumber v) { return tile.locked[v] == fixed_hub; });
+    const bool at_hub = std::any_of(face.begin(), face.end(),
+                                    [&](VertexNumber v) { return tile.locked[v] == fixed_hub; });
     for (const VertexNumber v : face) {
       if (at_hub && tile.locked[v] == free_vertex) tile.locked[v] = closed_vertex;
     }

@@ -10,8 +10,9 @@
 
 namespace winnow {
 
-// The tile's own vertices, some of them moved (decimate/unfold.hpp). Vertices that several tiles need stay.
-// `reference_faces`: how many there are for each face of the mesh. `single`: positions are rounded to floats.
+// The tile's own vertices, some of them moved (decimate/unfold.hpp). Vertices that several tiles
+// need stay. `reference_faces`: how many there are for each face of the mesh. `single`: positions
+// are rounded to floats.
 std::vector<IndexedVertex> unfolded_vertices(Tile tile, const ReferenceMesh& reference,
                                              std::uint64_t reference_faces, bool single);
 

@@ -17,8 +17,9 @@ void append_rounded(std::vector<std::byte>& out, double value, ScalarType type) 
 void append_real(std::vector<std::byte>& out, double value) {
   const std::size_t begin = out.size();
   append_rounded(out, value, ScalarType::float32);
-  const bool whole = std::all_of(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
-                                 [](std::byte b) { return b != std::byte{'.'} && b != std::byte{'e'}; });
+  const bool whole =
+      std::all_of(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
+                  [](std::byte b) { return b != std::byte{'.'} && b != std::byte{'e'}; });
   if (whole) append_text(out, ".0");
 }
 

@@ -50,7 +50,8 @@ void append_rounded(std::vector<std::byte>& out, double value, ScalarType type);
 void append_real(std::vector<std::byte>& out, double value);
 
 // What lines of vertices of PLY and OFF begin with.
-inline void append_geometry(std::vector<std::byte>& out, const MeshShape& shape, const MeshVertex& vertex) {
+inline void append_geometry(std::vector<std::byte>& out, const MeshShape& shape,
+                            const MeshVertex& vertex) {
   append_position(out, vertex.position, shape.double_positions);
   if (!shape.normals) return;
   append_text(out, " ");

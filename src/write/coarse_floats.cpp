@@ -27,11 +27,13 @@ void note_coarse_floats(Job& job, const Box& box, std::uint64_t faces) {
   double farthest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
-  const auto single = static_cast<float>(std::min<double>(farthest, std::numeric_limits<float>::max()));
+  const auto single =
+      static_cast<float>(std::min<double>(farthest, std::numeric_limits<float>::max()));
   const double step = std::nextafter(single, std::numeric_limits<float>::infinity()) - single;
   if (!(step * 16 > edge_length(box, faces))) return;
   job.note("floats step by " + shortest(step) +
-           " this far from the origin: vertices move, some may fall together; PLY with doubles and GLB keep "
+           " this far from the origin: vertices move, some may fall together; PLY with doubles and "
+           "GLB keep "
            "them apart");
 }
 
@@ -50,7 +52,8 @@ void check_floats(const Box& box) {
     for (const double value : corner) {
       if (std::abs(value) <= most) continue;
       throw Error(ErrorKind::usage, "the output holds floats, too small for coordinates like " +
-                                        shortest(value) + "; ask for PLY, OBJ, OFF or .m with doubles");
+                                        shortest(value) +
+                                        "; ask for PLY, OBJ, OFF or .m with doubles");
     }
   }
 }

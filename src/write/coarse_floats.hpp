@@ -8,8 +8,8 @@
 
 namespace winnow {
 
-// Says so where positions are going to be rounded to floats, and those step by more than a sixteenth of what
-// an edge is about as long as.
+// Says so where positions are going to be rounded to floats, and those step by more than a
+// sixteenth of what an edge is about as long as.
 void note_coarse_floats(Job& job, const Box& box, std::uint64_t faces);
 
 // Likewise where `error`, by which positions move at most, is more than a quarter of such an edge.

@@ -29,8 +29,8 @@ void write_colored_ply(Job& job, std::span<const Point> vertices,
                        std::span<const double> squared_distances, ByteSink& sink) {
   const double most = 3 * root_mean_square(squared_distances);
   const std::string header =
-      "ply\nformat binary_little_endian 1.0\ncomment distances by winnow compare; red is " + shortest(most) +
-      " and more\nelement vertex " + std::to_string(vertices.size()) +
+      "ply\nformat binary_little_endian 1.0\ncomment distances by winnow compare; red is " +
+      shortest(most) + " and more\nelement vertex " + std::to_string(vertices.size()) +
       "\nproperty double x\nproperty double y\nproperty double z\nproperty float quality\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face " +
       std::to_string(faces.size()) + "\nproperty list uchar " +

@@ -25,8 +25,8 @@ class GlbEncoder final : public MeshEncoder {
     return text;
   }
 
-  void vertices(const MeshShape& shape, std::uint64_t /*first*/, std::span<const MeshVertex> vertices,
-                std::vector<std::byte>& out) const override {
+  void vertices(const MeshShape& shape, std::uint64_t /*first*/,
+                std::span<const MeshVertex> vertices, std::vector<std::byte>& out) const override {
     append_glb_vertices(shape, GlbLayout(shape, encoding_), vertices, out);
   }
 

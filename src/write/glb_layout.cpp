@@ -1,4 +1,5 @@
-// Binary glTF 2.0 (Khronos Group; ISO/IEC 12113): a header, a chunk of JSON, a chunk of vertices and indices.
+// Binary glTF 2.0 (Khronos Group; ISO/IEC 12113): a header, a chunk of JSON, a chunk of vertices
+// and indices.
 #include "write/glb_layout.hpp"
 
 #include <winnow/error.hpp>
@@ -39,31 +40,38 @@ void emit_list(std::size_t count, const Emit& emit, const Text& text) {
 
 // Numbers of accessors. Of each block: positions, indices and, if it has them, normals and colours.
 struct Numbers {
-  explicit Numbers(const GlbLayout& layout) : normals(layout.normal ? 1 : 0), colors(layout.color ? 1 : 0) {}
+  explicit Numbers(const GlbLayout& layout)
+      : normals(layout.normal ? 1 : 0), colors(layout.color ? 1 : 0) {}
 
   std::size_t normals, colors;
-  [[nodiscard]] std::size_t first(std::size_t block) const { return (2 + normals + colors) * block; }
+  [[nodiscard]] std::size_t first(std::size_t block) const {
+    return (2 + normals + colors) * block;
+  }
   [[nodiscard]] std::string position(std::size_t block) const { return number(first(block)); }
   [[nodiscard]] std::string indices(std::size_t block) const { return number(first(block) + 1); }
   [[nodiscard]] std::string normal(std::size_t block) const { return number(first(block) + 2); }
-  [[nodiscard]] std::string color(std::size_t block) const { return number(first(block) + 2 + normals); }
+  [[nodiscard]] std::string color(std::size_t block) const {
+    return number(first(block) + 2 + normals);
+  }
 };
 
 std::string type_of(GlbType type) {
   return R"("componentType":)" + number(static_cast<unsigned>(type));
 }
 
-std::string vertex_accessor(std::size_t block, const GlbPart& part, const MeshBlock& of, bool normalized) {
+std::string vertex_accessor(std::size_t block, const GlbPart& part, const MeshBlock& of,
+                            bool normalized) {
   return R"({"bufferView":)" + number(2 * block) + R"(,"byteOffset":)" + number(part.offset) + "," +
-         type_of(part.type) + (normalized && part.type != GlbType::float32 ? R"(,"normalized":true)" : "") +
+         type_of(part.type) +
+         (normalized && part.type != GlbType::float32 ? R"(,"normalized":true)" : "") +
          R"(,"count":)" + number(of.vertices) + R"(,"type":"VEC)" + number(part.components) + "\"";
 }
 
 std::string accessors_of(const GlbLayout& layout, std::size_t block, const MeshBlock& of) {
-  std::string text = vertex_accessor(block, layout.position, of, false) + R"(,"min":)" + list(of.box.low) +
-                     R"(,"max":)" + list(of.box.high) + R"(},{"bufferView":)" + number(2 * block + 1) + "," +
-                     type_of(index_type_for(of.vertices)) + R"(,"count":)" + number(3 * of.faces) +
-                     R"(,"type":"SCALAR"})";
+  std::string text = vertex_accessor(block, layout.position, of, false) + R"(,"min":)" +
+                     list(of.box.low) + R"(,"max":)" + list(of.box.high) + R"(},{"bufferView":)" +
+                     number(2 * block + 1) + "," + type_of(index_type_for(of.vertices)) +
+                     R"(,"count":)" + number(3 * of.faces) + R"(,"type":"SCALAR"})";
   for (const std::optional<GlbPart>& part : {layout.normal, layout.color}) {
     if (part) text += "," + vertex_accessor(block, *part, of, true) + "}";
   }
@@ -83,10 +91,10 @@ std::string view_of(const View& view, bool packed) {
   if (view.vertices) text += R"(,"byteStride":)" + number(view.stride);
   text += std::string(R"(,"target":)") + (view.vertices ? "34962" : "34963");
   if (packed) {
-    text += R"(,"extensions":{")" + packing + R"(":{"buffer":0,"byteOffset":)" + number(view.packed_begin) +
-            R"(,"byteLength":)" + number(view.packed_bytes) + R"(,"byteStride":)" + number(view.stride) +
-            R"(,"count":)" + number(view.count) + R"(,"mode":")" +
-            (view.vertices ? "ATTRIBUTES" : "TRIANGLES") + R"("}})";
+    text += R"(,"extensions":{")" + packing + R"(":{"buffer":0,"byteOffset":)" +
+            number(view.packed_begin) + R"(,"byteLength":)" + number(view.packed_bytes) +
+            R"(,"byteStride":)" + number(view.stride) + R"(,"count":)" + number(view.count) +
+            R"(,"mode":")" + (view.vertices ? "ATTRIBUTES" : "TRIANGLES") + R"("}})";
   }
   return text + "}";
 }
@@ -148,7 +156,8 @@ void emit_json(const MeshShape& shape, const GlbLayout& layout, std::span<const 
   View view;
   emit_list(blocks.size(), emit, [&](std::size_t i) {
     const MeshBlock& block = blocks[i];
-    const auto next = [&](bool vertices, std::uint64_t count, std::uint64_t stride, std::uint64_t bytes) {
+    const auto next = [&](bool vertices, std::uint64_t count, std::uint64_t stride,
+                          std::uint64_t bytes) {
       view = {whole_words(view.begin + view.bytes),
               count * stride,
               whole_words(view.packed_begin + view.packed_bytes),
@@ -166,7 +175,8 @@ void emit_json(const MeshShape& shape, const GlbLayout& layout, std::span<const 
        number(packed ? whole_words(view.packed_begin + view.packed_bytes) : whole) + "}");
   // Where the bytes would be, were they not packed: nowhere.
   if (packed)
-    emit(R"(,{"byteLength":)" + number(whole) + R"(,"extensions":{")" + packing + R"(":{"fallback":true}}})");
+    emit(R"(,{"byteLength":)" + number(whole) + R"(,"extensions":{")" + packing +
+         R"(":{"fallback":true}}})");
   emit("]}");
 }
 
@@ -180,7 +190,8 @@ Point glb_offset(const MeshShape& shape) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = shape.box.low[axis];
     const double high = shape.box.high[axis];
-    if (std::max(std::abs(low), std::abs(high)) > 2 * side) offset[axis] = std::floor(low / step) * step;
+    if (std::max(std::abs(low), std::abs(high)) > 2 * side)
+      offset[axis] = std::floor(low / step) * step;
   }
   return offset;
 }
@@ -194,14 +205,17 @@ std::array<float, 3> unit_normal(const std::array<float, 3>& normal) {
   if (std::abs(square - 1) <= 1e-6) return normal;
   if (!(square > 0)) return {0, 0, 1};
   const Point of_one = unit(exact);
-  return {static_cast<float>(of_one[0]), static_cast<float>(of_one[1]), static_cast<float>(of_one[2])};
+  return {static_cast<float>(of_one[0]), static_cast<float>(of_one[1]),
+          static_cast<float>(of_one[2])};
 }
 
 // The smallest type that loses nothing of a component's, by how it is stored.
 GlbType type_for(const Attribute& component) {
-  if (component.type == ScalarType::uint8 && component.kind != AttributeKind::color) return GlbType::uint8;
+  if (component.type == ScalarType::uint8 && component.kind != AttributeKind::color)
+    return GlbType::uint8;
   if (component.type == ScalarType::uint8) return GlbType::uint16;
-  if (component.type == ScalarType::uint16 && component.kind != AttributeKind::color) return GlbType::uint16;
+  if (component.type == ScalarType::uint16 && component.kind != AttributeKind::color)
+    return GlbType::uint16;
   return GlbType::float32;
 }
 
@@ -255,7 +269,8 @@ std::uint64_t size_of(GlbType type) {
   }
 }
 
-GlbLayout::GlbLayout(const MeshShape& shape, const Encoding& encoding) : place(place_of(shape, encoding)) {
+GlbLayout::GlbLayout(const MeshShape& shape, const Encoding& encoding)
+    : place(place_of(shape, encoding)) {
   const auto add = [&](GlbType type, unsigned components) {
     const GlbPart part{type, components, stride};
     stride = whole_words(stride + components * size_of(type));
@@ -276,8 +291,9 @@ namespace {
 Point written_position(const Point& position, const GlbLayout& layout) {
   Point written = position - layout.place.offset;
   for (double& x : written) {
-    x = layout.place.step ? std::clamp(std::nearbyint(x / *layout.place.step), 0.0, layout.place.highest)
-                          : nearest_float(x);
+    x = layout.place.step
+            ? std::clamp(std::nearbyint(x / *layout.place.step), 0.0, layout.place.highest)
+            : nearest_float(x);
   }
   return written;
 }
@@ -297,7 +313,8 @@ void append_glb_vertices(const MeshShape& shape, const GlbLayout& layout,
     }
     out.resize(whole_words(out.size()));
     if (layout.normal) {
-      for (const float along : unit_normal(vertex.normal)) append_part(out, along, layout.normal->type);
+      for (const float along : unit_normal(vertex.normal))
+        append_part(out, along, layout.normal->type);
       out.resize(whole_words(out.size()));
     }
     for (unsigned i = 0; layout.color && i < layout.color->components; ++i) {
@@ -312,13 +329,14 @@ Box written_box(const Box& box, const GlbLayout& layout) {
   return {written_position(box.low, layout), written_position(box.high, layout), box.empty};
 }
 
-void emit_glb_head(const MeshShape& shape, const GlbLayout& layout, std::span<const MeshBlock> blocks,
-                   bool packed, const Emit& emit) {
+void emit_glb_head(const MeshShape& shape, const GlbLayout& layout,
+                   std::span<const MeshBlock> blocks, bool packed, const Emit& emit) {
   constexpr std::uint64_t header_bytes = 12;
   constexpr std::uint64_t chunk_header_bytes = 8;
   // Twice: its length stands before it.
   std::uint64_t json_bytes = 0;
-  emit_json(shape, layout, blocks, packed, [&](std::string_view text) { json_bytes += text.size(); });
+  emit_json(shape, layout, blocks, packed,
+            [&](std::string_view text) { json_bytes += text.size(); });
   const std::uint64_t blanks = whole_words(json_bytes) - json_bytes;
   json_bytes += blanks;
   std::uint64_t binary_bytes = 0;
@@ -346,9 +364,10 @@ void emit_glb_head(const MeshShape& shape, const GlbLayout& layout, std::span<co
 }
 
 void refuse_glb_size(std::uint64_t faces) {
-  throw Error(ErrorKind::usage, "GLB holds 4 GiB, too little for " + grouped(faces) +
-                                    " faces; ask for fewer (about 230 million fit, more with --compress "
-                                    "meshopt), or for PLY, OBJ, OFF or STL");
+  throw Error(ErrorKind::usage,
+              "GLB holds 4 GiB, too little for " + grouped(faces) +
+                  " faces; ask for fewer (about 230 million fit, more with --compress "
+                  "meshopt), or for PLY, OBJ, OFF or STL");
 }
 
 }  // namespace winnow

@@ -20,7 +20,13 @@ namespace winnow {
 Point glb_offset(const MeshShape& shape);
 
 // The types of components, by the specification.
-enum class GlbType : unsigned { int8 = 5120, uint8 = 5121, uint16 = 5123, uint32 = 5125, float32 = 5126 };
+enum class GlbType : unsigned {
+  int8 = 5120,
+  uint8 = 5121,
+  uint16 = 5123,
+  uint32 = 5125,
+  float32 = 5126
+};
 
 std::uint64_t size_of(GlbType type);
 
@@ -33,8 +39,9 @@ struct GlbPart {
 
 // What its node does to a position: it is scaled, turned and moved.
 struct GlbPlace {
-  Point offset{};              // that positions are written from, ...
-  std::optional<double> step;  // ... in multiples of this, from 0 to `highest`, if they are whole numbers
+  Point offset{};  // that positions are written from, ...
+  std::optional<double>
+      step;  // ... in multiples of this, from 0 to `highest`, if they are whole numbers
   double highest = 0;
   bool z_up = false;
 
@@ -76,8 +83,8 @@ constexpr std::uint64_t whole_words(std::uint64_t bytes) {
 // up to whole words. Each block is a primitive of the one mesh. Of `packed` blocks the bytes are
 // those of EXT_meshopt_compression. Throws Error(usage) beyond 4 GiB.
 using Emit = std::function<void(std::string_view)>;
-void emit_glb_head(const MeshShape& shape, const GlbLayout& layout, std::span<const MeshBlock> blocks,
-                   bool packed, const Emit& emit);
+void emit_glb_head(const MeshShape& shape, const GlbLayout& layout,
+                   std::span<const MeshBlock> blocks, bool packed, const Emit& emit);
 
 [[noreturn]] void refuse_glb_size(std::uint64_t faces);
 

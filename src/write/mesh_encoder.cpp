@@ -33,16 +33,18 @@ Format format_called(const std::string& path) {
         ".usda", ".usdc", ".usdz", ".stp", ".step", ".iges", ".las", ".laz", ".e57", ".xyz",
         ".pcd",  ".pts",  ".json", ".bz2", ".xz",   ".zip",  ".7z",  ".lz4"}) {
     if (ending != other) continue;
-    throw Error(ErrorKind::usage,
-                "'" + path + "': " + other +
-                    " is not written; name the output .ply, .stl, .obj, .off, .m or .glb, or say --to ply");
+    throw Error(
+        ErrorKind::usage,
+        "'" + path + "': " + other +
+            " is not written; name the output .ply, .stl, .obj, .off, .m or .glb, or say --to ply");
   }
   return Format::ply;
 }
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path, const Encoding& encoding) {
+std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path,
+                                          const Encoding& encoding) {
   if (format == Format::automatic) format = format_called(path);
   const bool floats = format == Format::stl || format == Format::gltf;
   if (floats && encoding.positions == Positions::doubles) {
@@ -56,13 +58,16 @@ std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path
     throw Error(ErrorKind::usage,
                 "meshopt compression is for GLB alone; name the output .gz or .zst instead");
   if (encoding.quantize && format != Format::gltf)
-    throw Error(ErrorKind::usage, "--quantize is for GLB alone; other formats hold floats or doubles");
+    throw Error(ErrorKind::usage,
+                "--quantize is for GLB alone; other formats hold floats or doubles");
   if (encoding.quantize && (*encoding.quantize < 1 || *encoding.quantize > 16)) {
-    throw Error(ErrorKind::usage, "--quantize takes 1 to 16 bits, not " + std::to_string(*encoding.quantize));
+    throw Error(ErrorKind::usage,
+                "--quantize takes 1 to 16 bits, not " + std::to_string(*encoding.quantize));
   }
   if (encoding.up == UpAxis::z && format != Format::gltf) {
-    throw Error(ErrorKind::usage,
-                "--up z is for GLB alone, in which y points up; other formats keep the axes as they are");
+    throw Error(
+        ErrorKind::usage,
+        "--up z is for GLB alone, in which y points up; other formats keep the axes as they are");
   }
   switch (format) {
     case Format::stl:

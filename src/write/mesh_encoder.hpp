@@ -27,8 +27,8 @@ struct MeshShape {
   std::string comment{};                // one line; may be empty
   Box box{};                            // of all vertices; only where needs_survey() asks for it
   std::vector<Attribute> attributes{};  // that vertices carry
-  bool closed = false;                  // each edge has a face on either side; where needs_survey() asks
-  bool as_stored = false;               // these are the numbers of the input, not means of them
+  bool closed = false;     // each edge has a face on either side; where needs_survey() asks
+  bool as_stored = false;  // these are the numbers of the input, not means of them
 };
 
 struct MeshVertex {
@@ -55,22 +55,23 @@ class BlockEncoder {
  public:
   virtual ~BlockEncoder() = default;
 
-  // Brings the faces of a block, by the numbers of its vertices below `vertices`, into the order in which
-  // they are written.
+  // Brings the faces of a block, by the numbers of its vertices below `vertices`, into the order in
+  // which they are written.
   virtual void reorder(std::vector<std::uint32_t>& corners, std::size_t vertices) const = 0;
 
   // Appends to `out`. `corners` are numbers in `vertices`, three a face.
   virtual MeshBlock encode(const MeshShape& shape, std::span<const MeshVertex> vertices,
-                           std::span<const std::uint32_t> corners, std::vector<std::byte>& out) const = 0;
+                           std::span<const std::uint32_t> corners,
+                           std::vector<std::byte>& out) const = 0;
 
-  // Hands what comes before the blocks, piece by piece, to `emit`. Throws Error(usage) where the format
-  // cannot hold so much.
+  // Hands what comes before the blocks, piece by piece, to `emit`. Throws Error(usage) where the
+  // format cannot hold so much.
   virtual void header(const MeshShape& shape, std::span<const MeshBlock> blocks,
                       const std::function<void(std::string_view)>& emit) const = 0;
 };
 
-// Pure: the same calls give the same bytes, from any thread. A file is header(), all vertices, all faces,
-// footer().
+// Pure: the same calls give the same bytes, from any thread. A file is header(), all vertices, all
+// faces, footer().
 class MeshEncoder {
  public:
   virtual ~MeshEncoder() = default;
@@ -78,9 +79,10 @@ class MeshEncoder {
   // Throws Error(usage) where the format cannot hold so much.
   [[nodiscard]] virtual std::string header(const MeshShape& shape) const = 0;
 
-  // Append to `out`. `first`: number of the first of them in the mesh. A format that has no vertices of its
-  // own writes none.
-  virtual void vertices(const MeshShape& shape, std::uint64_t first, std::span<const MeshVertex> vertices,
+  // Append to `out`. `first`: number of the first of them in the mesh. A format that has no
+  // vertices of its own writes none.
+  virtual void vertices(const MeshShape& shape, std::uint64_t first,
+                        std::span<const MeshVertex> vertices,
                         std::vector<std::byte>& out) const = 0;
 
   // `corners` holds the positions of the faces' corners, or nothing where needs_corners() is false.
@@ -89,14 +91,15 @@ class MeshEncoder {
 
   [[nodiscard]] virtual std::string footer(const MeshShape& /*shape*/) const { return {}; }
 
-  // Why the format cannot hold an attribute that is one of those `wanted`, in words that its name follows;
-  // empty where it can.
+  // Why the format cannot hold an attribute that is one of those `wanted`, in words that its name
+  // follows; empty where it can.
   [[nodiscard]] virtual std::string attribute_refusal(const Attribute& /*attribute*/,
                                                       std::span<const Attribute> /*wanted*/) const {
     return "the output's format holds no attributes:";
   }
 
-  // Whether normals that are carried are written where others are, as MeshVertex::normal, not as attributes.
+  // Whether normals that are carried are written where others are, as MeshVertex::normal, not as
+  // attributes.
   [[nodiscard]] virtual bool normals_apart() const { return false; }
 
   // Whether attributes are written as they are stored, whatever their numbers mean.
@@ -109,12 +112,14 @@ class MeshEncoder {
   [[nodiscard]] virtual bool holds_doubles() const { return true; }
   // By which a position moves at most where positions are rounded on purpose: Encoding::quantize.
   [[nodiscard]] virtual double position_error(const MeshShape& /*shape*/) const { return 0; }
-  // Where there is one, the file is its header and its blocks instead, and all of the above write nothing.
+  // Where there is one, the file is its header and its blocks instead, and all of the above write
+  // nothing.
   [[nodiscard]] virtual const BlockEncoder* blocks() const { return nullptr; }
 };
 
-// The encoder for `format`; with Format::automatic for what the name ends in (before .gz or .zst), PLY where
-// that says nothing. Throws Error(usage) where `encoding` asks for what the format does not have.
+// The encoder for `format`; with Format::automatic for what the name ends in (before .gz or .zst),
+// PLY where that says nothing. Throws Error(usage) where `encoding` asks for what the format does
+// not have.
 std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path,
                                           const Encoding& encoding = {});
 

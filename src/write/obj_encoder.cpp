@@ -1,5 +1,6 @@
-// Wavefront OBJ, by appendix B1 of the Advanced Visualizer manual: indices count from 1. Colours, which that
-// does not know, stand behind the position, from 0 to 1, where nearly every program looks for them.
+// Wavefront OBJ, by appendix B1 of the Advanced Visualizer manual: indices count from 1. Colours,
+// which that does not know, stand behind the position, from 0 to 1, where nearly every program
+// looks for them.
 #include "write/append_text.hpp"
 #include "write/vertex_colors.hpp"
 
@@ -12,12 +13,12 @@ class ObjEncoder final : public MeshEncoder {
   [[nodiscard]] std::string header(const MeshShape& shape) const override {
     std::string text;
     if (!shape.comment.empty()) text += "# " + shape.comment + "\n";
-    return text + "# " + std::to_string(shape.vertices) + " vertices, " + std::to_string(shape.faces) +
-           " faces\n";
+    return text + "# " + std::to_string(shape.vertices) + " vertices, " +
+           std::to_string(shape.faces) + " faces\n";
   }
 
-  void vertices(const MeshShape& shape, std::uint64_t /*first*/, std::span<const MeshVertex> vertices,
-                std::vector<std::byte>& out) const override {
+  void vertices(const MeshShape& shape, std::uint64_t /*first*/,
+                std::span<const MeshVertex> vertices, std::vector<std::byte>& out) const override {
     const VertexColors colors(shape.attributes);
     for (const MeshVertex& vertex : vertices) {
       append_text(out, "v ");

@@ -1,4 +1,5 @@
-// OFF, by the manual of Geomview: counts, vertices, faces; CNOFF where vertices have colours and normals.
+// OFF, by the manual of Geomview: counts, vertices, faces; CNOFF where vertices have colours and
+// normals.
 #include "write/append_text.hpp"
 #include "write/vertex_colors.hpp"
 
@@ -15,8 +16,8 @@ class OffEncoder final : public MeshEncoder {
     return text + std::to_string(shape.vertices) + " " + std::to_string(shape.faces) + " 0\n";
   }
 
-  void vertices(const MeshShape& shape, std::uint64_t /*first*/, std::span<const MeshVertex> vertices,
-                std::vector<std::byte>& out) const override {
+  void vertices(const MeshShape& shape, std::uint64_t /*first*/,
+                std::span<const MeshVertex> vertices, std::vector<std::byte>& out) const override {
     const VertexColors colors(shape.attributes);
     for (const MeshVertex& vertex : vertices) {
       append_geometry(out, shape, vertex);

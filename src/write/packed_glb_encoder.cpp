@@ -20,7 +20,8 @@ std::uint64_t append_encoded(std::vector<std::byte>& out, std::size_t bound, con
   const std::size_t begin = out.size();
   out.resize(begin + bound);
   const std::size_t bytes = encode(reinterpret_cast<unsigned char*>(out.data() + begin));
-  if (bytes == 0) throw Error(ErrorKind::failed, "meshoptimizer could not encode a part of the mesh");
+  if (bytes == 0)
+    throw Error(ErrorKind::failed, "meshoptimizer could not encode a part of the mesh");
   out.resize(begin + bytes);
   out.resize(begin + whole_words(bytes));
   return bytes;
@@ -32,10 +33,12 @@ class PackedGlbEncoder final : public MeshEncoder, public BlockEncoder {
 
   // Blocks say it all.
   [[nodiscard]] std::string header(const MeshShape& /*shape*/) const override { return {}; }
-  void vertices(const MeshShape& /*shape*/, std::uint64_t /*first*/, std::span<const MeshVertex> /*vertices*/,
+  void vertices(const MeshShape& /*shape*/, std::uint64_t /*first*/,
+                std::span<const MeshVertex> /*vertices*/,
                 std::vector<std::byte>& /*out*/) const override {}
-  void faces(const MeshShape& /*shape*/, std::uint64_t /*first*/, std::span<const MeshFace> /*faces*/,
-             std::span<const Corners> /*corners*/, std::vector<std::byte>& /*out*/) const override {}
+  void faces(const MeshShape& /*shape*/, std::uint64_t /*first*/,
+             std::span<const MeshFace> /*faces*/, std::span<const Corners> /*corners*/,
+             std::vector<std::byte>& /*out*/) const override {}
 
   [[nodiscard]] bool needs_survey() const override { return true; }
   [[nodiscard]] std::string attribute_refusal(const Attribute& attribute,
@@ -55,7 +58,8 @@ class PackedGlbEncoder final : public MeshEncoder, public BlockEncoder {
   }
 
   MeshBlock encode(const MeshShape& shape, std::span<const MeshVertex> vertices,
-                   std::span<const std::uint32_t> corners, std::vector<std::byte>& out) const override {
+                   std::span<const std::uint32_t> corners,
+                   std::vector<std::byte>& out) const override {
     const GlbLayout layout(shape, encoding_);
     MeshBlock block{vertices.size(), corners.size() / 3};
     for (const MeshVertex& vertex : vertices) block.box.add(vertex.position);
@@ -63,9 +67,11 @@ class PackedGlbEncoder final : public MeshEncoder, public BlockEncoder {
     std::vector<std::byte> plain;
     plain.reserve(vertices.size() * layout.stride);
     append_glb_vertices(shape, layout, vertices, plain);
-    const std::size_t vertex_bound = meshopt_encodeVertexBufferBound(vertices.size(), layout.stride);
+    const std::size_t vertex_bound =
+        meshopt_encodeVertexBufferBound(vertices.size(), layout.stride);
     block.vertex_bytes = append_encoded(out, vertex_bound, [&](unsigned char* into) {
-      return meshopt_encodeVertexBuffer(into, vertex_bound, plain.data(), vertices.size(), layout.stride);
+      return meshopt_encodeVertexBuffer(into, vertex_bound, plain.data(), vertices.size(),
+                                        layout.stride);
     });
     const std::size_t index_bound = meshopt_encodeIndexBufferBound(corners.size(), vertices.size());
     block.index_bytes = append_encoded(out, index_bound, [&](unsigned char* into) {
@@ -74,7 +80,8 @@ class PackedGlbEncoder final : public MeshEncoder, public BlockEncoder {
     return block;
   }
 
-  void header(const MeshShape& shape, std::span<const MeshBlock> blocks, const Emit& emit) const override {
+  void header(const MeshShape& shape, std::span<const MeshBlock> blocks,
+              const Emit& emit) const override {
     check_floats(shape.box);
     emit_glb_head(shape, GlbLayout(shape, encoding_), blocks, true, emit);
   }

@@ -57,15 +57,18 @@ class PlyEncoder final : public MeshEncoder {
   [[nodiscard]] std::string header(const MeshShape& shape) const override {
     if (shape.vertices > all_indices) {
       throw Error(ErrorKind::usage, "PLY counts vertices with 32 bits, too few for " +
-                                        grouped(shape.vertices) + "; ask for fewer faces, or for STL");
+                                        grouped(shape.vertices) +
+                                        "; ask for fewer faces, or for STL");
     }
-    std::string text = std::string("ply\nformat ") + (ascii_ ? "ascii" : "binary_little_endian") + " 1.0\n";
+    std::string text =
+        std::string("ply\nformat ") + (ascii_ ? "ascii" : "binary_little_endian") + " 1.0\n";
     if (!shape.comment.empty()) text += "comment " + shape.comment + "\n";
     text += "element vertex " + std::to_string(shape.vertices) + "\n";
     const std::string real = shape.double_positions ? "double" : "float";
     for (const char* axis : {"x", "y", "z"}) text += "property " + real + " " + axis + "\n";
     if (shape.normals) {
-      for (const char* axis : {"nx", "ny", "nz"}) text += std::string("property float ") + axis + "\n";
+      for (const char* axis : {"nx", "ny", "nz"})
+        text += std::string("property float ") + axis + "\n";
     }
     for (const Attribute& attribute : shape.attributes)
       text += std::string("property ") + name_of(attribute.type) + " " + attribute.name + "\n";
@@ -76,8 +79,8 @@ class PlyEncoder final : public MeshEncoder {
     return text + "end_header\n";
   }
 
-  void vertices(const MeshShape& shape, std::uint64_t /*first*/, std::span<const MeshVertex> vertices,
-                std::vector<std::byte>& out) const override {
+  void vertices(const MeshShape& shape, std::uint64_t /*first*/,
+                std::span<const MeshVertex> vertices, std::vector<std::byte>& out) const override {
     if (ascii_) {
       append_text_vertices(shape, vertices, out);
     } else if (shape.double_positions) {
@@ -103,8 +106,8 @@ class PlyEncoder final : public MeshEncoder {
     }
   }
 
-  [[nodiscard]] std::string attribute_refusal(const Attribute& /*attribute*/,
-                                              std::span<const Attribute> /*wanted*/) const override {
+  [[nodiscard]] std::string attribute_refusal(
+      const Attribute& /*attribute*/, std::span<const Attribute> /*wanted*/) const override {
     return {};
   }
   [[nodiscard]] bool keeps_numbers() const override { return true; }

@@ -40,11 +40,13 @@ class BinaryStlEncoder final : public MeshEncoder {
     return text;
   }
 
-  void vertices(const MeshShape& /*shape*/, std::uint64_t /*first*/, std::span<const MeshVertex> /*vertices*/,
+  void vertices(const MeshShape& /*shape*/, std::uint64_t /*first*/,
+                std::span<const MeshVertex> /*vertices*/,
                 std::vector<std::byte>& /*out*/) const override {}
 
-  void faces(const MeshShape& /*shape*/, std::uint64_t /*first*/, std::span<const MeshFace> /*faces*/,
-             std::span<const Corners> corners, std::vector<std::byte>& out) const override {
+  void faces(const MeshShape& /*shape*/, std::uint64_t /*first*/,
+             std::span<const MeshFace> /*faces*/, std::span<const Corners> corners,
+             std::vector<std::byte>& out) const override {
     constexpr std::size_t size = 50;
     std::size_t at = out.size();
     out.resize(at + size * corners.size());
@@ -65,11 +67,13 @@ class AsciiStlEncoder final : public MeshEncoder {
     return "solid " + name_of(shape) + "\n";
   }
 
-  void vertices(const MeshShape& /*shape*/, std::uint64_t /*first*/, std::span<const MeshVertex> /*vertices*/,
+  void vertices(const MeshShape& /*shape*/, std::uint64_t /*first*/,
+                std::span<const MeshVertex> /*vertices*/,
                 std::vector<std::byte>& /*out*/) const override {}
 
-  void faces(const MeshShape& /*shape*/, std::uint64_t /*first*/, std::span<const MeshFace> /*faces*/,
-             std::span<const Corners> corners, std::vector<std::byte>& out) const override {
+  void faces(const MeshShape& /*shape*/, std::uint64_t /*first*/,
+             std::span<const MeshFace> /*faces*/, std::span<const Corners> corners,
+             std::vector<std::byte>& out) const override {
     for (const Corners& face : corners) {
       const Facet facet = facet_of(face);
       append_text(out, "facet normal ");

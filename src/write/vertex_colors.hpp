@@ -25,8 +25,8 @@ class VertexColors {
   // Whether all components are whole numbers from 0 to 255.
   [[nodiscard]] bool bytes() const { return bytes_; }
 
-  // Red, green, blue or alpha, from 0 to 1, as sRGB has it (which finish_attributes() makes of light). What
-  // is missing is 0, alpha 1; what is not finite is 0.
+  // Red, green, blue or alpha, from 0 to 1, as sRGB has it (which finish_attributes() makes of
+  // light). What is missing is 0, alpha 1; what is not finite is 0.
   [[nodiscard]] double component(const MeshVertex& vertex, std::size_t number) const {
     if (!place_[number]) return number == 3 ? 1 : 0;
     const double stored = vertex.attributes[*place_[number]];
@@ -39,8 +39,9 @@ class VertexColors {
   bool bytes_ = true;
 };
 
-// MeshEncoder::attribute_refusal() of formats that hold normals and, of attributes, colours; with one, also
-// its `alpha`, or not.
-std::string refusal_but_for_colors(const Attribute& attribute, std::span<const Attribute> wanted, bool alpha);
+// MeshEncoder::attribute_refusal() of formats that hold normals and, of attributes, colours; with
+// one, also its `alpha`, or not.
+std::string refusal_but_for_colors(const Attribute& attribute, std::span<const Attribute> wanted,
+                                   bool alpha);
 
 }  // namespace winnow

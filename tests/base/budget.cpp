@@ -32,7 +32,8 @@ TEST_CASE("a budget gives to the last byte and refuses the next") {
 TEST_CASE("a request near 2^64 is refused, not wrapped") {
   Budget budget(1000);
   const Reservation some = budget.try_reserve(10);
-  for (const std::uint64_t bytes : {UINT64_MAX, UINT64_MAX - 9, UINT64_MAX - 1009, std::uint64_t{1} << 63}) {
+  for (const std::uint64_t bytes :
+       {UINT64_MAX, UINT64_MAX - 9, UINT64_MAX - 1009, std::uint64_t{1} << 63}) {
     CHECK_FALSE(budget.try_reserve(bytes));
   }
   CHECK(budget.used() == 10);
@@ -88,7 +89,8 @@ TEST_CASE("a budget that is named counts what the run will ask for besides") {
   Budget budget(std::uint64_t{8} << 20);
   budget.expect(std::uint64_t{30} << 20);
   const Reservation held = budget.try_reserve(std::uint64_t{5} << 20);
-  const Error error = test::error_of([&] { (void)budget.reserve(std::uint64_t{4} << 20, "the thing"); });
+  const Error error =
+      test::error_of([&] { (void)budget.reserve(std::uint64_t{4} << 20, "the thing"); });
   CHECK(std::string(error.what()).find("--memory 39M") != std::string::npos);
   CHECK(budget.left() == std::uint64_t{3} << 20);  // expecting takes nothing
 }
@@ -110,8 +112,9 @@ TEST_CASE("a budget that is named is enough although what the run holds grows wi
   CHECK(named_by([](std::uint64_t total) { return total / 2 + 3 * mebibyte; }) == 14);
   CHECK(named_by([](std::uint64_t total) { return total / 10 * 9; }) == 40);
   // Something that is held in memory as soon as it fits, and much of which fits at once.
-  CHECK(named_by([](std::uint64_t total) { return total < 9 * mebibyte ? 5 * mebibyte : 8 * mebibyte; }) ==
-        12);
+  CHECK(named_by([](std::uint64_t total) {
+          return total < 9 * mebibyte ? 5 * mebibyte : 8 * mebibyte;
+        }) == 12);
   // Nothing of the kind any more.
   Budget budget(8 * mebibyte);
   budget.expect_held([](std::uint64_t) { return 100 * mebibyte; });
@@ -142,7 +145,8 @@ TEST_CASE("threads together never hold more than the budget", "[threads]") {
           ++refused;
           continue;
         }
-        // Counted after it was taken and uncounted before it is given back: never more than is really held.
+        // Counted after it was taken and uncounted before it is given back: never more than is
+        // really held.
         if ((held += reservation.bytes()) > total) exceeded = true;
         mine.push_back(std::move(reservation));
       }

@@ -83,7 +83,8 @@ TEST_CASE("needles keep their distance") {
     const Triangle needle{a, b, a + (0.5 * (b - a) + random_point(random, width))};
     const Point p = random_point(random, 2);
     const double along = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
-    CHECK(distance(p, closest_point(p, needle)) == Approx(distance(p, a + along * (b - a))).margin(1e-5));
+    CHECK(distance(p, closest_point(p, needle)) ==
+          Approx(distance(p, a + along * (b - a))).margin(1e-5));
   }
 }
 

@@ -12,7 +12,8 @@ namespace winnow {
 namespace {
 
 void fill(const GrowingPages& pages, std::size_t from, std::size_t to) {
-  for (std::size_t i = from; i < to; ++i) pages.data()[i] = static_cast<std::byte>(i * 2654435761U >> 13);
+  for (std::size_t i = from; i < to; ++i)
+    pages.data()[i] = static_cast<std::byte>(i * 2654435761U >> 13);
 }
 
 bool holds(const GrowingPages& pages, std::size_t to) {
@@ -33,7 +34,8 @@ TEST_CASE("what grows stays where it is and keeps its content") {
   test::Random random(3);
   std::size_t size = 0;
   while (size < 20 * mebibyte) {
-    const std::size_t next = std::min<std::size_t>(20 * mebibyte, size + random.between(1, 2 * mebibyte));
+    const std::size_t next =
+        std::min<std::size_t>(20 * mebibyte, size + random.between(1, 2 * mebibyte));
     REQUIRE(pages.grow_to(next));
     REQUIRE(pages.usable() >= next);
     REQUIRE(pages.usable() <= pages.limit());
@@ -73,8 +75,8 @@ TEST_CASE("memory that was given back is zero when it comes again") {
   CHECK(pages.usable() == 0);
   CHECK(budget.used() == 0);
   REQUIRE(pages.grow_to(4 * mebibyte));
-  CHECK(
-      std::all_of(pages.data(), pages.data() + 4 * mebibyte, [](std::byte b) { return b == std::byte{0}; }));
+  CHECK(std::all_of(pages.data(), pages.data() + 4 * mebibyte,
+                    [](std::byte b) { return b == std::byte{0}; }));
 }
 
 TEST_CASE("growing pages give everything back when they go, also after moving") {

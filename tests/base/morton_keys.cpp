@@ -64,7 +64,8 @@ TEST_CASE("a key interleaves the bits of its cell and gives the cell back") {
 TEST_CASE("a packed cell has the same key") {
   for (const Cell& cell : some_cells()) {
     CAPTURE(cell);
-    REQUIRE(morton_key(pack_cell(cell[0], cell[1], cell[2])) == morton_key(cell[0], cell[1], cell[2]));
+    REQUIRE(morton_key(pack_cell(cell[0], cell[1], cell[2])) ==
+            morton_key(cell[0], cell[1], cell[2]));
   }
 }
 
@@ -82,7 +83,8 @@ TEST_CASE("keys are ordered by the axis whose coordinates differ in the highest 
       if (std::bit_width(here) > std::bit_width(best)) decides = axis;
     }
     CAPTURE(a, b, decides);
-    REQUIRE((morton_key(a[0], a[1], a[2]) < morton_key(b[0], b[1], b[2])) == (a[decides] < b[decides]));
+    REQUIRE((morton_key(a[0], a[1], a[2]) < morton_key(b[0], b[1], b[2])) ==
+            (a[decides] < b[decides]));
   }
 }
 

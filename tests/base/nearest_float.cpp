@@ -1,4 +1,5 @@
-// Positions are rounded to floats on every axis, whatever the compiler makes of three of them at once.
+// Positions are rounded to floats on every axis, whatever the compiler makes of three of them at
+// once.
 #include "base/vector.hpp"
 #include "support/random.hpp"
 

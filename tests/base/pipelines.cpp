@@ -52,7 +52,8 @@ TEST_CASE("a pipeline fills and finishes in order, with so many items and no mor
         },
         [&](Item& item) {
           item.squared = item.number * item.number;
-          for (int seen = most; Item::alive > seen && !most.compare_exchange_weak(seen, Item::alive);) {
+          for (int seen = most;
+               Item::alive > seen && !most.compare_exchange_weak(seen, Item::alive);) {
           }
         },
         [&](const Item& item) {

@@ -57,7 +57,8 @@ TEST_CASE("sorting stops in the middle") {
   Context context;
   const ProgressMeter meter(context);
   std::vector<int> numbers(100'000);
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i * 7919 % numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] = static_cast<int>(i * 7919 % numbers.size());
   std::size_t compared = 0;
   const auto before = meter.cancellable([&](int a, int b) {
     if (++compared == 1000) context.cancel();

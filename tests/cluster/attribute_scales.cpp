@@ -26,8 +26,10 @@ TEST_CASE("the mean of equal numbers is that number") {
     const Attribute attribute{"quality", ScalarType::float64, AttributeKind::value};
     const AttributeScale scale(attribute, largest);
     for (int i = 0; i < 1000; ++i) {
-      const double value = largest * std::ldexp(1 + random.unit(), -1 - i % 9) * (i % 2 == 0 ? 1 : -1);
-      REQUIRE(mean_of_equal(scale, attribute, value, random.between(1, std::uint64_t{1} << 41)) == value);
+      const double value =
+          largest * std::ldexp(1 + random.unit(), -1 - i % 9) * (i % 2 == 0 ? 1 : -1);
+      REQUIRE(mean_of_equal(scale, attribute, value, random.between(1, std::uint64_t{1} << 41)) ==
+              value);
     }
     CHECK(mean_of_equal(scale, attribute, 0, 3) == 0);
     CHECK(mean_of_equal(scale, attribute, largest, 3) == largest);
@@ -47,7 +49,8 @@ TEST_CASE("every colour of 8 and 16 bits comes back from its mean") {
     const double full = type == ScalarType::uint8 ? 255 : 65535;
     const AttributeScale scale(attribute, full);
     int wrong = 0;
-    for (int i = 0; i <= full; ++i) wrong += std::nearbyint(mean_of_equal(scale, attribute, i, 77)) != i;
+    for (int i = 0; i <= full; ++i)
+      wrong += std::nearbyint(mean_of_equal(scale, attribute, i, 77)) != i;
     CHECK(wrong == 0);
   }
 }

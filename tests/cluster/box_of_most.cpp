@@ -20,12 +20,14 @@ Box box_of_most(const Shape& shape, unsigned threads) {
   const std::unique_ptr<MeshReader> reader =
       open_reader(test.job, std::make_unique<MemorySource>(ply_of(shape, Numbers::doubles)),
                   Format::automatic, Access::repeatedly, {usual_vertex_memory, small_batch});
-  return in_arena(test.job, [&] { return measure_box_of_most(test.job, *reader, shape.vertices.size()); });
+  return in_arena(test.job,
+                  [&] { return measure_box_of_most(test.job, *reader, shape.vertices.size()); });
 }
 
 }  // namespace
 
-TEST_CASE("the box of most leaves out a vertex far off, with any threads the same", "[same_bytes]") {
+TEST_CASE("the box of most leaves out a vertex far off, with any threads the same",
+          "[same_bytes]") {
   for (const std::size_t n : {40, 80}) {
     const Shape shape = turned(shapes::far_vertex(n, 3e7), 0.4);
     const Box one = box_of_most(shape, 1);

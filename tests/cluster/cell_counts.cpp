@@ -27,7 +27,8 @@ std::unique_ptr<MeshReader> reader_of(Job& job, const std::string& path) {
 
 CellCounts counts_of(Job& job, MeshReader& reader, std::uint64_t wanted) {
   return in_arena(job, [&] {
-    const std::uint64_t positions = reader.facts().vertices.value_or(reader.facts().faces.value_or(0));
+    const std::uint64_t positions =
+        reader.facts().vertices.value_or(reader.facts().faces.value_or(0));
     return CellCounts(job, reader, positions, wanted);
   });
 }
@@ -112,7 +113,8 @@ TEST_CASE("the box is that of all finite positions") {
   const std::vector<Point> points{{nan, 1e9, 0}, {1, 2, 3}, {HUGE_VAL, 0, 1e9},
                                   {-4, 5, -6},   {0, 0, 0}, {1e9, 1e9, -HUGE_VAL}};
   std::string text =
-      "ply\nformat ascii 1.0\nelement vertex 6\nproperty double x\nproperty double y\nproperty double "
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty double x\nproperty double y\nproperty "
+      "double "
       "z\nend_header\n";
   for (const Point& p : points)
     text += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
@@ -131,9 +133,9 @@ TEST_CASE("a single point, or none, asks for no impossible cell") {
   for (const char* vertices : {"", "7 7 7\n", "7 7 7\n7 7 7\n", "nan 1 2\n"}) {
     TestJob here;
     const auto lines = std::count(vertices, vertices + std::string(vertices).size(), '\n');
-    const std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(lines) +
-                             "\nproperty float x\nproperty float y\nproperty float z\nend_header\n" +
-                             vertices;
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex " + std::to_string(lines) +
+        "\nproperty float x\nproperty float y\nproperty float z\nend_header\n" + vertices;
     const auto reader = open_reader(here.job, std::make_unique<MemorySource>(text), Format::ply,
                                     Access::repeatedly, {usual_vertex_memory, 8});
     const CellCounts counts = counts_of(here.job, *reader, 100);

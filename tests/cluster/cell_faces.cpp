@@ -35,7 +35,8 @@ std::vector<CellFace> cell_faces(const std::vector<Triangle>& faces, const Grid&
   return out;
 }
 
-// For each edge between two cells: faces at it, and how often they run up its keys less how often down.
+// For each edge between two cells: faces at it, and how often they run up its keys less how often
+// down.
 struct Use {
   std::uint64_t faces = 0;
   std::int64_t net = 0;
@@ -59,7 +60,8 @@ std::map<Edge, Use> edges_of(const std::vector<CellFace>& faces) {
 
 TEST_CASE("a closed surface leaves every edge with an even number of faces, as many each way") {
   for (const double cell : {1.5, 0.7, 0.3, 0.11, 0.05, 0.02}) {
-    for (const auto& faces : {ball(40), ball(40, 0.3), cube(20), placed(ball(30, 0.2), 1, {5e6, 5e6, 0})}) {
+    for (const auto& faces :
+         {ball(40), ball(40, 0.3), cube(20), placed(ball(30, 0.2), 1, {5e6, 5e6, 0})}) {
       const Grid grid = Grid::over(box_of(faces), cell);
       const std::map<Edge, Use> edges = edges_of(cell_faces(faces, grid));
       CAPTURE(cell, faces.size());
@@ -84,7 +86,8 @@ TEST_CASE("a surface with a hole shows it") {
                       [](const auto& edge) { return edge.second.faces % 2 == 1; }) == 3);
 }
 
-TEST_CASE("faces are counted by their cells, whichever corner comes first, however they are turned") {
+TEST_CASE(
+    "faces are counted by their cells, whichever corner comes first, however they are turned") {
   Random random(460);
   // Few cells, many faces: repeats; little memory: runs in scratch.
   for (const std::uint64_t memory : {std::uint64_t{2} << 20, std::uint64_t{16} << 20}) {

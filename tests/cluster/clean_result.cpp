@@ -47,8 +47,8 @@ void check_clean(const PlainMesh& mesh, const std::vector<Triangle>& faces, cons
     for (const std::uint32_t index : face) REQUIRE(index < mesh.vertices.size());
     referenced.insert(face.begin(), face.end());
     // All that should be there, in the order of their keys: so none twice and none degenerate.
-    REQUIRE(sorted({mesh.vertices[face[0]].key, mesh.vertices[face[1]].key, mesh.vertices[face[2]].key}) ==
-            *face_key++);
+    REQUIRE(sorted({mesh.vertices[face[0]].key, mesh.vertices[face[1]].key,
+                    mesh.vertices[face[2]].key}) == *face_key++);
     REQUIRE(face[0] < std::min(face[1], face[2]));  // begins at its lowest vertex
   }
   CHECK(referenced.size() == mesh.vertices.size());
@@ -59,8 +59,8 @@ void check_clean(const PlainMesh& mesh, const std::vector<Triangle>& faces, cons
 TEST_CASE("a result has each face once, no degenerate one, and no vertex that no face uses") {
   Random random(470);
   for (const double cell : {0.6, 0.2, 0.07, 0.02}) {
-    for (const auto& faces : {ball(60, 0.2), cube(30), soup(random, 5000, 0.1), soup(random, 5000, 0.9),
-                              placed(ball(30), 1, {5e6, -5e6, 0})}) {
+    for (const auto& faces : {ball(60, 0.2), cube(30), soup(random, 5000, 0.1),
+                              soup(random, 5000, 0.9), placed(ball(30), 1, {5e6, -5e6, 0})}) {
       for (const Placement placement : {Placement::mean, Placement::quadric}) {
         const ClusterSettings settings = settings_over(faces, cell, placement);
         CAPTURE(cell, faces.size(), static_cast<int>(placement));
@@ -76,14 +76,16 @@ TEST_CASE("a face without area that joins three cells is kept: dropping it would
   const PlainMesh mesh = cluster(faces, settings);
   CHECK(mesh.faces.size() == 1);
   CHECK(mesh.counts.bad.total() == 0);
-  for (const IndexedVertex& vertex : mesh.vertices) CHECK(vertex.normal == std::array<float, 3>{0, 0, 0});
+  for (const IndexedVertex& vertex : mesh.vertices)
+    CHECK(vertex.normal == std::array<float, 3>{0, 0, 0});
 }
 
 TEST_CASE("corners that lie closer than the lattice tells are no repeated corner") {
   // Their positions differ: the face is good, and falls into at most two cells.
-  const std::vector<Triangle> faces{{Point{0.5, 0.5, 0.5}, Point{0.5 + 1e-12, 0.5, 0.5}, Point{7, 7, 7}},
-                                    {Point{0.5, 0.5, 0.5}, Point{0.5, 0.5, 0.5}, Point{7, 7, 7}},
-                                    {Point{0, 0, 0}, Point{3, 0, 0}, Point{0, 3, 0}}};
+  const std::vector<Triangle> faces{
+      {Point{0.5, 0.5, 0.5}, Point{0.5 + 1e-12, 0.5, 0.5}, Point{7, 7, 7}},
+      {Point{0.5, 0.5, 0.5}, Point{0.5, 0.5, 0.5}, Point{7, 7, 7}},
+      {Point{0, 0, 0}, Point{3, 0, 0}, Point{0, 3, 0}}};
   const PlainMesh mesh = cluster(faces, settings_over(faces, 1));
   CHECK(mesh.counts.bad.degenerate == 1);
   CHECK(mesh.cells == 4);

@@ -28,8 +28,9 @@ Found components_of(const Links& links, std::uint64_t memory = 4 * mebibyte) {
     Components components(test.job, memory);
     for (const auto& [a, b] : links) components.link(a, b);
     Found found;
-    components.finish(
-        [&](std::uint64_t first, std::uint64_t other) { found.members.emplace_back(first, other); });
+    components.finish([&](std::uint64_t first, std::uint64_t other) {
+      found.members.emplace_back(first, other);
+    });
     found.rounds = components.rounds();
     found.spilled = test.job.scratch.written();
     return found;

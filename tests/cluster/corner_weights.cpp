@@ -94,8 +94,8 @@ TEST_CASE("weights are mixed Voronoi areas, rounded up") {
       const std::array<double, 3> right = voronoi_areas(face);
       // Next to a right angle the formula's two sides meet, but each by its own rounding.
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        CAPTURE(round, i, corner, right[corner] * units, sums->weight[corner][i], angle_at(face, 0) / degree,
-                angle_at(face, 1) / degree);
+        CAPTURE(round, i, corner, right[corner] * units, sums->weight[corner][i],
+                angle_at(face, 0) / degree, angle_at(face, 1) / degree);
         REQUIRE(std::abs(sums->weight[corner][i] - right[corner] * units) <=
                 1 + 1e-4 * length(area_vector(face)) * units);
         REQUIRE(sums->weight[corner][i] >= 1);
@@ -131,7 +131,8 @@ TEST_CASE("at an obtuse corner lies half of the area, at the others a quarter ea
     std::vector<Triangle> faces;
     for (int i = 0; i < 100; ++i) {
       const double angle = random.real(91, 175) * degree;
-      const Triangle face = with_angles(random, angle, random.real(1, 4) * degree, random.real(0.5, 1.5));
+      const Triangle face =
+          with_angles(random, angle, random.real(1, 4) * degree, random.real(0.5, 1.5));
       faces.push_back({face[(3 - at) % 3], face[(4 - at) % 3], face[(5 - at) % 3]});
       REQUIRE(angle_at(faces.back(), at) == Approx(angle));
     }
@@ -140,14 +141,16 @@ TEST_CASE("at an obtuse corner lies half of the area, at the others a quarter ea
       const double area = length(area_vector(on_lattice(*sums, i))) * units;
       for (std::size_t corner = 0; corner < 3; ++corner) {
         CAPTURE(at, i, corner, area);
-        CHECK(sums->weight[corner][i] == Approx(area / (corner == at ? 2 : 4)).epsilon(1e-4).margin(1));
+        CHECK(sums->weight[corner][i] ==
+              Approx(area / (corner == at ? 2 : 4)).epsilon(1e-4).margin(1));
       }
     }
   }
 }
 
 TEST_CASE("a face that is nearly a line weighs nearly nothing, however long it is") {
-  // Needles whose two long edges cancel each other, and caps whose obtuse corner lies on the opposite edge.
+  // Needles whose two long edges cancel each other, and caps whose obtuse corner lies on the
+  // opposite edge.
   Random random(413);
   for (int round = 0; round < 200; ++round) {
     std::vector<Triangle> faces(kernel_capacity);
@@ -155,18 +158,20 @@ TEST_CASE("a face that is nearly a line weighs nearly nothing, however long it i
       const double long_edge = std::pow(10, random.real(-1, 2.5));
       const double width = std::pow(10, random.real(-6.5, -3));
       face = random.chance(0.7)
-                 ? in_space(random,
-                            {{{0, -width / 2}, {0, width / 2}, {long_edge, width * random.real(-0.5, 0.5)}}})
+                 ? in_space(random, {{{0, -width / 2},
+                                      {0, width / 2},
+                                      {long_edge, width * random.real(-0.5, 0.5)}}})
                  : in_space(random, {{{0, 0}, {long_edge, 0}, {long_edge * random.unit(), width}}});
-      std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random.below(3)), face.end());
+      std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random.below(3)),
+                  face.end());
     }
     const auto sums = sums_of(faces);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       if (sums->kind[i] == close_corners || sums->kind[i] == outside) continue;
       const Triangle face = on_lattice(*sums, i);
       const double area = length(area_vector(face)) * units;
-      const double longest =
-          std::max({length(face[1] - face[0]), length(face[2] - face[1]), length(face[0] - face[2])});
+      const double longest = std::max(
+          {length(face[1] - face[0]), length(face[2] - face[1]), length(face[0] - face[2])});
       // Floats know the area to about this.
       const double slack = 4 * 0x1p-23 * longest * longest * units;
       CAPTURE(round, i, area / units, weight_sum(*sums, i) / units, longest);
@@ -183,11 +188,13 @@ TEST_CASE("a corner weighs at least one unit and at most the limit") {
     for (std::size_t corner = 0; corner < 3; ++corner) CHECK(tiny->weight[corner][i] == 1);
   }
   CHECK_FALSE(tiny->clamped);
-  for (std::size_t axis = 0; axis < 3; ++axis) CHECK(tiny->normal[axis][1] == 0);  // no area, no normal
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    CHECK(tiny->normal[axis][1] == 0);  // no area, no normal
   const auto huge = sums_of({{Point{1, 1, 1}, Point{1e6, 1, 1}, Point{1, 1e6, 1}},
                              {Point{1, 1, 1}, Point{7, 1, 1}, Point{1, 7, 1}}});
   CHECK(huge->clamped);
-  for (std::size_t corner = 0; corner < 3; ++corner) CHECK(huge->weight[corner][0] == 1 << weight_limit_bits);
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    CHECK(huge->weight[corner][0] == 1 << weight_limit_bits);
   CHECK(huge->weight[0][1] == 9 * (1 << area_bits));
 }
 
@@ -199,7 +206,8 @@ TEST_CASE("a normal is one unit long and stands on its face") {
     faces = placed(faces, 1, {100, 100, 100});
     const auto sums = sums_of(faces);
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      const Point n{sums->normal[0][i] / scale, sums->normal[1][i] / scale, sums->normal[2][i] / scale};
+      const Point n{sums->normal[0][i] / scale, sums->normal[1][i] / scale,
+                    sums->normal[2][i] / scale};
       const Point right = area_vector(on_lattice(*sums, i));
       if (length(right) < 1e-7) continue;
       CAPTURE(round, i);
@@ -229,7 +237,8 @@ TEST_CASE("a normal is one unit long and stands on its face") {
 TEST_CASE("the sums of a face in one cell are those of its corners") {
   Random random(416);
   for (int round = 0; round < 100; ++round) {
-    const auto sums = sums_of(placed(soup(random, kernel_capacity, 0.5), random.real(0.1, 2), {3, 4, 5}));
+    const auto sums =
+        sums_of(placed(soup(random, kernel_capacity, 0.5), random.real(0.1, 2), {3, 4, 5}));
     for (std::size_t i = 0; i < kernel_capacity; ++i) {
       if (sums->kind[i] != one_cell) continue;
       std::int64_t weight = 0;
@@ -247,7 +256,8 @@ TEST_CASE("the sums of a face in one cell are those of its corners") {
         REQUIRE(sums->total_normal[axis][i] == weight * sums->normal[axis][i]);
         REQUIRE(sums->total_moment[axis][i] == moment);
       }
-      for (std::size_t k = 0; k < 5; ++k) REQUIRE(sums->total_squares[k][i] == weight * sums->squares[k][i]);
+      for (std::size_t k = 0; k < 5; ++k)
+        REQUIRE(sums->total_squares[k][i] == weight * sums->squares[k][i]);
     }
   }
 }

@@ -61,14 +61,16 @@ TEST_CASE("the kernel and the grid agree on the cell of every corner") {
     for (const double offset : {0.0, 5e6, -5e6}) {
       const Grid grid = Grid::around({offset, offset + 1, -offset}, cell);
       for (int round = 0; round < 50; ++round) {
-        std::vector<Triangle> faces = soup(random, kernel_capacity, random.one_of<double>({0.01, 1, 30}));
+        std::vector<Triangle> faces =
+            soup(random, kernel_capacity, random.one_of<double>({0.01, 1, 30}));
         for (Triangle& face : faces) {
           // Corners on the walls between cells and a hair beside them.
           for (Point& corner : face) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
               corner[axis] = (axis == 2 ? -offset : offset) + cell * 100 * corner[axis];
               if (random.chance(0.3))
-                corner[axis] = grid.origin[axis] + cell * std::round(grid.place(corner[axis], axis));
+                corner[axis] =
+                    grid.origin[axis] + cell * std::round(grid.place(corner[axis], axis));
               if (random.chance(0.2))
                 corner[axis] = std::nextafter(corner[axis], random.one_of<double>({-1e300, 1e300}));
             }

@@ -18,7 +18,8 @@ Box random_box(Random& random) {
   const double offset = random.one_of<double>({0, 0, 5e6, -1e9});
   const double size = std::pow(10, random.real(-3, 4));
   for (int i = 0; i < 2; ++i)
-    box.add(Point{offset + size * random.unit(), -offset + size * random.unit(), size * random.unit()});
+    box.add(
+        Point{offset + size * random.unit(), -offset + size * random.unit(), size * random.unit()});
   return box;
 }
 
@@ -64,12 +65,15 @@ TEST_CASE("a box that needs too many cells is refused with a cell that works") {
   }
 }
 
-TEST_CASE("without a box the first position is in the middle, and the lattice is the same for any other") {
+TEST_CASE(
+    "without a box the first position is in the middle, and the lattice is the same for any "
+    "other") {
   Random random(512);
   for (int round = 0; round < 1000; ++round) {
     const double cell = std::pow(10, random.real(-3, 2));
     const double offset = random.one_of<double>({0, 5e6, -5e6});
-    const std::array<double, 3> first{offset + random.real(-50, 50) * cell, random.real(-50, 50) * cell,
+    const std::array<double, 3> first{offset + random.real(-50, 50) * cell,
+                                      random.real(-50, 50) * cell,
                                       -offset + random.real(-50, 50) * cell};
     const Grid grid = Grid::around(first, cell);
     CAPTURE(round, cell, first);

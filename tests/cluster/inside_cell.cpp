@@ -61,17 +61,22 @@ TEST_CASE("vertices lie inside of their cells") {
 }
 
 TEST_CASE("vertices on the walls of cells lie inside of one of them") {
-  // Flat faces in the very planes that part the cells; zero among them, far from the lattice's origin.
+  // Flat faces in the very planes that part the cells; zero among them, far from the lattice's
+  // origin.
   for (const double cell : {0.1, 1.0 / 3, 0.25}) {
-    check_all(placed(cube(30), 20 * cell, {-10 * cell, -10 * cell, -10 * cell}), cell, "aligned cube");
-    check_all(placed(cube(30), 20 * cell, {-10 * cell, 0, -3 * cell + 1e-9}), cell, "cube a hair beside");
+    check_all(placed(cube(30), 20 * cell, {-10 * cell, -10 * cell, -10 * cell}), cell,
+              "aligned cube");
+    check_all(placed(cube(30), 20 * cell, {-10 * cell, 0, -3 * cell + 1e-9}), cell,
+              "cube a hair beside");
     check_all(placed(sheet(40), 10 * cell, {-5 * cell, -5 * cell, 0}), cell, "sheet at nothing");
-    check_all(placed(sheet(40), 10 * cell, {-5 * cell, -5 * cell, -1e-12}), cell, "sheet below nothing");
+    check_all(placed(sheet(40), 10 * cell, {-5 * cell, -5 * cell, -1e-12}), cell,
+              "sheet below nothing");
   }
 }
 
-TEST_CASE("georeferenced vertices lie inside of their cells, though a float steps by half a unit there",
-          "[long]") {
+TEST_CASE(
+    "georeferenced vertices lie inside of their cells, though a float steps by half a unit there",
+    "[long]") {
   for (const Point& offset :
        {Point{5e6, 5e6, 100}, Point{-5e6, 5e6, 0}, Point{456'789.5, 5'432'100.25, 312}}) {
     for (const double cell : {0.3, 1.0, 17.0}) {

@@ -16,7 +16,8 @@ namespace winnow::test {
 
 namespace {
 
-using Lowest = std::map<std::uint64_t, std::uint64_t>;  // of each number that is not the lowest itself
+using Lowest =
+    std::map<std::uint64_t, std::uint64_t>;  // of each number that is not the lowest itself
 
 Lowest by_all_pairs(const std::vector<NumberedPoint>& points, double distance) {
   std::vector<std::size_t> parent(points.size());
@@ -43,8 +44,9 @@ Lowest found(const std::vector<NumberedPoint>& points, double distance) {
   TestJob test;
   Lowest lowest;
   NearLinks near(distance, test.job.progress);
-  near.find(points,
-            [&](std::uint64_t first, std::uint64_t other) { CHECK(lowest.emplace(other, first).second); });
+  near.find(points, [&](std::uint64_t first, std::uint64_t other) {
+    CHECK(lowest.emplace(other, first).second);
+  });
   return lowest;
 }
 

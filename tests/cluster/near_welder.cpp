@@ -26,8 +26,8 @@ NearWeldMemory shares(std::uint64_t bytes) {
   return {bytes, bytes, bytes, bytes};
 }
 
-std::unique_ptr<NearWeldedReader> welded_reader(Job& job, const std::string& content, double distance,
-                                                std::uint64_t memory) {
+std::unique_ptr<NearWeldedReader> welded_reader(Job& job, const std::string& content,
+                                                double distance, std::uint64_t memory) {
   return weld_near(job,
                    open_reader(job, std::make_unique<MemorySource>(content), Format::automatic,
                                Access::repeatedly, {usual_vertex_memory, 512}),
@@ -38,8 +38,9 @@ std::unique_ptr<NearWeldedReader> welded_reader(Job& job, const std::string& con
 Grid grid_of(const std::string& content) {
   TestJob test;
   return in_arena(test.job, [&] {
-    const auto reader = open_reader(test.job, std::make_unique<MemorySource>(content), Format::automatic,
-                                    Access::repeatedly, {usual_vertex_memory, 512});
+    const auto reader =
+        open_reader(test.job, std::make_unique<MemorySource>(content), Format::automatic,
+                    Access::repeatedly, {usual_vertex_memory, 512});
     const auto count = reader->facts().vertices.value_or(reader->facts().faces.value_or(0));
     return lattice_over(measure_box_of_most(test.job, *reader, count));
   });
@@ -51,10 +52,12 @@ bool repeats_a_corner(const SeenFace& face) {
 }
 
 // Where each position goes, by the definition.
-std::map<Point, Point> by_definition(const std::vector<SeenFace>& faces, const Grid& grid, double distance) {
+std::map<Point, Point> by_definition(const std::vector<SeenFace>& faces, const Grid& grid,
+                                     double distance) {
   std::vector<Point> points;
   for (const SeenFace& face : faces) {
-    if (!repeats_a_corner(face)) points.insert(points.end(), face.corner.begin(), face.corner.end());
+    if (!repeats_a_corner(face))
+      points.insert(points.end(), face.corner.begin(), face.corner.end());
   }
   std::sort(points.begin(), points.end(), [&](const Point& a, const Point& b) {
     return std::pair(key_of(grid, a), a) < std::pair(key_of(grid, b), b);
@@ -145,7 +148,8 @@ TEST_CASE("corners of doubles far from the origin move as all pairs say") {
 }
 
 TEST_CASE("a distance below the steps of the numbers joins nothing") {
-  Polygons mesh{{{1e300, 0, 0}, {-1e300, 1, 0}, {0, 1e-300, 0}, {1e300, 1, 1e-300}}, {{0, 1, 2}, {1, 2, 3}}};
+  Polygons mesh{{{1e300, 0, 0}, {-1e300, 1, 0}, {0, 1e-300, 0}, {1e300, 1, 1e-300}},
+                {{0, 1, 2}, {1, 2, 3}}};
   PlyStyle style;
   style.coordinate.fill(PlyType::float64);
   check_welded(ply_file(mesh, style), 1e-9);

@@ -1,4 +1,5 @@
-// Of faces that stand as often in one sense as in the other, that of the first in the input is left.
+// Of faces that stand as often in one sense as in the other, that of the first in the input is
+// left.
 #include "io/arena.hpp"
 #include "support/ply_file.hpp"
 #include "support/refining.hpp"
@@ -57,7 +58,8 @@ std::vector<Triangle> left_of(const std::vector<Triangle>& faces, std::uint64_t&
 
 std::vector<Triangle> in_order(const PlainMesh& mesh) {
   std::vector<Triangle> faces;
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) faces.push_back(begun_lowest(mesh.triangle(i)));
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+    faces.push_back(begun_lowest(mesh.triangle(i)));
   std::sort(faces.begin(), faces.end());
   return faces;
 }
@@ -88,12 +90,14 @@ TEST_CASE("of a surface with two sides the first is left, as a whole") {
   }
 }
 
-TEST_CASE("most faces decide the sense, else the first, in any order, memory and number of threads") {
+TEST_CASE(
+    "most faces decide the sense, else the first, in any order, memory and number of threads") {
   Random random(910);
   std::vector<Triangle> faces;
   for (const Triangle& face : as_floats(ball(60))) {
     for (std::uint64_t copies = random.between(1, 3); copies > 0; --copies) faces.push_back(face);
-    for (std::uint64_t copies = random.below(4); copies > 0; --copies) faces.push_back(turned(face));
+    for (std::uint64_t copies = random.below(4); copies > 0; --copies)
+      faces.push_back(turned(face));
   }
   random.shuffle(faces);
   std::uint64_t pairs = 0;
@@ -128,7 +132,8 @@ TEST_CASE("the first face is known where the reader sorts them") {
   Random random(911);
   Polygons mesh;
   for (std::int64_t i = 0; i < width * length; ++i) {
-    mesh.vertices.push_back({static_cast<double>(i / width), static_cast<double>(i % width), random.unit()});
+    mesh.vertices.push_back(
+        {static_cast<double>(i / width), static_cast<double>(i % width), random.unit()});
   }
   for (std::int64_t i = 0; i + width + 1 < width * length; ++i) {
     if (i % width == width - 1) continue;
@@ -141,8 +146,8 @@ TEST_CASE("the first face is known where the reader sorts them") {
   for (const ReaderMemory& memory :
        {ReaderMemory{std::uint64_t{32} << 20, 8192, true}, {std::uint64_t{1} << 17, 1000, true}}) {
     TestJob test({.threads = 3});
-    const auto reader = open_reader(test.job, std::make_unique<MemorySource>(file), Format::automatic,
-                                    Access::repeatedly, memory);
+    const auto reader = open_reader(test.job, std::make_unique<MemorySource>(file),
+                                    Format::automatic, Access::repeatedly, memory);
     const std::uint64_t part = std::uint64_t{32} << 20;
     ClusterCounts counts;
     welded_meshes.push_back(plain(in_arena(test.job, [&] {
@@ -159,7 +164,8 @@ TEST_CASE("the first face is known where the reader sorts them") {
     Triangle corners{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis)
-        corners[i][axis] = static_cast<float>(mesh.vertices[static_cast<std::size_t>(face[i])][axis]);
+        corners[i][axis] =
+            static_cast<float>(mesh.vertices[static_cast<std::size_t>(face[i])][axis]);
     }
     if (!first.contains(begun_lowest(turned(corners)))) first.emplace(begun_lowest(corners), true);
   }

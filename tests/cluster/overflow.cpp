@@ -61,20 +61,22 @@ struct Sums {
   }
 };
 
-// Anything from one unit to as much as an entry can hold, with numbers as large as such a weight allows.
+// Anything from one unit to as much as an entry can hold, with numbers as large as such a weight
+// allows.
 CellSum random_sum(Random& random, CellKey key) {
   CellSum sum{};
   sum.key = key;
-  const std::uint64_t weight = random.chance(0.3)
-                                   ? CellSum::weight_bound - random.between(1, 3)
-                                   : random.between(1, CellSum::weight_bound - 1) >> random.below(40);
+  const std::uint64_t weight =
+      random.chance(0.3) ? CellSum::weight_bound - random.between(1, 3)
+                         : random.between(1, CellSum::weight_bound - 1) >> random.below(40);
   sum.weight = std::max<std::uint64_t>(1, weight);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto w = static_cast<std::int64_t>(sum.weight);
     sum.position[axis] =
         w * (random.chance(0.3) ? (1 << fraction_bits) - 1
                                 : static_cast<std::int64_t>(random.below(1 << fraction_bits)));
-    sum.normal[axis] = w * random.one_of<std::int64_t>({-(1 << normal_bits) - 1, (1 << normal_bits) + 1, 5});
+    sum.normal[axis] =
+        w * random.one_of<std::int64_t>({-(1 << normal_bits) - 1, (1 << normal_bits) + 1, 5});
   }
   if (random.chance(0.2)) sum.weight |= CellSum::used_bit;
   return sum;

@@ -23,7 +23,8 @@ double to_cube(const Point& p) {
   return out > 0 ? out : inside;
 }
 
-// On how many of the cube's planes' cells the vertex's cell lies: 3 at a corner of the cube, 2 at an edge.
+// On how many of the cube's planes' cells the vertex's cell lies: 3 at a corner of the cube, 2 at
+// an edge.
 int planes_through(const Grid& grid, const IndexedVertex& vertex) {
   const std::array<std::uint32_t, 3> cell = morton_cell(vertex.key);
   int planes = 0;
@@ -44,8 +45,8 @@ Worst worst_of(const ClusterSettings& settings) {
   for (const IndexedVertex& vertex : mesh.vertices) {
     double nearest = HUGE_VAL;  // to a corner of the cube
     for (int i = 0; i < 8; ++i)
-      nearest = std::min(nearest,
-                         length(vertex.position - Point{i & 1 ? 1.0 : 0, i & 2 ? 1.0 : 0, i & 4 ? 1.0 : 0}));
+      nearest = std::min(nearest, length(vertex.position -
+                                         Point{i & 1 ? 1.0 : 0, i & 2 ? 1.0 : 0, i & 4 ? 1.0 : 0}));
     switch (planes_through(settings.grid, vertex)) {
       case 3:
         worst.corner = std::max(worst.corner, nearest / settings.grid.cell);
@@ -87,11 +88,13 @@ TEST_CASE("quadric placement keeps corners and edges where the mean rounds them 
 }
 
 TEST_CASE("the mean is that of the corners, by their areas") {
-  // Two triangles in one cell, one of them with twice the area, and a neighbour that makes the cell used.
+  // Two triangles in one cell, one of them with twice the area, and a neighbour that makes the cell
+  // used.
   const Grid grid = {{0, 0, 0}, 10, 0.1};
-  const std::vector<Triangle> faces{{Point{1, 1, 1}, Point{3, 1, 1}, Point{1, 3, 1}},
-                                    {Point{5, 5, 6}, Point{7, 5, 6}, Point{5, 9, 6}},
-                                    {Point{9.5, 9.5, 9.5}, Point{10.5, 9.5, 9.5}, Point{9.5, 10.5, 9.5}}};
+  const std::vector<Triangle> faces{
+      {Point{1, 1, 1}, Point{3, 1, 1}, Point{1, 3, 1}},
+      {Point{5, 5, 6}, Point{7, 5, 6}, Point{5, 9, 6}},
+      {Point{9.5, 9.5, 9.5}, Point{10.5, 9.5, 9.5}, Point{9.5, 10.5, 9.5}}};
   Point weighted{};
   double weights = 0;
   for (const Triangle& face : faces) {
@@ -125,8 +128,9 @@ TEST_CASE("on a smooth surface both placements lie near it") {
 }
 
 TEST_CASE("a cell of faces without area is placed at the mean of its corners") {
-  const std::vector<Triangle> faces{{Point{0.2, 0.5, 0.5}, Point{1.5, 0.5, 0.5}, Point{2.5, 0.5, 0.5}},
-                                    {Point{0.4, 0.5, 0.5}, Point{1.5, 0.5, 0.5}, Point{2.5, 0.5, 0.5}}};
+  const std::vector<Triangle> faces{
+      {Point{0.2, 0.5, 0.5}, Point{1.5, 0.5, 0.5}, Point{2.5, 0.5, 0.5}},
+      {Point{0.4, 0.5, 0.5}, Point{1.5, 0.5, 0.5}, Point{2.5, 0.5, 0.5}}};
   for (const Placement placement : {Placement::mean, Placement::quadric}) {
     const PlainMesh mesh = cluster(faces, {{{0, 0, 0}, 1, 1}, placement, true});
     REQUIRE(mesh.vertices.size() == 3);

@@ -32,10 +32,12 @@ TEST_CASE("tables, faces and results that spill give the same mesh", "[threads]"
       if (sanitized && placement == Placement::mean) continue;  // has no code of its own here
       const bool quadrics = placement == Placement::quadric;
       const ClusterSettings settings = settings_over(*mesh, cell, placement);
-      const PlainMesh right = cluster(*mesh, settings, {.memory = {1 << 28, 1 << 26, 1 << 26, 1 << 26, 16}});
+      const PlainMesh right =
+          cluster(*mesh, settings, {.memory = {1 << 28, 1 << 26, 1 << 26, 1 << 26, 16}});
       REQUIRE(right.spilled == 0);
       REQUIRE(right.faces.size() > 10'000);
-      for (const auto& [threads, ask] : {std::pair{1U, true}, std::pair{3U, true}, std::pair{3U, false}}) {
+      for (const auto& [threads, ask] :
+           {std::pair{1U, true}, std::pair{3U, true}, std::pair{3U, false}}) {
         ClusterStyle style = smallest(threads, ask ? 1 : 4, quadrics);
         style.ask_to_spill = ask;
         style.batches = &random;

@@ -28,7 +28,8 @@ CellKey name_by_kernel(const SplitCells& split, const Grid& grid, const Point& p
   for (std::size_t c = 0; c < 3; ++c) {
     corners->cell[c][0] = static_cast<std::int64_t>(packed_at(grid, p));
     for (std::size_t k = 0; k < 3; ++k)
-      corners->place[c][k][0] = static_cast<std::int64_t>(grid.rounded_place(p[k], k) * (1 << fraction_bits));
+      corners->place[c][k][0] =
+          static_cast<std::int64_t>(grid.rounded_place(p[k], k) * (1 << fraction_bits));
   }
   split.rename(*corners, 1);
   CHECK(corners->kind[0] == one_cell);
@@ -43,9 +44,9 @@ TEST_CASE("a set of cells has what was put in") {
   std::map<PackedCell, unsigned> right;
   Random random(1);
   for (int i = 0; i < 20'000; ++i) {
-    const PackedCell cell =
-        pack_cell(static_cast<std::uint32_t>(random.below(40)), static_cast<std::uint32_t>(random.below(40)),
-                  static_cast<std::uint32_t>(random.below(axis_cells)));
+    const PackedCell cell = pack_cell(static_cast<std::uint32_t>(random.below(40)),
+                                      static_cast<std::uint32_t>(random.below(40)),
+                                      static_cast<std::uint32_t>(random.below(axis_cells)));
     const auto number = static_cast<unsigned>(1 + random.below(9));
     set.set(cell, number);
     right[cell] = number;
@@ -73,7 +74,8 @@ TEST_CASE("a name says where its part of a cell is") {
       const PackedCell at = packed_at(grid, p);
       const CellKey cell_name = split.name_of(morton_key(at));
       const bool whole = split.part_of(cell_name).depth == 0;
-      if (whole && random.chance(0.5)) split.split(at, 1 + static_cast<unsigned>(random.below(split.bits())));
+      if (whole && random.chance(0.5))
+        split.split(at, 1 + static_cast<unsigned>(random.below(split.bits())));
       for (std::uint64_t times = random.below(5); times > 0; --times)
         split.split_further(name_by_kernel(split, grid, p));
       const CellKey name = name_by_kernel(split, grid, p);
@@ -107,7 +109,8 @@ TEST_CASE("names of a cell lie between those of its neighbours") {
     places.push_back(p);
     if (random.chance(0.3)) split.split_further(name_by_kernel(split, grid, p));
   }
-  for (const Point& p : places) coarse_of[name_by_kernel(split, grid, p)] = morton_key(packed_at(grid, p));
+  for (const Point& p : places)
+    coarse_of[name_by_kernel(split, grid, p)] = morton_key(packed_at(grid, p));
   CellKey last = 0;
   for (const auto& [name, cell] : coarse_of) {
     CHECK(cell >= last);

@@ -22,7 +22,8 @@ std::vector<IndexedVertex> some_vertices(Random& random, std::size_t count, std:
     vertex.key = std::min<CellKey>(vertex.key, (CellKey{1} << 63) - 1);
     for (double& x : vertex.position) x = random.unit();
   }
-  std::sort(vertices.begin(), vertices.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+  std::sort(vertices.begin(), vertices.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
   vertices.erase(std::unique(vertices.begin(), vertices.end(),
                              [](const auto& a, const auto& b) { return a.key == b.key; }),
                  vertices.end());
@@ -34,8 +35,8 @@ std::vector<IndexedVertex> some_vertices(Random& random, std::size_t count, std:
 TEST_CASE("vertices are found by key and number, in memory and in scratch") {
   Random random(520);
   for (const std::size_t count : {1, 2, 255, 256, 257, 5000, 100'000}) {
-    for (const std::uint64_t keys :
-         {std::uint64_t{1000}, std::uint64_t{200'000}, std::uint64_t{1} << 40, std::uint64_t{1} << 53}) {
+    for (const std::uint64_t keys : {std::uint64_t{1000}, std::uint64_t{200'000},
+                                     std::uint64_t{1} << 40, std::uint64_t{1} << 53}) {
       const std::vector<IndexedVertex> vertices = some_vertices(random, count, keys);
       for (const std::uint64_t memory : {std::uint64_t{0}, std::uint64_t{64} << 20}) {
         TestJob here;

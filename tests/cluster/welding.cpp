@@ -38,13 +38,14 @@ Triangle from_lowest(Triangle face) {
 
 std::vector<Triangle> faces_of(const PlainMesh& mesh) {
   std::vector<Triangle> faces;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) faces.push_back(from_lowest(mesh.triangle(f)));
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    faces.push_back(from_lowest(mesh.triangle(f)));
   std::sort(faces.begin(), faces.end());
   return faces;
 }
 
-// The same by the definition: of each three positions one face, which passes them as most do. Both windings
-// alike: then the result may take either, and none is expected here.
+// The same by the definition: of each three positions one face, which passes them as most do. Both
+// windings alike: then the result may take either, and none is expected here.
 std::vector<Triangle> by_definition(const Polygons& polygons) {
   std::map<Triangle, int> net;  // by sorted corners; above 0: along the sorted order
   for (const auto& face : polygons.faces) {

@@ -14,7 +14,8 @@ namespace {
 // Below this a normal says nothing: the same number as in the code, and the page that says why.
 constexpr double shortest_normal = 0.1;
 
-// Of the normals that are written: of one unit, or, where a cell's own nearly cancel, as short as they are.
+// Of the normals that are written: of one unit, or, where a cell's own nearly cancel, as short as
+// they are.
 Point mean_normal(const PlainMesh& mesh, std::size_t face) {
   Point mean{};
   for (const std::uint32_t index : mesh.faces[face]) {
@@ -44,9 +45,11 @@ struct Fusing {
 Fusing fuse(const std::vector<Triangle>& faces, const Grid& grid) {
   std::map<std::array<CellKey, 3>, std::array<std::uint64_t, 2>> counts;
   for (const Triangle& face : faces) {
-    std::array<CellKey, 3> cell{key_of(grid, face[0]), key_of(grid, face[1]), key_of(grid, face[2])};
+    std::array<CellKey, 3> cell{key_of(grid, face[0]), key_of(grid, face[1]),
+                                key_of(grid, face[2])};
     if (cell[0] == cell[1] || cell[1] == cell[2] || cell[0] == cell[2]) continue;
-    while (cell[0] > cell[1] || cell[0] > cell[2]) std::rotate(cell.begin(), cell.begin() + 1, cell.end());
+    while (cell[0] > cell[1] || cell[0] > cell[2])
+      std::rotate(cell.begin(), cell.begin() + 1, cell.end());
     const bool along = cell[1] < cell[2];
     if (!along) std::swap(cell[1], cell[2]);
     ++counts[cell][along ? 0 : 1];
@@ -77,7 +80,8 @@ std::uint64_t turned_by(const PlainMesh& mesh, const Fusing& fusing) {
 TEST_CASE("faces of a result agree with the mean normal of their cells") {
   Random random(480);
   for (const double cell : {0.3, 0.1, 0.03}) {
-    for (const double wrong : {0.0, 0.1, 0.3}) {  // part of the input's faces that is turned the wrong way
+    for (const double wrong :
+         {0.0, 0.1, 0.3}) {  // part of the input's faces that is turned the wrong way
       std::vector<Triangle> faces = ball(80, 0.1);
       for (Triangle& face : faces) {
         if (random.chance(wrong)) face = turned(face);
@@ -91,8 +95,8 @@ TEST_CASE("faces of a result agree with the mean normal of their cells") {
         CHECK(mesh.turned == turned_by(mesh, fusing));
         CHECK(mesh.fused == fusing.fused);
         if (wrong > 0.2 && cell < 0.2) CHECK(mesh.turned > 0);
-        // Where a cell holds several faces, or none is turned, they look outwards; but for a few that stand
-        // nearly upright between two cells.
+        // Where a cell holds several faces, or none is turned, they look outwards; but for a few
+        // that stand nearly upright between two cells.
         if (wrong >= 0.2 || cell >= 0.2 || (wrong > 0 && cell != 0.1)) continue;
         std::size_t inwards = 0;
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {

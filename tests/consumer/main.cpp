@@ -18,7 +18,8 @@ int main() {
     winnow::SimplifyOptions options;
     options.grid = 50;
     options.force = true;
-    const winnow::SimplifyReport report = winnow::simplify(context, "scan.ply", "small.ply", options);
+    const winnow::SimplifyReport report =
+        winnow::simplify(context, "scan.ply", "small.ply", options);
 
     std::printf("%llu faces became %llu\n", static_cast<unsigned long long>(report.input.faces),
                 static_cast<unsigned long long>(report.output.faces));

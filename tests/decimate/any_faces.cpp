@@ -17,7 +17,8 @@ TileMesh random_faces(std::uint64_t seed) {
   test::Random random(seed);
   const std::uint64_t vertices = random.between(4, 40);
   std::vector<Point> positions(vertices);
-  for (Point& p : positions) p = {random.unit(), random.unit(), random.chance(0.3) ? 0 : random.unit()};
+  for (Point& p : positions)
+    p = {random.unit(), random.unit(), random.chance(0.3) ? 0 : random.unit()};
   for (Point& p : positions) {
     if (random.chance(0.1)) p = positions[random.below(vertices)];
   }
@@ -43,7 +44,8 @@ std::size_t edges_of_more_than_two(const TileMesh& mesh) {
 }  // namespace
 
 TEST_CASE("faces that make no surface are survived") {
-  const CollapseCost cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const CollapseCost cost =
+      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   CAPTURE(cost);
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     TileMesh mesh = random_faces(seed);

@@ -19,7 +19,9 @@ const std::vector<Attribute> two(2);
 TEST_CASE("a collapsed edge's values lie between those of its ends") {
   Random random(3);
   for (int i = 0; i < 1000; ++i) {
-    const auto point = [&] { return Point{random.real(-2, 2), random.real(-2, 2), random.real(-2, 2)}; };
+    const auto point = [&] {
+      return Point{random.real(-2, 2), random.real(-2, 2), random.real(-2, 2)};
+    };
     const std::vector<Point> ends{point(), i % 10 == 0 ? Point{} : point()};
     const std::vector<double> numbers{random.real(-9, 9), 5, random.real(-9, 9), 5};
     CarriedValues values(two, ends, numbers);

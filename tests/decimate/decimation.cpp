@@ -1,4 +1,5 @@
-// What holds for the collapses of a whole mesh: of the whale, and of the elevation tile with its border.
+// What holds for the collapses of a whole mesh: of the whale, and of the elevation tile with its
+// border.
 #include "decimate/decimation.hpp"
 
 #include "support/refining.hpp"
@@ -25,7 +26,8 @@ PlainMesh plain_mesh(const std::string& path) {
   return plain(welded(test.job, path));
 }
 
-Decimated decimated(TileMesh mesh, const DecimationSettings& settings, const CollapseLimits& limits) {
+Decimated decimated(TileMesh mesh, const DecimationSettings& settings,
+                    const CollapseLimits& limits) {
   Decimated out{std::move(mesh), {}, 0};
   const auto decimation = Decimation::make(out.mesh, {}, settings);
   decimation->run(limits, [&](const DoneCollapse& done) {
@@ -62,8 +64,8 @@ TEST_CASE("prices never fall, faces add up, and no face turns beyond the bound",
       for (const double bound : {30.0, 80.0}) {
         settings.least_cosine = std::cos(bound / 180 * std::numbers::pi);
         const std::uint64_t wanted = plain.faces.size() / 10;
-        const Decimated out =
-            decimated(whole_tile(plain), settings, {wanted, std::numeric_limits<double>::infinity()});
+        const Decimated out = decimated(whole_tile(plain), settings,
+                                        {wanted, std::numeric_limits<double>::infinity()});
         CAPTURE(path, bound, settings.error.has_value());
         CHECK(out.mesh.live_faces() <= wanted);
         CHECK(out.mesh.live_faces() + out.done.back().faces > wanted);
@@ -78,8 +80,9 @@ TEST_CASE("prices never fall, faces add up, and no face turns beyond the bound",
           last = done.price;
           std::vector<std::pair<FaceNumber, Point>> normals;
           for (const VertexNumber end : {done.edge.kept, done.edge.removed}) {
-            replayed.for_each_face(
-                end, [&](FaceNumber f) { normals.emplace_back(f, doubled_area(replayed.triangle(f))); });
+            replayed.for_each_face(end, [&](FaceNumber f) {
+              normals.emplace_back(f, doubled_area(replayed.triangle(f)));
+            });
           }
           REQUIRE(replayed.collapse(done.edge) == done.faces);
           for (const auto& [f, before] : normals) {
@@ -166,8 +169,9 @@ TEST_CASE("locked vertices neither move nor go") {
     locked.push_back(random.chance(0.05));
   }
   for (const DecimationSettings& settings : both_costs()) {
-    const Decimated out = decimated(TileMesh(positions, plain.faces, locked), settings,
-                                    {plain.faces.size() / 3, std::numeric_limits<double>::infinity()});
+    const Decimated out =
+        decimated(TileMesh(positions, plain.faces, locked), settings,
+                  {plain.faces.size() / 3, std::numeric_limits<double>::infinity()});
     CHECK(out.mesh.live_faces() <= plain.faces.size() / 3);
     std::uint64_t wrong = 0;
     for (VertexNumber v = 0; v < locked.size(); ++v) {
@@ -181,8 +185,9 @@ TEST_CASE("a border that is kept keeps all its vertices") {
   const PlainMesh plain = plain_mesh(mountains());
   DecimationSettings settings;
   settings.keep_borders = true;
-  const Decimated out = decimated(whole_tile(plain), settings,
-                                  {plain.faces.size() / 20, std::numeric_limits<double>::infinity()});
+  const Decimated out =
+      decimated(whole_tile(plain), settings,
+                {plain.faces.size() / 20, std::numeric_limits<double>::infinity()});
   CHECK(defects_of(live_faces(out.mesh)).borders == defects_of(plain.faces).borders);
   CHECK(defects_of(plain.faces).borders > 500);
 }

@@ -1,4 +1,5 @@
-// What edges cost: the same bits from the kernels of every instruction set, and what the formulas say.
+// What edges cost: the same bits from the kernels of every instruction set, and what the formulas
+// say.
 #include "base/quadric.hpp"
 #include "decimate/edge_batch.hpp"
 #include "support/runnable.hpp"
@@ -43,11 +44,13 @@ TEST_CASE("edges have the same prices and places by every instruction set") {
   for (int round = 0; round < 3000; ++round) {
     const double scale = std::pow(10, random.real(-30, 30));
     auto given = std::make_unique<EdgeBatch>();
-    const Point low{scale * random.real(-1, 1), scale * random.real(-1, 1), scale * random.real(-1, 1)};
+    const Point low{scale * random.real(-1, 1), scale * random.real(-1, 1),
+                    scale * random.real(-1, 1)};
     set_low(*given, low, some_planes(random, scale));
     const std::size_t count = 1 + random.below(EdgeBatch::capacity);
     for (std::size_t i = 0; i < count; ++i) {
-      Point high{scale * random.real(-1, 1), scale * random.real(-1, 1), scale * random.real(-1, 1)};
+      Point high{scale * random.real(-1, 1), scale * random.real(-1, 1),
+                 scale * random.real(-1, 1)};
       if (random.below(20) == 0) high = low;
       if (random.below(50) == 0) high[random.below(3)] = std::numeric_limits<double>::max();
       set_high(*given, i, high, some_planes(random, scale), random.below(5) == 0);
@@ -60,7 +63,8 @@ TEST_CASE("edges have the same prices and places by every instruction set") {
       kernel(other, count, single);
       CHECK(std::memcmp(other.price, given->price, count * sizeof(double)) == 0);
       for (std::size_t axis = 0; axis < 3; ++axis)
-        CHECK(std::memcmp(other.position[axis], given->position[axis], count * sizeof(double)) == 0);
+        CHECK(std::memcmp(other.position[axis], given->position[axis], count * sizeof(double)) ==
+              0);
     }
   }
 }
@@ -94,10 +98,12 @@ TEST_CASE("an edge goes to the lowest point of its planes, at the error there") 
     // No point around is lower by more than what the pull to the middle gives up.
     const Point middle = 0.5 * (low + high);
     const auto pulled = [&](const Point& at) {
-      return at_low.at(at - low) + at_high.at(at - high) + 1e-4 * weight * dot(at - middle, at - middle);
+      return at_low.at(at - low) + at_high.at(at - high) +
+             1e-4 * weight * dot(at - middle, at - middle);
     };
     for (int i = 0; i < 20; ++i) {
-      const Point beside = place + Point{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
+      const Point beside =
+          place + Point{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
       CHECK(pulled(beside) >= pulled(place) - 1e-12);
     }
   }
@@ -109,7 +115,8 @@ TEST_CASE("single precision gives places that floats have") {
   set_low(batch, {431000.1, 0, 0}, some_planes(random, 1));
   set_high(batch, 0, {431000.3, 0.1, 0.7}, some_planes(random, 1), false);
   edge_kernel_baseline(batch, 1, true);
-  for (const double x : position_of(batch, 0)) CHECK(static_cast<double>(static_cast<float>(x)) == x);
+  for (const double x : position_of(batch, 0))
+    CHECK(static_cast<double>(static_cast<float>(x)) == x);
 }
 
 namespace {
@@ -148,10 +155,10 @@ TEST_CASE("a collapse without error takes that end of the edge, to the bit") {
 
 TEST_CASE("flat edges cost less than all that has a shape, whatever their size") {
   for (const double size : {1e-12, 1.0, 1e12}) {
-    const EdgeBatch flat =
-        priced({0, 0, 0}, plane({0, 0, 1}, size * size), {size, 0, 0}, plane({0, 0, 1}, size * size), true);
-    const EdgeBatch shaped =
-        priced({0, 0, 0}, plane({0, 0, 1}, 1e-30), {1e-15, 0, 5e-16}, plane({0, 0.01, 1}, 1e-30), true);
+    const EdgeBatch flat = priced({0, 0, 0}, plane({0, 0, 1}, size * size), {size, 0, 0},
+                                  plane({0, 0, 1}, size * size), true);
+    const EdgeBatch shaped = priced({0, 0, 0}, plane({0, 0, 1}, 1e-30), {1e-15, 0, 5e-16},
+                                    plane({0, 0.01, 1}, 1e-30), true);
     CHECK(flat.price[0] > 0);
     CHECK(flat.price[0] < shaped.price[0]);
   }

@@ -1,5 +1,5 @@
-// The faces around an edge, and what comes of them: the same bits from the kernels of every instruction set,
-// and what the formulas say.
+// The faces around an edge, and what comes of them: the same bits from the kernels of every
+// instruction set, and what the formulas say.
 #include "base/rounding.hpp"
 #include "decimate/edge_star.hpp"
 #include "support/runnable.hpp"
@@ -91,7 +91,8 @@ TEST_CASE("a star has every face of both ends once, and says what comes of it") 
     star.move(mesh, to, 0.5);
     std::vector<FaceNumber> expected, found;
     for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
-      if (!mesh.removed(f) && (has(mesh.face(f), kept) || has(mesh.face(f), removed))) expected.push_back(f);
+      if (!mesh.removed(f) && (has(mesh.face(f), kept) || has(mesh.face(f), removed)))
+        expected.push_back(f);
     }
     for (std::size_t i = 0; i < star.faces().size(); ++i) {
       const StarFace& face = star.faces()[i];

@@ -25,7 +25,8 @@ TEST_CASE("the normals of a flat vertex do not spread") {
 TEST_CASE("the edge of a cube has two normals at right angles, its corner three") {
   CHECK(shape({{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, true).cosine() ==
         Approx(1 / std::sqrt(2.0)).epsilon(1e-14));
-  CHECK(shape({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, true).cosine() == Approx(1 / std::sqrt(3.0)).epsilon(1e-14));
+  CHECK(shape({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, true).cosine() ==
+        Approx(1 / std::sqrt(3.0)).epsilon(1e-14));
 }
 
 TEST_CASE("two faces back to back cancel out") {

@@ -16,15 +16,16 @@ namespace winnow {
 
 namespace {
 
-// A needle of `rings` rings on a wide disc: the tip is vertex 0, the rings follow downwards, `around`
-// vertices each; the last is the disc's.
+// A needle of `rings` rings on a wide disc: the tip is vertex 0, the rings follow downwards,
+// `around` vertices each; the last is the disc's.
 TileMesh needle(std::size_t rings, std::size_t around, double height) {
   std::vector<Point> positions{{0, 0, height}};
   for (std::size_t ring = 1; ring <= rings; ++ring) {
     const double z = height * (1 - static_cast<double>(ring) / static_cast<double>(rings));
     const double r = ring == rings ? 10 : 0.01;
     for (std::size_t i = 0; i < around; ++i) {
-      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(around);
+      const double angle =
+          2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(around);
       positions.push_back({r * std::cos(angle), r * std::sin(angle), z});
     }
   }
@@ -64,8 +65,8 @@ TEST_CASE("a needle worn down in steps costs as much as one cut off at once") {
   constexpr std::size_t around = 6;
   TileMesh mesh = needle(rings, around, 4);
   FarthestPoints points(mesh, rounding_of_double);
-  // All of each ring goes into the tip, which comes down to the ring's height. Of the top, 4 high, the first
-  // fifth is gone, then the second.
+  // All of each ring goes into the tip, which comes down to the ring's height. Of the top, 4 high,
+  // the first fifth is gone, then the second.
   for (std::size_t ring = 1; ring <= 2; ++ring) {
     const double z = 4 * (1 - static_cast<double>(ring) / rings);
     double highest = 0;
@@ -89,7 +90,8 @@ TEST_CASE("the price is that of the farther of both points, and never below the 
     FarthestPoints points(mesh, rounding_of_double);
     const auto kept = static_cast<VertexNumber>(1 + random.below(5));
     const auto removed = static_cast<VertexNumber>(random.below(2) == 0 ? 0 : kept + 5);
-    const Collapse edge{kept, removed, {random.real(-1, 1), random.real(-1, 1), random.real(-1, 4)}};
+    const Collapse edge{
+        kept, removed, {random.real(-1, 1), random.real(-1, 1), random.real(-1, 4)}};
     double farthest = 0;
     for (const VertexNumber end : {kept, removed}) {
       double nearest = std::numeric_limits<double>::infinity();

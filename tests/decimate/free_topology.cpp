@@ -48,7 +48,8 @@ std::vector<Triangle> with_hole(std::size_t n, double side) {
   std::vector<Triangle> faces;
   for (const Triangle& face : sheet(n)) {
     const Point middle = (1.0 / 3) * (face[0] + face[1] + face[2]);
-    if (std::max(std::abs(middle[0] - 0.5), std::abs(middle[1] - 0.5)) > side / 2) faces.push_back(face);
+    if (std::max(std::abs(middle[0] - 0.5), std::abs(middle[1] - 0.5)) > side / 2)
+      faces.push_back(face);
   }
   return faces;
 }
@@ -109,8 +110,11 @@ TEST_CASE("any faces become few, none twice, and a list of their collapses can b
     const auto vertices = static_cast<VertexNumber>(random.between(4, 40));
     const std::vector<FaceVertices> faces = random_mesh(random, vertices, 4 * vertices);
     std::vector<Point> positions(vertices);
-    for (Point& p : positions) p = {random.unit(), random.unit(), random.chance(0.3) ? 0 : random.unit()};
-    const auto mesh_of = [&] { return TileMesh(positions, faces, std::vector<std::uint8_t>(vertices, 0)); };
+    for (Point& p : positions)
+      p = {random.unit(), random.unit(), random.chance(0.3) ? 0 : random.unit()};
+    const auto mesh_of = [&] {
+      return TileMesh(positions, faces, std::vector<std::uint8_t>(vertices, 0));
+    };
     TileMesh mesh = mesh_of();
     std::vector<Collapse> edges;
     const TopologyChanges changes = collapse(mesh, settings, 4, &edges);
@@ -140,7 +144,8 @@ TEST_CASE("locked vertices stay where the topology is free") {
   TileMesh mesh(positions, faces, locked);
   collapse(mesh, free_settings(), 4);
   check_faces(mesh);
-  for (VertexNumber v = 0; v < mesh.vertex_count(); v += 5) REQUIRE(mesh.position(v) == positions[v]);
+  for (VertexNumber v = 0; v < mesh.vertex_count(); v += 5)
+    REQUIRE(mesh.position(v) == positions[v]);
 }
 
 }  // namespace winnow

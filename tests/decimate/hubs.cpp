@@ -1,4 +1,5 @@
-// Vertices and edges with very many faces: what is walked grows with the mesh, and not with its square.
+// Vertices and edges with very many faces: what is walked grows with the mesh, and not with its
+// square.
 #include "decimate/decimation.hpp"
 #include "decimate/tile_mesh.hpp"
 #include "support/tile_meshes.hpp"
@@ -73,7 +74,8 @@ double steps_a_face(const Shape& shape, CollapseCost cost, std::uint64_t faces) 
 }  // namespace
 
 TEST_CASE("however many faces meet, what is walked grows with their number") {
-  const CollapseCost cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const CollapseCost cost =
+      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   const std::vector<std::pair<std::string, Shape (*)(std::uint32_t)>> shapes{
       {"fan", fan}, {"bipyramid", bipyramid}, {"book", book}, {"crowd", crowd}};
   for (const auto& [name, make] : shapes) {
@@ -87,11 +89,13 @@ TEST_CASE("however many faces meet, what is walked grows with their number") {
 }
 
 TEST_CASE("a fan of any size becomes a fan of few faces, as round as they can be") {
-  const CollapseCost cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const CollapseCost cost =
+      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   for (const std::uint32_t n : {50, 500, 5000}) {
     CAPTURE(cost, n);
     const Shape shape = fan(n);
-    TileMesh mesh(shape.positions, shape.faces, std::vector<std::uint8_t>(shape.positions.size(), 0));
+    TileMesh mesh(shape.positions, shape.faces,
+                  std::vector<std::uint8_t>(shape.positions.size(), 0));
     DecimationSettings settings;
     settings.cost = cost;
     settings.single = false;

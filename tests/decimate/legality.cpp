@@ -1,5 +1,5 @@
-// Which edges may be collapsed: cases whose answer is known, and what no collapse of any mesh may bring
-// about.
+// Which edges may be collapsed: cases whose answer is known, and what no collapse of any mesh may
+// bring about.
 #include "decimate/legality.hpp"
 
 #include "base/rounding.hpp"
@@ -70,7 +70,8 @@ TEST_CASE("edges of a tetrahedron stay") {
 
 TEST_CASE("two fans over one ring become a tetrahedron but do not fall together") {
   // The poles 0 and 1 over the ring 2 3 4: a ring of three is the link of no edge of its own.
-  const std::vector<FaceVertices> three{{0, 2, 3}, {0, 3, 4}, {0, 4, 2}, {1, 3, 2}, {1, 4, 3}, {1, 2, 4}};
+  const std::vector<FaceVertices> three{{0, 2, 3}, {0, 3, 4}, {0, 4, 2},
+                                        {1, 3, 2}, {1, 4, 3}, {1, 2, 4}};
   CHECK_FALSE(may(three, 2, 3));
   CHECK(may(three, 0, 2));
   // With four in the ring every edge may go.
@@ -84,13 +85,15 @@ TEST_CASE("two fans over one ring become a tetrahedron but do not fall together"
 
 TEST_CASE("borders are not pinched") {
   // A strip: 0 1 2 3 above, 4 5 6 7 below.
-  const std::vector<FaceVertices> strip{{0, 4, 5}, {0, 5, 1}, {1, 5, 6}, {1, 6, 2}, {2, 6, 7}, {2, 7, 3}};
+  const std::vector<FaceVertices> strip{{0, 4, 5}, {0, 5, 1}, {1, 5, 6},
+                                        {1, 6, 2}, {2, 6, 7}, {2, 7, 3}};
   CHECK_FALSE(may(strip, 1, 5));
   CHECK_FALSE(may(strip, 1, 6));
   CHECK(may(strip, 1, 2));
   CHECK(may(strip, 5, 6));
   // A hole of three sides would close.
-  const std::vector<FaceVertices> hole{{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+  const std::vector<FaceVertices> hole{{0, 1, 4}, {0, 4, 3}, {1, 2, 5},
+                                       {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
   CHECK_FALSE(may(hole, 3, 4));
   // From inside to the border is free.
   const std::vector<FaceVertices> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
@@ -117,7 +120,8 @@ TEST_CASE("a border is where an edge has not two faces") {
   for (VertexNumber v = 1; v < 5; ++v) CHECK(legality.at_border(v));
 }
 
-TEST_CASE("no legal collapse makes a crowded edge or a face twice, or changes what the surface is") {
+TEST_CASE(
+    "no legal collapse makes a crowded edge or a face twice, or changes what the surface is") {
   Random random(840);
   std::uint64_t collapses = 0;
   for (int round = 0; round < 1500; ++round) {
@@ -141,7 +145,8 @@ TEST_CASE("no legal collapse makes a crowded edge or a face twice, or changes wh
           const Edge side = std::minmax(f[i], f[(i + 1) % 3]);
           if (side != Edge(std::minmax(a, b))) sides += before.at(side) == 1;
         }
-        return sides == 2 && std::count(f.begin(), f.end(), a) + std::count(f.begin(), f.end(), b) == 2;
+        return sides == 2 &&
+               std::count(f.begin(), f.end(), a) + std::count(f.begin(), f.end(), b) == 2;
       });
       mesh.collapse({a, b, {}});
       faces = live_faces(mesh);
@@ -155,7 +160,8 @@ TEST_CASE("no legal collapse makes a crowded edge or a face twice, or changes wh
           const auto found = before.find(std::minmax(end, other));
           return found != before.end() && found->second > 2;
         };
-        const bool was = edge.first == a || edge.second == a ? crowded(a) || crowded(b) : before.at(edge) > 2;
+        const bool was =
+            edge.first == a || edge.second == a ? crowded(a) || crowded(b) : before.at(edge) > 2;
         REQUIRE(was);
       }
       if (!lonely) REQUIRE(euler_characteristic(faces) == euler);
@@ -176,7 +182,8 @@ TEST_CASE("a face turns by no more than the bound") {
       if (angle == bound) continue;
       const double radians = angle / 180 * std::numbers::pi;
       // The face 0 2 3 turns about its edge 0 2 by that angle.
-      const bool good = legality.keeps_faces(star, {3, 4, {1, std::cos(radians), std::sin(radians)}});
+      const bool good =
+          legality.keeps_faces(star, {3, 4, {1, std::cos(radians), std::sin(radians)}});
       CAPTURE(bound, angle);
       CHECK(good == (angle < bound));
     }

@@ -53,7 +53,8 @@ TEST_CASE("the lowest point of a quadric is that of a dense solve") {
           const Point direction = random_point(random);
           const double size = length(direction);
           if (size < 0.1) continue;
-          q.add_plane((1 / size) * direction, unit * random_point(random), unit * unit * random.unit());
+          q.add_plane((1 / size) * direction, unit * random_point(random),
+                      unit * unit * random.unit());
         }
         const Point rest = unit * random_point(random);
         for (const double pull : {1e-4, 1e-2}) {
@@ -79,7 +80,8 @@ TEST_CASE("planes that meet in a point pull a vertex there") {
   q.add_plane({0, 1, 0}, corner, 1);
   q.add_plane({0, 0, 1}, corner, 5);
   const Point found = lowest_point(q, 1e-9, {0, 0, 0});
-  for (std::size_t axis = 0; axis < 3; ++axis) CHECK(found[axis] == Approx(corner[axis]).epsilon(1e-7));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    CHECK(found[axis] == Approx(corner[axis]).epsilon(1e-7));
   CHECK(q.at(corner) == Approx(0).margin(1e-12));
   CHECK(q.from(corner).c == Approx(0).margin(1e-12));
 }

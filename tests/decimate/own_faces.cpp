@@ -8,8 +8,8 @@
 
 namespace winnow {
 
-TEMPLATE_TEST_CASE("a vertex with its faces alone offers what it offers in the mesh", "", VolumeCost,
-                   ImportanceCost) {
+TEMPLATE_TEST_CASE("a vertex with its faces alone offers what it offers in the mesh", "",
+                   VolumeCost, ImportanceCost) {
   TileMesh whole = test::tile_of(test::ball(14, 0.2));
   TestType cost(whole, 0);
   for (VertexNumber v = 0; v < whole.vertex_count(); ++v) {

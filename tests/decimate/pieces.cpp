@@ -20,7 +20,8 @@ void append(std::vector<Triangle>& faces, const std::vector<Triangle>& more) {
 std::vector<Triangle> balls(std::size_t count) {
   std::vector<Triangle> faces;
   double size = 1;
-  for (std::size_t i = 0; i < count; ++i, size *= 2) append(faces, placed(ball(6), size, {4 * size, 0, 0}));
+  for (std::size_t i = 0; i < count; ++i, size *= 2)
+    append(faces, placed(ball(6), size, {4 * size, 0, 0}));
   return faces;
 }
 
@@ -47,7 +48,8 @@ DecimationSettings doubles(CollapseCost cost = CollapseCost::quadric) {
 }  // namespace
 
 TEST_CASE("the smallest pieces go first and the last one stays") {
-  const CollapseCost cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const CollapseCost cost =
+      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   CAPTURE(cost);
   for (const std::uint64_t left : {1, 2, 5}) {
     CAPTURE(left);
@@ -61,7 +63,8 @@ TEST_CASE("the smallest pieces go first and the last one stays") {
     CHECK(out.changes.area > 0);
     // Those that are left are the large ones, far out.
     for (const Triangle& face : live_triangles(mesh)) CHECK(face[0][0] > 2.5 * std::exp2(6 - left));
-    for (std::size_t i = 1; i < out.log.size(); ++i) REQUIRE(out.log[i].price >= out.log[i - 1].price);
+    for (std::size_t i = 1; i < out.log.size(); ++i)
+      REQUIRE(out.log[i].price >= out.log[i - 1].price);
   }
   TileMesh mesh = tile_of(balls(3));
   run(mesh, doubles(cost), 0);

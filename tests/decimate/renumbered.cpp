@@ -26,7 +26,8 @@ std::vector<Triangle> uneven_ball() {
 
 // Each with its lowest corner first, in order.
 std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
-  for (Triangle& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  for (Triangle& t : triangles)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   std::sort(triangles.begin(), triangles.end());
   return triangles;
 }

@@ -17,7 +17,8 @@ double volume(const TileMesh& mesh) {
 }  // namespace
 
 TEST_CASE("a ball of many faces becomes a ball of few") {
-  const CollapseCost cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const CollapseCost cost =
+      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   const double bump = GENERATE(0.0, 0.1);
   const std::uint64_t faces = GENERATE(500, 100);
   CAPTURE(cost, bump, faces);
@@ -33,7 +34,8 @@ TEST_CASE("a ball of many faces becomes a ball of few") {
 }
 
 TEST_CASE("a cube of many faces keeps its corners") {
-  const CollapseCost cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const CollapseCost cost =
+      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   CAPTURE(cost);
   TileMesh mesh = test::tile_of(test::cube(8));
   test::decimate(mesh, cost, 12);

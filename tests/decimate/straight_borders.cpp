@@ -9,12 +9,14 @@
 namespace winnow {
 
 TEST_CASE("a square sheet stays a square") {
-  const CollapseCost cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const CollapseCost cost =
+      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
   const double bump = GENERATE(0.0, 0.1);
   CAPTURE(cost, bump);
   std::vector<Triangle> triangles = test::sheet(16);
   for (Triangle& t : triangles) {
-    for (Point& p : t) p[2] = bump * p[0] * (1 - p[0]) * p[1] * (1 - p[1]) * std::sin(9 * p[0] + 5 * p[1]);
+    for (Point& p : t)
+      p[2] = bump * p[0] * (1 - p[0]) * p[1] * (1 - p[1]) * std::sin(9 * p[0] + 5 * p[1]);
   }
   TileMesh mesh = test::tile_of(triangles);
   test::decimate(mesh, cost, 40);

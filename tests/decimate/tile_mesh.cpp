@@ -1,4 +1,5 @@
-// The chains of a tile's mesh say at any time what a plain list of faces says, also where no surface is.
+// The chains of a tile's mesh say at any time what a plain list of faces says, also where no
+// surface is.
 #include "decimate/tile_mesh.hpp"
 
 #include "decimate/edge_star.hpp"
@@ -14,8 +15,10 @@ namespace winnow {
 
 namespace {
 
-// Faces anywhere between few vertices: fans that meet in points, edges with many faces, faces twice.
-std::vector<FaceVertices> random_faces(test::Random& random, VertexNumber vertices, std::size_t count) {
+// Faces anywhere between few vertices: fans that meet in points, edges with many faces, faces
+// twice.
+std::vector<FaceVertices> random_faces(test::Random& random, VertexNumber vertices,
+                                       std::size_t count) {
   std::vector<FaceVertices> faces;
   while (faces.size() < count) {
     FaceVertices face{};

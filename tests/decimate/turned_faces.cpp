@@ -9,7 +9,8 @@ namespace winnow {
 
 namespace {
 
-std::vector<TurnedFace> turned(const std::vector<Point>& seen, std::size_t into, const Point& off = {}) {
+std::vector<TurnedFace> turned(const std::vector<Point>& seen, std::size_t into,
+                               const Point& off = {}) {
   std::vector<TurnedFace> faces;
   for_each_turned({seen, true, off}, into, [&](const TurnedFace& face) { faces.push_back(face); });
   return faces;

@@ -11,7 +11,8 @@ namespace winnow {
 
 namespace {
 
-// The face between (-1/2, 1, 0) and (1/2, 1, 0) has height 1 and area 1/2 before; its vertex goes to `to`.
+// The face between (-1/2, 1, 0) and (1/2, 1, 0) has height 1 and area 1/2 before; its vertex goes
+// to `to`.
 double error_of_going(const Point& to) {
   const std::vector<Point> seen{to, {-0.5, 1, 0}, {0.5, 1, 0}};
   return turning_error({seen, false}, 0);
@@ -24,7 +25,8 @@ TEST_CASE("a face that stays in its plane costs nothing") {
   CHECK(error_of_going({2, -1, 0}) == 0);
 }
 
-TEST_CASE("a face that turns costs its area times the angle, to within six percent up to 45 degrees") {
+TEST_CASE(
+    "a face that turns costs its area times the angle, to within six percent up to 45 degrees") {
   for (const double degrees : {1e-6, 0.1, 5.0, 20.0, 45.0}) {
     CAPTURE(degrees);
     const double angle = degrees * std::numbers::pi / 180;
@@ -54,7 +56,8 @@ TEST_CASE("the farther a face turns, the more it costs") {
 
 TEST_CASE("faces at the collapsed edge cost nothing") {
   const std::vector<Point> corner{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  // Of three faces one is left, x + y + z = 1 in place of x = 0: twice the areas are 1 and the root of 3.
+  // Of three faces one is left, x + y + z = 1 in place of x = 0: twice the areas are 1 and the root
+  // of 3.
   const double angle = 2 * std::tan(std::acos(1 / std::sqrt(3.0)) / 2);
   CHECK(turning_error({corner, true}, 0) == Approx((1 + std::sqrt(3.0)) / 4 * angle));
 }

@@ -41,7 +41,8 @@ struct Sheet {
 
   [[nodiscard]] std::vector<Triangle> triangles() const {
     std::vector<Triangle> all;
-    for (const FaceVertices& f : faces) all.push_back({positions[f[0]], positions[f[1]], positions[f[2]]});
+    for (const FaceVertices& f : faces)
+      all.push_back({positions[f[0]], positions[f[1]], positions[f[2]]});
     return all;
   }
 };
@@ -67,8 +68,8 @@ Sheet sheet(std::uint32_t n) {
 
 std::size_t upside_down(const Sheet& s) {
   const std::vector<Triangle> all = s.triangles();
-  return static_cast<std::size_t>(
-      std::count_if(all.begin(), all.end(), [](const Triangle& t) { return doubled_area(t)[2] < 0; }));
+  return static_cast<std::size_t>(std::count_if(
+      all.begin(), all.end(), [](const Triangle& t) { return doubled_area(t)[2] < 0; }));
 }
 
 // Vertices inside of the sheet, no two near each other, pushed over an edge.

@@ -19,7 +19,9 @@ namespace {
 // One directory for all inputs: making one takes longer than all else.
 class Place {
  public:
-  Place() : path_(std::filesystem::temp_directory_path() / ("winnow-fuzz-" + std::to_string(::getpid()))) {
+  Place()
+      : path_(std::filesystem::temp_directory_path() /
+              ("winnow-fuzz-" + std::to_string(::getpid()))) {
     std::filesystem::remove_all(path_);
     directory_ = CheckpointDirectory::begin(fuzz_.job, path_.string());
   }
@@ -65,7 +67,8 @@ void read_journal(std::span<const std::byte> bytes) {
   read_tiles(place.directory());
   {
     std::ofstream raw(path, std::ios::binary | std::ios::trunc);
-    raw.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    raw.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
   }
   read_tiles(place.directory());
 }
@@ -74,7 +77,8 @@ void read_manifest(std::span<const std::byte> bytes) {
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   read_text(text);
   const std::string lines = "winnow checkpoint 1\n" + text + "\n";
-  read_text(lines + "checksum " + std::to_string(Checksum::of(std::as_bytes(std::span(lines)))) + "\n");
+  read_text(lines + "checksum " + std::to_string(Checksum::of(std::as_bytes(std::span(lines)))) +
+            "\n");
 }
 
 }  // namespace winnow::fuzz

@@ -1,5 +1,5 @@
-// Faces between any of a few vertices, many in the same place: the first byte says by which cost, the second
-// how many vertices, then three bytes a vertex and three a face.
+// Faces between any of a few vertices, many in the same place: the first byte says by which cost,
+// the second how many vertices, then three bytes a vertex and three a face.
 #include "decimate/decimation.hpp"
 #include "fuzz/targets.hpp"
 
@@ -78,7 +78,8 @@ void check(const TileMesh& mesh, const Soup& soup) {
       expect(v < mesh.vertex_count(), "a face has vertices");
       expect(finite(mesh.position(v)), "a vertex is somewhere");
     }
-    expect(face[0] != face[1] && face[1] != face[2] && face[2] != face[0], "a face has three corners");
+    expect(face[0] != face[1] && face[1] != face[2] && face[2] != face[0],
+           "a face has three corners");
   }
   expect(faces == mesh.live_faces(), "faces are counted");
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v)
@@ -92,7 +93,8 @@ void decimate(std::span<const std::byte> input) {
   const unsigned kind = bytes.next();
   DecimationSettings settings;
   settings.cost =
-      std::array{CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance}.at(kind % 3);
+      std::array{CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance}.at(kind %
+                                                                                           3);
   settings.keep_borders = (kind & 16) != 0;
   settings.keep_pieces = (kind & 8) != 0;
   settings.free_topology = (kind & 128) != 0 && settings.cost == CollapseCost::quadric;

@@ -1,4 +1,5 @@
-// Readers, by all their ways: as a file and as a pipe, in large batches and small ones. All say the same.
+// Readers, by all their ways: as a file and as a pipe, in large batches and small ones. All say the
+// same.
 #include "base/checksum.hpp"
 #include "fuzz/job.hpp"
 #include "fuzz/targets.hpp"
@@ -30,7 +31,8 @@ Faces faces_of(MeshReader& reader) {
       expect(decoded.first == faces.count, "batches follow each other");
       for (std::size_t i = 0; i < decoded.count; ++i) {
         std::uint64_t hash = mixed_hash(static_cast<std::uint64_t>(decoded.status[i]));
-        for (std::size_t corner = 0; corner < 3 && decoded.status[i] == FaceStatus::good; ++corner) {
+        for (std::size_t corner = 0; corner < 3 && decoded.status[i] == FaceStatus::good;
+             ++corner) {
           for (const double x : decoded.corner(corner, i))
             hash = mixed_hash(hash ^ std::bit_cast<std::uint64_t>(x));
           for (std::size_t k = 0; k < reader.facts().choice.carried.size(); ++k)
@@ -53,8 +55,9 @@ std::optional<Faces> read(const std::string& content, test::MemorySource::Kind k
   survives([&] {
     AttributeWish wish;
     wish.names.reset();
-    const auto reader = open_reader(fuzz.job, std::make_unique<test::MemorySource>(content, kind),
-                                    Format::automatic, access, {std::uint64_t{1} << 20, batch_faces}, wish);
+    const auto reader =
+        open_reader(fuzz.job, std::make_unique<test::MemorySource>(content, kind),
+                    Format::automatic, access, {std::uint64_t{1} << 20, batch_faces}, wish);
     const std::size_t carried = reader->facts().choice.carried.size();
     expect(reader->attribute_ranges().size() == carried, "every attribute has a range");
     if (access != Access::once) {
@@ -65,7 +68,8 @@ std::optional<Faces> read(const std::string& content, test::MemorySource::Kind k
       (void)reader->first_finite_position();
     }
     const Faces found = faces_of(*reader);
-    if (access == Access::repeatedly) expect(faces_of(*reader) == found, "a second pass gives the same");
+    if (access == Access::repeatedly)
+      expect(faces_of(*reader) == found, "a second pass gives the same");
     faces = found;
   });
   return faces;

@@ -1,5 +1,5 @@
-// Every file of the corpora, as it is, cut, and with a few bytes changed. What fuzzing (tools/fuzz) finds is
-// added.
+// Every file of the corpora, as it is, cut, and with a few bytes changed. What fuzzing (tools/fuzz)
+// finds is added.
 #include "fuzz/targets.hpp"
 #include "support/files.hpp"
 #include "support/random.hpp"
@@ -27,8 +27,8 @@ std::vector<std::string> corpus_of(const Target& target) {
 std::string changed(std::string bytes, test::Random& random) {
   for (std::uint64_t i = random.between(1, 4); i > 0 && !bytes.empty(); --i) {
     const std::size_t at = random.below(bytes.size());
-    const char byte =
-        random.chance(0.5) ? static_cast<char>(random.below(256)) : bytes[random.below(bytes.size())];
+    const char byte = random.chance(0.5) ? static_cast<char>(random.below(256))
+                                         : bytes[random.below(bytes.size())];
     if (random.chance(0.7)) {
       bytes[at] = byte;
     } else if (random.chance(0.5)) {

@@ -1,5 +1,5 @@
-// A file of packed blocks; the bytes say which of its bytes are changed: two for the place, one for the
-// value.
+// A file of packed blocks; the bytes say which of its bytes are changed: two for the place, one for
+// the value.
 #include "fuzz/job.hpp"
 #include "fuzz/targets.hpp"
 #include "io/packed_blocks.hpp"
@@ -15,7 +15,8 @@ using Blocks = std::vector<std::vector<std::byte>>;
 Blocks some_blocks() {
   Blocks blocks(3);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    for (std::size_t k = 0; k < 100 + 300 * i; ++k) blocks[i].push_back(static_cast<std::byte>(k * k >> i));
+    for (std::size_t k = 0; k < 100 + 300 * i; ++k)
+      blocks[i].push_back(static_cast<std::byte>(k * k >> i));
   }
   return blocks;
 }
@@ -33,7 +34,8 @@ void read_spill(std::span<const std::byte> bytes) {
   const off_t size = ::lseek(next, 0, SEEK_END);
   expect(size > 0, "the file is the one that was opened last");
   for (; bytes.size() >= 3; bytes = bytes.subspan(3)) {
-    const off_t place = (std::to_integer<int>(bytes[0]) << 8 | std::to_integer<int>(bytes[1])) % size;
+    const off_t place =
+        (std::to_integer<int>(bytes[0]) << 8 | std::to_integer<int>(bytes[1])) % size;
     expect(::pwrite(next, &bytes[2], 1, place) == 1, "a byte can be changed");
   }
   survives([&] {

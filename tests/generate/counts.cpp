@@ -25,7 +25,8 @@ TEST_CASE("rows of columns meet any count that divides, exactly") {
 
 TEST_CASE("a part comes within a thousandth, above its smallest count") {
   for (const std::uint32_t seed : {1U, 2U, 3U}) {
-    for (const std::uint64_t faces : {5000ULL, 100'000ULL, 1'000'000ULL, 20'000'000ULL, 10'000'000'000ULL}) {
+    for (const std::uint64_t faces :
+         {5000ULL, 100'000ULL, 1'000'000ULL, 20'000'000ULL, 10'000'000'000ULL}) {
       CAPTURE(seed, faces);
       const auto made =
           static_cast<double>(make_surface(generate_options(Surface::part, faces, seed))->faces());
@@ -41,7 +42,8 @@ TEST_CASE("edges along and across the rows are about equally long") {
     double area = 0;
     for (const MeshFace& face : mesh.faces) {
       const auto& [a, b, c] = face.vertex;
-      const double edges = length(mesh.points[a] - mesh.points[b]) + length(mesh.points[b] - mesh.points[c]) +
+      const double edges = length(mesh.points[a] - mesh.points[b]) +
+                           length(mesh.points[b] - mesh.points[c]) +
                            length(mesh.points[c] - mesh.points[a]);
       const double twice = length(doubled_area({mesh.points[a], mesh.points[b], mesh.points[c]}));
       // 1 for half a square, weighted by area: fans and throats are slim but small.

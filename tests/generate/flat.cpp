@@ -18,7 +18,8 @@ TEST_CASE("every face of a part lies in a plane across an axis") {
       const auto& [a, b, c] = face.vertex;
       int across = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (mesh.points[a][axis] != mesh.points[b][axis] || mesh.points[a][axis] != mesh.points[c][axis])
+        if (mesh.points[a][axis] != mesh.points[b][axis] ||
+            mesh.points[a][axis] != mesh.points[c][axis])
           continue;
         planes[axis].insert(mesh.points[a][axis]);
         ++across;

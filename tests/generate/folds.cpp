@@ -1,4 +1,5 @@
-// Noise roughens a scan but never folds it: neighbouring faces do not turn their backs on each other.
+// Noise roughens a scan but never folds it: neighbouring faces do not turn their backs on each
+// other.
 #include "surface_mesh.hpp"
 
 #include <algorithm>
@@ -9,7 +10,8 @@ namespace winnow {
 
 namespace {
 
-// The least cosine between the normals of the two halves of a square, over squares all through the surface.
+// The least cosine between the normals of the two halves of a square, over squares all through the
+// surface.
 double sharpest(std::uint64_t faces, std::uint32_t seed) {
   const auto scan = make_surface(generate_options(Surface::scan, faces, seed));
   double least = 1;
@@ -19,8 +21,8 @@ double sharpest(std::uint64_t faces, std::uint32_t seed) {
     std::array<Point, 2> normal{};
     for (std::size_t half = 0; half < 2; ++half) {
       const MeshFace face = scan->face(2 * square + half);
-      normal[half] = doubled_area(
-          {scan->vertex(face.vertex[0]), scan->vertex(face.vertex[1]), scan->vertex(face.vertex[2])});
+      normal[half] = doubled_area({scan->vertex(face.vertex[0]), scan->vertex(face.vertex[1]),
+                                   scan->vertex(face.vertex[2])});
     }
     least = std::min(least, dot(normal[0], normal[1]) / (length(normal[0]) * length(normal[1])));
   }

@@ -1,6 +1,6 @@
-// The surfaces are the same on every machine, with every compiler and at every level of optimisation: benches
-// of today and of next year run on the same input. Whoever changes a surface on purpose changes a number
-// here.
+// The surfaces are the same on every machine, with every compiler and at every level of
+// optimisation: benches of today and of next year run on the same input. Whoever changes a surface
+// on purpose changes a number here.
 #include "surface_mesh.hpp"
 
 #include <bit>

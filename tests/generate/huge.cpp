@@ -19,7 +19,8 @@ TEST_CASE("vertices and faces beyond 2^32 are where they belong") {
       const double edge = 4 / std::sqrt(static_cast<double>(faces));
       // All through, and the very last ones.
       for (std::uint64_t probe = 0; probe < 200; ++probe) {
-        const std::uint64_t id = probe < 100 ? huge->faces() / 100 * probe : huge->faces() - (200 - probe);
+        const std::uint64_t id =
+            probe < 100 ? huge->faces() / 100 * probe : huge->faces() - (200 - probe);
         const MeshFace face = huge->face(id);
         const std::uint64_t highest = *std::max_element(face.vertex.begin(), face.vertex.end());
         REQUIRE(highest < huge->vertices());

@@ -1,4 +1,5 @@
-// The faces around every vertex form one fan: boxes of a part do not touch in an edge or in a corner alone.
+// The faces around every vertex form one fan: boxes of a part do not touch in an edge or in a
+// corner alone.
 #include "surface_mesh.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
-// A georeferenced surface is the same surface, moved, with nothing lost to rounding in single precision.
+// A georeferenced surface is the same surface, moved, with nothing lost to rounding in single
+// precision.
 #include "surface_mesh.hpp"
 
 #include <cstring>

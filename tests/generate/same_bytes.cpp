@@ -30,7 +30,8 @@ TEST_CASE("a vertex is the same alone and among others") {
     const auto alone = make_surface(options);
     const SurfaceMesh mesh = mesh_of(options);
     bool same = true;
-    for (std::size_t k = 0; k < mesh.points.size(); ++k) same = same && alone->vertex(k) == mesh.points[k];
+    for (std::size_t k = 0; k < mesh.points.size(); ++k)
+      same = same && alone->vertex(k) == mesh.points[k];
     for (std::size_t k = 0; k < mesh.faces.size(); ++k) {
       same = same && alone->face(k).vertex == mesh.faces[k].vertex;
     }

@@ -10,7 +10,8 @@ namespace winnow {
 TEST_CASE("the seed changes the surface") {
   for (const Surface surface : all_surfaces) {
     CAPTURE(static_cast<int>(surface));
-    CHECK(generated(generate_options(surface, 2000, 5)) == generated(generate_options(surface, 2000, 5)));
+    CHECK(generated(generate_options(surface, 2000, 5)) ==
+          generated(generate_options(surface, 2000, 5)));
     const SurfaceMesh one = mesh_of(generate_options(surface, 2000, 5));
     const SurfaceMesh other = mesh_of(generate_options(surface, 2000, 6));
     CHECK(one.points != other.points);

@@ -12,7 +12,8 @@ namespace {
 // The records of `size` bytes that follow the first `skipped`.
 std::vector<std::string> records(const std::string& bytes, std::size_t skipped, std::size_t size) {
   std::vector<std::string> all;
-  for (std::size_t at = skipped; at + size <= bytes.size(); at += size) all.push_back(bytes.substr(at, size));
+  for (std::size_t at = skipped; at + size <= bytes.size(); at += size)
+    all.push_back(bytes.substr(at, size));
   return all;
 }
 

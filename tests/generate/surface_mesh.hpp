@@ -19,7 +19,8 @@ namespace winnow {
 
 inline constexpr std::array all_surfaces{Surface::scan, Surface::terrain, Surface::part};
 
-inline GenerateOptions generate_options(Surface surface, std::uint64_t faces, std::uint32_t seed = 1) {
+inline GenerateOptions generate_options(Surface surface, std::uint64_t faces,
+                                        std::uint32_t seed = 1) {
   GenerateOptions options;
   options.surface = surface;
   options.faces = faces;
@@ -58,8 +59,8 @@ inline std::map<DirectedEdge, int> directed_edges(const SurfaceMesh& mesh) {
 }
 
 // The bytes that `options` make.
-inline std::string generated(GenerateOptions options, Format format = Format::ply, unsigned threads = 1,
-                             std::uint64_t memory = std::uint64_t{64} << 20) {
+inline std::string generated(GenerateOptions options, Format format = Format::ply,
+                             unsigned threads = 1, std::uint64_t memory = std::uint64_t{64} << 20) {
   const test::Directory directory;
   Context context;
   context.threads = threads;

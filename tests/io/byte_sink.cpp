@@ -251,7 +251,8 @@ TEST_CASE("a reader that does not read does not keep a cancelled run") {
   ByteSink sink(test.job, path, false);
   const std::jthread later = test::cancel_later(test.context);
   const Stopwatch watch;
-  CHECK(test::error_of([&] { write_all(sink, std::string(5'000'000, 'x')); }).kind() == ErrorKind::cancelled);
+  CHECK(test::error_of([&] { write_all(sink, std::string(5'000'000, 'x')); }).kind() ==
+        ErrorKind::cancelled);
   CHECK(watch.seconds() < 5);
   ::close(reader);
 }
@@ -276,8 +277,9 @@ TEST_CASE("what a killed run had written is removed, what another run still writ
   write_all(running, "by the one");
   REQUIRE(directory.names().size() == 1);
   // As a killed run leaves it: the name, and no lock.
-  test::write_file(directory.file(directory.names()[0].substr(0, directory.names()[0].size() - 6) + "killed"),
-                   "half");
+  test::write_file(
+      directory.file(directory.names()[0].substr(0, directory.names()[0].size() - 6) + "killed"),
+      "half");
   test::write_file(directory.file(".other.ply.winnow-killed"), "of another output");
   REQUIRE(directory.names().size() == 3);
   {
@@ -370,9 +372,11 @@ TEST_CASE("a file that is written over is not read") {
 TEST_CASE("a place where nothing can be written is an error at once") {
   const test::Directory directory;
   test::TestJob test;
-  CHECK(test::error_of([&] { ByteSink(test.job, directory.path(), false); }).kind() == ErrorKind::usage);
-  CHECK(test::error_of([&] { ByteSink(test.job, directory.file("no/such/place.ply"), true); }).kind() ==
-        ErrorKind::resources);
+  CHECK(test::error_of([&] { ByteSink(test.job, directory.path(), false); }).kind() ==
+        ErrorKind::usage);
+  CHECK(test::error_of([&] {
+          ByteSink(test.job, directory.file("no/such/place.ply"), true);
+        }).kind() == ErrorKind::resources);
 }
 
 }  // namespace winnow

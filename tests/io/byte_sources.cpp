@@ -18,8 +18,8 @@ namespace {
 
 using test::text_of;
 
-// A walk through `content` by takes of any size, giving back parts of what was taken. Old blocks are looked
-// at again later: they stay what they were.
+// A walk through `content` by takes of any size, giving back parts of what was taken. Old blocks
+// are looked at again later: they stay what they were.
 void walk(ByteSource& source, const std::string& content, test::Random& random, std::size_t most) {
   std::size_t at = 0;
   std::deque<Block> kept;
@@ -47,7 +47,8 @@ void walk(ByteSource& source, const std::string& content, test::Random& random, 
     }
     if (kept.size() > 5) {
       const Block& old = kept.front();
-      REQUIRE(text_of(old.bytes) == content.substr(old.bytes.empty() ? 0 : old.offset, old.bytes.size()));
+      REQUIRE(text_of(old.bytes) ==
+              content.substr(old.bytes.empty() ? 0 : old.offset, old.bytes.size()));
       kept.pop_front();
     }
     if (at == content.size() && random.chance(0.3)) break;
@@ -63,8 +64,8 @@ TEST_CASE("every source gives the plain bytes, whatever is taken and given back"
   const test::Directory directory;
   test::Random random(80);
   // Windows are 2 MiB, blocks 1 MiB: some contents are smaller, some larger.
-  for (const std::size_t size : {std::size_t{1}, std::size_t{3}, std::size_t{5000}, std::size_t{1} << 20,
-                                 (std::size_t{5} << 20) + 123}) {
+  for (const std::size_t size : {std::size_t{1}, std::size_t{3}, std::size_t{5000},
+                                 std::size_t{1} << 20, (std::size_t{5} << 20) + 123}) {
     const std::string content = random.bytes(size);
     const std::string path = directory.file("content");
     test::write_file(path, content);
@@ -128,17 +129,20 @@ TEST_CASE("a copy in scratch is the content of a pipe, and can be read again") {
 TEST_CASE("what cannot be read is an error that names it") {
   const test::Directory directory;
   test::TestJob test;
-  const Error missing = test::error_of([&] { open_source(test.job, directory.file("missing.ply")); });
+  const Error missing =
+      test::error_of([&] { open_source(test.job, directory.file("missing.ply")); });
   CHECK(missing.kind() == ErrorKind::bad_input);
   CHECK(std::string(missing.what()).find("missing.ply") != std::string::npos);
-  CHECK(test::error_of([&] { open_source(test.job, directory.path()); }).kind() == ErrorKind::bad_input);
+  CHECK(test::error_of([&] { open_source(test.job, directory.path()); }).kind() ==
+        ErrorKind::bad_input);
 
   test::write_file(directory.file("empty"), "");
   const auto empty = open_source(test.job, directory.file("empty"));
   CHECK(empty->take(10).bytes.empty());
   const test::FedPipe nothing("");
-  CHECK(test::error_of([&] { copy_to_scratch(test.job, open_source(test.job, nothing.path())); }).kind() ==
-        ErrorKind::bad_input);
+  CHECK(test::error_of([&] {
+          copy_to_scratch(test.job, open_source(test.job, nothing.path()));
+        }).kind() == ErrorKind::bad_input);
 }
 
 TEST_CASE("a file that became shorter is noticed when it is asked about") {
@@ -153,7 +157,8 @@ TEST_CASE("a file that became shorter is noticed when it is asked about") {
     std::filesystem::resize_file(path, 99'999);
     CAPTURE(map);
     CHECK(test::error_of([&] { source->check_whole(); }).kind() == ErrorKind::bad_input);
-    std::filesystem::resize_file(path, 200'000);  // longer is not wrong: it is read to where it ended
+    std::filesystem::resize_file(path,
+                                 200'000);  // longer is not wrong: it is read to where it ended
     CHECK_NOTHROW(source->check_whole());
   }
   const test::FedPipe pipe("some bytes");
@@ -191,7 +196,8 @@ TEST_CASE("waiting for a writer of a named pipe ends when the run is cancelled")
   const std::jthread later = test::cancel_later(test.context);
   const Stopwatch watch;
   // Nobody writes yet: that is no end.
-  CHECK(test::error_of([&] { open_source(test.job, path)->take(1); }).kind() == ErrorKind::cancelled);
+  CHECK(test::error_of([&] { open_source(test.job, path)->take(1); }).kind() ==
+        ErrorKind::cancelled);
   CHECK(watch.seconds() < 5);
 }
 

@@ -40,14 +40,17 @@ struct ZstdStyle {
 };
 
 std::string zstd(const std::string& plain, const ZstdStyle& style = {}) {
-  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                     ZSTD_freeCCtx);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, style.checksum ? 1 : 0);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_contentSizeFlag, style.size_in_header ? 1 : 0);
-  if (style.window_log != 0) ZSTD_CCtx_setParameter(context.get(), ZSTD_c_windowLog, style.window_log);
+  if (style.window_log != 0)
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_windowLog, style.window_log);
   std::string packed(ZSTD_compressBound(plain.size()) + 100, '\0');
   ZSTD_inBuffer in{plain.data(), plain.size(), 0};
   ZSTD_outBuffer out{packed.data(), packed.size(), 0};
-  if (!style.size_in_header) {  // as a program at the end of a pipe does, that does not know how much comes
+  if (!style.size_in_header) {  // as a program at the end of a pipe does, that does not know how
+                                // much comes
     for (std::size_t at = 0; at < plain.size();) {
       in.size = std::min(plain.size(), at + 10'000);
       ZSTD_compressStream2(context.get(), &out, &in, ZSTD_e_continue);
@@ -85,13 +88,14 @@ class Unpacker {
 // What compresses well comes out of the decoder in pieces larger than those that are asked for.
 std::string regular(std::size_t size) {
   std::string text;
-  for (std::size_t i = 0; text.size() < size; ++i) text += "vertex " + std::to_string(i % 1000) + '\n';
+  for (std::size_t i = 0; text.size() < size; ++i)
+    text += "vertex " + std::to_string(i % 1000) + '\n';
   text.resize(size);
   return text;
 }
 
-// At every place of a small content and some of a large one: an Error, or, between two parts, the whole
-// parts.
+// At every place of a small content and some of a large one: an Error, or, between two parts, the
+// whole parts.
 void check_cuts(const std::string& packed, const std::vector<std::size_t>& part_ends,
                 const std::vector<std::string>& parts) {
   const Unpacker unpack;
@@ -120,7 +124,8 @@ TEST_CASE("several gzip members are one content") {
     std::string packed;
     std::string plain;
     for (int member = 0; member < 4; ++member) {
-      const std::string part = member == 2 ? "" : random.bytes(random.between(1, size)) + regular(size);
+      const std::string part =
+          member == 2 ? "" : random.bytes(random.between(1, size)) + regular(size);
       packed += gzip(part);
       plain += part;
     }
@@ -138,7 +143,8 @@ TEST_CASE("several zstd frames are one content, with skippable ones between") {
     std::string packed;
     std::string plain;
     for (int frame = 0; frame < 5; ++frame) {
-      const std::string part = frame == 2 ? "" : random.bytes(random.between(1, size)) + regular(size);
+      const std::string part =
+          frame == 2 ? "" : random.bytes(random.between(1, size)) + regular(size);
       packed += zstd(part, {frame % 2 == 0, frame % 3 == 0, 0});
       if (frame % 2 == 0) packed += skippable_frame(random.between(0, 500));
       plain += part;
@@ -155,7 +161,8 @@ TEST_CASE("a zstd content ends where it ends, whatever the decoder still holds")
   const Unpacker unpack;
   for (const bool checksum : {true, false}) {
     for (const std::size_t over : {1, 1000, 50'000, 131'071, 131'072, 131'073, 500'000}) {
-      for (const std::size_t take : {std::size_t{70'001}, std::size_t{1} << 20, std::size_t{3} << 20}) {
+      for (const std::size_t take :
+           {std::size_t{70'001}, std::size_t{1} << 20, std::size_t{3} << 20}) {
         const std::string plain = regular((std::size_t{1} << 20) + over);
         CAPTURE(checksum, over, take);
         CHECK(unpack(zstd(plain, {checksum, true, 0}), take) == plain);
@@ -216,7 +223,8 @@ TEST_CASE("a gzip header of any length takes no memory") {
   test::write_file(directory.file("packed"), packed);
   test::TestJob test;
   const std::uint64_t before = peak_resident_bytes();
-  CHECK(test::text_of(open_source(test.job, directory.file("packed"))->take(100'000).bytes) == plain);
+  CHECK(test::text_of(open_source(test.job, directory.file("packed"))->take(100'000).bytes) ==
+        plain);
   if (!test::sanitized) CHECK(peak_resident_bytes() - before < std::uint64_t{16} << 20);
 }
 
@@ -251,7 +259,8 @@ TEST_CASE("the place where a compressed content breaks is told, in the file and 
   const std::string plain = random.bytes(5'000'000);
   constexpr std::size_t block = 128 * 1024;
   for (const std::string& whole : {gzip(plain), zstd(plain)}) {
-    for (const std::size_t place : {std::size_t{700'000}, std::size_t{2'500'000}, whole.size() - 9}) {
+    for (const std::size_t place :
+         {std::size_t{700'000}, std::size_t{2'500'000}, whole.size() - 9}) {
       CAPTURE(whole.size(), place);
       const Error cut = test::error_of([&] { unpack(whole.substr(0, place)); });
       CAPTURE(cut.what());
@@ -264,7 +273,8 @@ TEST_CASE("the place where a compressed content breaks is told, in the file and 
     }
     std::string damaged = whole;
     damaged.back() = static_cast<char>(damaged.back() ^ 1);
-    const std::vector<std::size_t> last = numbers_of(test::error_of([&] { unpack(damaged); }).what());
+    const std::vector<std::size_t> last =
+        numbers_of(test::error_of([&] { unpack(damaged); }).what());
     REQUIRE(last.size() == 2);
     CHECK(last[0] + 16 >= whole.size());
     CHECK(last[1] == plain.size());

@@ -25,7 +25,8 @@ std::string plain_content(Job& job, const std::string& path) {
   return content;
 }
 
-void write_in_parts(const std::string& path, const std::string& content, Random& random, std::size_t most) {
+void write_in_parts(const std::string& path, const std::string& content, Random& random,
+                    std::size_t most) {
   TestJob test;
   ByteSink sink(test.job, path, true);
   std::size_t at = 0;

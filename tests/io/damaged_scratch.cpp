@@ -86,7 +86,8 @@ TEST_CASE("any changed bit of a scratch file is an error, never other data") {
 
 TEST_CASE("a changed length asks for no more memory than a block has") {
   const Packed packed(2);
-  for (const std::uint64_t byte : {3, 7}) {  // the highest byte of the packed and of the plain length
+  for (const std::uint64_t byte :
+       {3, 7}) {  // the highest byte of the packed and of the plain length
     const std::uint64_t peak = peak_resident_bytes();
     packed.opened.flip(byte, 4);
     CHECK_FALSE(read(packed.file));
@@ -134,8 +135,8 @@ std::optional<std::string> read(const Readable& file, std::uint64_t from, std::s
 
 TEST_CASE("whatever is read of a scratch file with a changed bit is right, or an error") {
   test::Random random(61);
-  for (const std::size_t size :
-       {std::size_t{1}, std::size_t{4095}, std::size_t{4096}, std::size_t{70'001}, std::size_t{2'500'003}}) {
+  for (const std::size_t size : {std::size_t{1}, std::size_t{4095}, std::size_t{4096},
+                                 std::size_t{70'001}, std::size_t{2'500'003}}) {
     const std::string content = random.bytes(size);
     test::TestJob test;
     const std::set<int> before = test::descriptors();
@@ -200,11 +201,13 @@ TEST_CASE("a copy of a pipe in scratch is mapped, and a changed bit in it notice
   const auto walk = [&] {
     copy->seek(0);
     std::string all;
-    for (Block block; !(block = copy->take(300'000)).bytes.empty();) all += test::text_of(block.bytes);
+    for (Block block; !(block = copy->take(300'000)).bytes.empty();)
+      all += test::text_of(block.bytes);
     return all;
   };
   CHECK(walk() == content);
-  for (const std::uint64_t byte : {std::uint64_t{0}, std::uint64_t{2'100'000}, content.size() - 1}) {
+  for (const std::uint64_t byte :
+       {std::uint64_t{0}, std::uint64_t{2'100'000}, content.size() - 1}) {
     damaged.flip(byte, 5);
     CAPTURE(byte);
     CHECK_THROWS_AS(walk(), Error);

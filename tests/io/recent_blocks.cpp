@@ -12,8 +12,8 @@ namespace winnow {
 
 TEST_CASE("records come from memory and from scratch, whatever their size and the order") {
   test::Random random(75);
-  for (const std::size_t record : {std::size_t{1}, std::size_t{4}, std::size_t{48}, std::size_t{100},
-                                   std::size_t{12'288}, std::size_t{20'000}}) {
+  for (const std::size_t record : {std::size_t{1}, std::size_t{4}, std::size_t{48},
+                                   std::size_t{100}, std::size_t{12'288}, std::size_t{20'000}}) {
     const std::size_t count = 2'000'000 / record + 1;
     const std::string content = random.bytes(count * record);
     for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{64} << 20}) {

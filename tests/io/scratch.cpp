@@ -76,11 +76,13 @@ TEST_CASE("stale scratch is removed, and nothing else") {
   test::write_file(directory.file("my-winnow-scratch-notes"), "mine");
   test::write_file(directory.file("scan.ply"), "ply");
   std::filesystem::create_directory(directory.file("winnow-scratch-directory"));
-  std::filesystem::create_symlink(directory.file("scan.ply"), directory.file("winnow-scratch-link"));
+  std::filesystem::create_symlink(directory.file("scan.ply"),
+                                  directory.file("winnow-scratch-link"));
   const int fd = ::open(in_use.c_str(), O_RDWR | O_CLOEXEC);
   REQUIRE(::flock(fd, LOCK_EX | LOCK_NB) == 0);
 
-  CHECK(remove_stale_files(directory.path(), scratch_prefix) == 1);  // with the one that is not empty
+  CHECK(remove_stale_files(directory.path(), scratch_prefix) ==
+        1);  // with the one that is not empty
   CHECK_FALSE(test::exists(directory.file("winnow-scratch-stale1")));
   CHECK_FALSE(test::exists(directory.file("winnow-scratch-stale2")));
   CHECK(test::exists(in_use));

@@ -68,7 +68,8 @@ Sums read_back(const SortedRuns<Entry>& runs) {
 
 TEST_CASE("runs come back merged, however many there are") {
   constexpr std::size_t fan_in = SortedRuns<Entry>::fan_in;
-  // Beyond fan_in runs are merged into one of the next level, beyond fan_in squared into one of the third.
+  // Beyond fan_in runs are merged into one of the next level, beyond fan_in squared into one of the
+  // third.
   for (const std::size_t count :
        {std::size_t{1}, fan_in - 1, fan_in, fan_in + 1, 3 * fan_in + 5, fan_in * fan_in + 3}) {
     test::TestJob test;
@@ -143,7 +144,8 @@ TEST_CASE("a cancelled run stops writing") {
   test::TestJob test;
   SortedRuns<Entry> runs(test.job);
   test::Random random(50);
-  const std::vector<Entry> entries = random_entries(random, 100 * SortedRuns<Entry>::block_records, 10);
+  const std::vector<Entry> entries =
+      random_entries(random, 100 * SortedRuns<Entry>::block_records, 10);
   test.context.cancel();
   CHECK(test::error_of([&] { add_run(runs, entries); }).kind() == ErrorKind::cancelled);
 }

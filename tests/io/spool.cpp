@@ -12,7 +12,8 @@ namespace winnow {
 
 namespace {
 
-void append_in_parts(Spool& spool, const std::string& content, test::Random& random, std::size_t most) {
+void append_in_parts(Spool& spool, const std::string& content, test::Random& random,
+                     std::size_t most) {
   std::size_t at = 0;
   for (const std::size_t part : random.parts(content.size(), most)) {
     spool.append(test::bytes_of(content).subspan(at, part));
@@ -29,7 +30,8 @@ void check_content(const Spool& spool, const std::string& content, test::Random&
     spool.read(from, std::as_writable_bytes(std::span(part)));
     REQUIRE(part == content.substr(from, part.size()));
   }
-  for (const std::size_t unit : {std::size_t{1}, std::size_t{12}, std::size_t{48}, std::size_t{100'003}}) {
+  for (const std::size_t unit :
+       {std::size_t{1}, std::size_t{12}, std::size_t{48}, std::size_t{100'003}}) {
     std::string all;
     spool.for_each_part(unit, [&](std::span<const std::byte> part) {
       all += test::text_of(part);

@@ -35,8 +35,8 @@ std::uint64_t parts_by_hand(const std::vector<HashedFace>& faces, std::size_t po
   return used.size();
 }
 
-std::uint64_t parts_counted(const std::vector<HashedFace>& faces, std::uint64_t memory, bool in_order,
-                            std::optional<std::uint64_t> positions) {
+std::uint64_t parts_counted(const std::vector<HashedFace>& faces, std::uint64_t memory,
+                            bool in_order, std::optional<std::uint64_t> positions) {
   test::TestJob test;
   return in_arena(test.job, [&] {
     PartCount parts(test.job, memory, positions);
@@ -54,7 +54,8 @@ std::uint64_t parts_counted(const std::vector<HashedFace>& faces, std::uint64_t 
 
 }  // namespace
 
-TEST_CASE("connected parts are counted whatever the memory, the order and what is known before", "[slow]") {
+TEST_CASE("connected parts are counted whatever the memory, the order and what is known before",
+          "[slow]") {
   std::mt19937 random(1);
   constexpr std::size_t points = 200'003;
   std::vector<HashedFace> strips;  // of very different lengths, apart from each other
@@ -63,7 +64,8 @@ TEST_CASE("connected parts are counted whatever the memory, the order and what i
     for (std::size_t i = begin; i + 2 < begin + length; ++i) strips.push_back({i, i + 1, i + 2});
     begin += length;
   }
-  std::vector<HashedFace> scattered;  // about as many faces as points: one large part and many small ones
+  std::vector<HashedFace>
+      scattered;  // about as many faces as points: one large part and many small ones
   for (std::size_t i = 0; i < points / 2; ++i)
     scattered.push_back({random() % points, random() % points, random() % points});
   for (const std::vector<HashedFace>& faces : {strips, scattered}) {

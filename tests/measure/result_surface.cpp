@@ -45,7 +45,8 @@ Counted counted(const std::vector<Point>& vertices, const std::vector<CornerNumb
   });
 }
 
-void check_by_definition(const std::vector<Point>& vertices, const std::vector<CornerNumbers>& faces) {
+void check_by_definition(const std::vector<Point>& vertices,
+                         const std::vector<CornerNumbers>& faces) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> sides;
   double area = 0;
   for (const CornerNumbers& face : faces) {

@@ -22,7 +22,8 @@ std::vector<NumberedFace> random_faces(test::Random& random, std::size_t count, 
   std::vector<NumberedFace> faces;
   for (std::size_t i = 0; i < count; ++i) {
     const Point at = centre + random_point(random, 1);
-    faces.push_back({{at, at + random_point(random, size), at + random_point(random, size)}, 1000 + i});
+    faces.push_back(
+        {{at, at + random_point(random, size), at + random_point(random, size)}, 1000 + i});
   }
   random.shuffle(faces);
   return faces;
@@ -68,7 +69,8 @@ TEST_CASE("the tree finds what looking at all faces finds, to the bit") {
 
 TEST_CASE("of equally near faces the lowest number is named") {
   std::vector<NumberedFace> faces;
-  for (std::uint64_t number : {7, 3, 9, 5}) faces.push_back({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, number});
+  for (std::uint64_t number : {7, 3, 9, 5})
+    faces.push_back({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, number});
   test::TestJob test;
   const SurfaceTree tree(test.job, faces);
   NearestFace found;

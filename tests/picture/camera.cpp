@@ -17,7 +17,8 @@ void check_same_point(const Point& a, const Point& b) {
 }  // namespace
 
 TEST_CASE("a camera has three directions at right angles, whatever it looks along") {
-  std::vector<Point> viewers{{1e-300, 0, 0}, {0, 1e300, 1e300}, {0, std::numeric_limits<double>::max(), 0}};
+  std::vector<Point> viewers{
+      {1e-300, 0, 0}, {0, 1e300, 1e300}, {0, std::numeric_limits<double>::max(), 0}};
   for (const double x : {-1.0, 0.0, 1.0}) {
     for (const double y : {-1.0, 0.0, 1.0}) {
       for (const double z : {-1.0, 0.0, 1.0}) {
@@ -29,7 +30,8 @@ TEST_CASE("a camera has three directions at right angles, whatever it looks alon
     for (const Point& viewer : viewers) {
       const Camera camera = camera_for(View::from, viewer, upright);
       check_same_point(cross(camera.right, camera.up), camera.towards);
-      check_same_point({length(camera.right), length(camera.up), length(camera.towards)}, {1, 1, 1});
+      check_same_point({length(camera.right), length(camera.up), length(camera.towards)},
+                       {1, 1, 1});
       CHECK(dot(camera.towards, {viewer[0] / 2, viewer[1] / 2, viewer[2] / 2}) > 0);
     }
   }

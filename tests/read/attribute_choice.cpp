@@ -15,8 +15,10 @@ using Names = std::vector<std::string>;
 
 AttributeOffer offer() {
   AttributeOffer offer;
-  for (const char* name : {"nx", "ny", "nz", "quality"}) offer.scalars.push_back({name, ScalarType::float32});
-  for (const char* name : {"red", "green", "blue"}) offer.scalars.push_back({name, ScalarType::uint8});
+  for (const char* name : {"nx", "ny", "nz", "quality"})
+    offer.scalars.push_back({name, ScalarType::float32});
+  for (const char* name : {"red", "green", "blue"})
+    offer.scalars.push_back({name, ScalarType::uint8});
   for (const char* name : {"s", "t"}) offer.scalars.push_back({name, ScalarType::float32});
   offer.lists = {"values"};
   offer.of_faces = {"flags"};
@@ -45,17 +47,21 @@ TEST_CASE("without names whatever has a mean is carried and the rest is told") {
   CHECK(choice.carried[0].kind == AttributeKind::normal);
   CHECK(choice.carried[3].kind == AttributeKind::value);
   CHECK(choice.carried[4].kind == AttributeKind::color);
-  CHECK(choice.dropped == Names{"texture coordinates, which have seams: s, t", "lists at vertices: values",
-                                "properties of faces: flags", "other elements: edge"});
+  CHECK(choice.dropped == Names{"texture coordinates, which have seams: s, t",
+                                "lists at vertices: values", "properties of faces: flags",
+                                "other elements: edge"});
 }
 
 TEST_CASE("named attributes are carried in the order of the input") {
-  const AttributeChoice choice = choose_attributes(wish(Names{"colors", "s", "quality"}), offer(), "in");
+  const AttributeChoice choice =
+      choose_attributes(wish(Names{"colors", "s", "quality"}), offer(), "in");
   CHECK(names_of(choice) == Names{"quality", "red", "green", "blue", "s"});
   CHECK(choice.dropped.empty());
-  CHECK(names_of(choose_attributes(wish(Names{"normals"}), offer(), "in")) == Names{"nx", "ny", "nz"});
+  CHECK(names_of(choose_attributes(wish(Names{"normals"}), offer(), "in")) ==
+        Names{"nx", "ny", "nz"});
   // One component alone is a number like any other.
-  CHECK(choose_attributes(wish(Names{"nx"}), offer(), "in").carried[0].kind == AttributeKind::value);
+  CHECK(choose_attributes(wish(Names{"nx"}), offer(), "in").carried[0].kind ==
+        AttributeKind::value);
   CHECK(choose_attributes(wish(Names{}), offer(), "in").carried.empty());
 }
 
@@ -74,8 +80,9 @@ TEST_CASE("a name that is none and too many names are usage errors") {
     return error_of([&] { choose_attributes(wish(names), from, "in.ply"); });
   };
   CHECK(refused({"colour"}, offer()).kind() == ErrorKind::usage);
-  CHECK_THAT(refused({"colour"}, offer()).what(),
-             Catch::Contains("'in.ply'") && Catch::Contains("'colour'") && Catch::Contains("quality, red"));
+  CHECK_THAT(refused({"colour"}, offer()).what(), Catch::Contains("'in.ply'") &&
+                                                      Catch::Contains("'colour'") &&
+                                                      Catch::Contains("quality, red"));
   CHECK_THAT(refused({"values"}, offer()).what(), Catch::Contains("list"));
   CHECK_THAT(refused({"colors"}, {}).what(), Catch::Contains("none"));
 
@@ -115,7 +122,8 @@ TEST_CASE("several inputs offer together what all have by one name and type") {
 
 TEST_CASE("colours of different types are said to be none in common") {
   AttributeOffer bytes, floats;
-  bytes.scalars = {{"red", ScalarType::uint8}, {"green", ScalarType::uint8}, {"blue", ScalarType::uint8}};
+  bytes.scalars = {
+      {"red", ScalarType::uint8}, {"green", ScalarType::uint8}, {"blue", ScalarType::uint8}};
   floats.scalars = {{"red"}, {"green"}, {"blue"}};
   const AttributeOffer common = common_offer({bytes, floats});
   const Error error = error_of([&] { choose_attributes(wish(Names{"colors"}), common, "in.ply"); });

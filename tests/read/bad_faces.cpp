@@ -17,14 +17,16 @@ namespace {
 
 ClusterCounts counts_of(const std::string& file, double cell = 0.5) {
   test::TestJob test;
-  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
-                                  Access::repeatedly, {test::usual_vertex_memory, 512});
+  const auto reader =
+      open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
+                  Access::repeatedly, {test::usual_vertex_memory, 512});
   return in_arena(test.job, [&] {
     const Box box = measure_box(test.job, *reader);
     const auto clusterer = Clusterer::make(test.job, {Grid::over(box, cell), Placement::mean, true},
                                            {1 << 22, 1 << 22, 1 << 22, 1 << 22, 16});
     reader->begin_faces();
-    for_each_face_batch(test.job, *reader, [&](const FaceBatch& faces) { clusterer->add(faces); }, {});
+    for_each_face_batch(test.job, *reader, [&](const FaceBatch& faces) { clusterer->add(faces); },
+                        {});
     return clusterer->counts();
   });
 }
@@ -60,8 +62,9 @@ const std::vector<test::Point> corners_of_square{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}
 
 TEST_CASE("indices of no vertex are out of range, negative ones too") {
   in_every_form([](test::PlyStyle style) {
-    test::Polygons mesh{corners_of_square,
-                        {{0, 1, 2}, {0, 1, 4}, {5, 6, 7}, {0, 30000, 2}, {1, 2, 3}, {0, 1, 2, 4}, {3, 2, 1}}};
+    test::Polygons mesh{
+        corners_of_square,
+        {{0, 1, 2}, {0, 1, 4}, {5, 6, 7}, {0, 30000, 2}, {1, 2, 3}, {0, 1, 2, 4}, {3, 2, 1}}};
     std::uint64_t more = 0;
     if (style.index != PlyType::uint32) {
       mesh.faces.push_back({0, -1, 2});
@@ -102,8 +105,8 @@ TEST_CASE("corners that are not finite are told, whatever else the vertex list h
 TEST_CASE("repeated corners are degenerate, by index and by position") {
   std::vector<test::Point> vertices = corners_of_square;
   vertices.push_back({1, 0, -0.0});  // the second vertex again: minus nothing is nothing
-  const test::Polygons mesh{vertices,
-                            {{0, 1, 2}, {0, 0, 1}, {1, 2, 1}, {2, 3, 3}, {1, 4, 0}, {2, 1, 4}, {0, 4, 2}}};
+  const test::Polygons mesh{
+      vertices, {{0, 1, 2}, {0, 0, 1}, {1, 2, 1}, {2, 3, 3}, {1, 4, 0}, {2, 1, 4}, {0, 4, 2}}};
   in_every_form([&](const test::PlyStyle& style) {
     check_counts(counts_of(ply_file(mesh, style)), 7, {5, 0, 0});
   });
@@ -150,15 +153,18 @@ TEST_CASE("the first bad face is remembered with what is wrong") {
     CHECK(counts.first_bad.face == bad);
     CHECK(std::string(counts.first_bad.what).find("vertex") != std::string::npos);
   }
-  CHECK(counts_of(test::ply_file({corners_of_square, {{0, 1, 2}}}, {})).first_bad.face == UINT64_MAX);
+  CHECK(counts_of(test::ply_file({corners_of_square, {{0, 1, 2}}}, {})).first_bad.face ==
+        UINT64_MAX);
 }
 
 TEST_CASE("a face that is left out is not counted as too large either") {
   // What takes the place of its missing corner may be anywhere.
-  const test::Polygons mesh{{{1000, 1000, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 2, 3}, {1, 2, 77}}};
+  const test::Polygons mesh{{{1000, 1000, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                            {{1, 2, 3}, {1, 2, 77}}};
   test::PlyStyle style;
   CHECK(counts_of(ply_file(mesh, style), 0.5).clamped == 0);
-  const test::Polygons large{{{1000, 1000, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 2, 3}, {0, 1, 2}}};
+  const test::Polygons large{{{1000, 1000, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                             {{1, 2, 3}, {0, 1, 2}}};
   CHECK(counts_of(ply_file(large, style), 0.5).clamped == 1);
 }
 

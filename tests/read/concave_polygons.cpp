@@ -11,17 +11,18 @@ namespace winnow::test {
 namespace {
 
 // Two forms of the letter L, each of area 5, the second begun at another corner, and a bow tie.
-const Polygons letters{{{0, 0, 0},
-                        {3, 0, 0},
-                        {3, 1, 0},
-                        {1, 1, 0},
-                        {1, 3, 0},
-                        {0, 3, 0},
-                        {0, 0, 9},
-                        {2, 2, 9},
-                        {2, 0, 9},
-                        {0, 1, 9}},
-                       {{0, 1, 2, 3, 4, 5}, {0, 1, 3}, {4, 5, 0, 1, 2, 3}, {1, 2, 3}, {6, 7, 8, 9}}};
+const Polygons letters{
+    {{0, 0, 0},
+     {3, 0, 0},
+     {3, 1, 0},
+     {1, 1, 0},
+     {1, 3, 0},
+     {0, 3, 0},
+     {0, 0, 9},
+     {2, 2, 9},
+     {2, 0, 9},
+     {0, 1, 9}},
+    {{0, 1, 2, 3, 4, 5}, {0, 1, 3}, {4, 5, 0, 1, 2, 3}, {1, 2, 3}, {6, 7, 8, 9}}};
 
 double area_of_ls(const std::vector<SeenFace>& faces) {
   double sum = 0;

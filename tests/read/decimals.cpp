@@ -48,7 +48,8 @@ TEST_CASE("what floats do not hold needs doubles") {
     const double millimetres = std::floor(random.real(4e9, 6e9)) / 1000;
     const std::string text = printed("%.3f", millimetres);
     CAPTURE(text);
-    CHECK(says(text) == (std::abs(double{static_cast<float>(millimetres)} - millimetres) <= 0.0005));
+    CHECK(says(text) ==
+          (std::abs(double{static_cast<float>(millimetres)} - millimetres) <= 0.0005));
   }
   for (const char* word :
        {"0.1234567891", "16777217", "1e39", "5000000.3", "3.14159265358979", "-1.0000000001"})
@@ -57,7 +58,8 @@ TEST_CASE("what floats do not hold needs doubles") {
 
 TEST_CASE("the last digits of a double are not taken for what was meant") {
   for (const char* word : {"-0.037829700000000001", "0.15124399999999999"}) CHECK(says(word));
-  for (const char* word : {"0", "-0.0", "1.", ".5", "1e2", "nan", "inf", "-inf", "1e-400", "0e9999999999"})
+  for (const char* word :
+       {"0", "-0.0", "1.", ".5", "1e2", "nan", "inf", "-inf", "1e-400", "0e9999999999"})
     CHECK(says(word));
 }
 

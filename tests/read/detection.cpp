@@ -15,8 +15,9 @@ std::string format_of_file(const std::string& content, const std::string& name =
   std::string format;
   for (const auto kind : {test::MemorySource::Kind::file, test::MemorySource::Kind::pipe}) {
     test::TestJob test;
-    const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(content, kind, name),
-                                    Format::automatic, Access::once, {test::usual_vertex_memory, 512});
+    const auto reader =
+        open_reader(test.job, std::make_unique<test::MemorySource>(content, kind, name),
+                    Format::automatic, Access::once, {test::usual_vertex_memory, 512});
     CHECK(test::read_faces(test.job, *reader).size() == 2);
     CHECK((format.empty() || format == reader->facts().format));
     format = reader->facts().format;
@@ -29,8 +30,10 @@ const std::string off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 
 const std::string m =
     "Vertex 1 0 0 0\nVertex 2 1 0 0\nVertex 3 1 1 0\nVertex 4 0 1 0\nFace 1 1 2 3\nFace 2 1 3 4\n";
 const std::string ply =
-    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-    "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 "
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 "
+    "0\n3 0 1 "
     "2\n"
     "3 0 2 3\n";
 
@@ -50,8 +53,9 @@ TEST_CASE("a text is known by its statements, whatever stands before them") {
     CHECK(format_of_file(before + stl()) == "STL ASCII");
     if (before.find('#') == std::string::npos) CHECK(format_of_file(before + ply) == "PLY ASCII");
   }
-  for (const std::string before : {"$ made by a program\n", "; v 1\n", "Dear reader,\n\nhere it is:\n",
-                                   "vertices follow\n", "// a comment\n", "!\n\"\n"}) {
+  for (const std::string before :
+       {"$ made by a program\n", "; v 1\n", "Dear reader,\n\nhere it is:\n", "vertices follow\n",
+        "// a comment\n", "!\n\"\n"}) {
     CAPTURE(before);
     CHECK(format_of_file(before + obj) == "OBJ");
     CHECK(format_of_file(before + m) == "M");
@@ -91,12 +95,15 @@ TEST_CASE("a decimal comma is named as what is wrong") {
        {"v 1,5 2,0 3\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "v 1 0 0\nv 1 0,25 0\nv 0 1 0\nf 1 2 3\n",
         "OFF\n3 1 0\n0 0 -1,5e3\n1 0 0\n0 1 0\n3 0 1 2\n", "Vertex 1 0 0 0,5\nVertex 2 1 0 0\n",
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1,5 0 0\n",
-        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty "
+        "float z\n"
         "element face 1\nproperty list uchar int vertex_indices\nend_header\n0,5 0 0\n3 0 0 0\n"}) {
     CAPTURE(file);
-    CHECK(std::string(test::error_of([&] { test::faces_of(file); }).what()).find(point) != std::string::npos);
+    CHECK(std::string(test::error_of([&] { test::faces_of(file); }).what()).find(point) !=
+          std::string::npos);
   }
-  CHECK(std::string(test::error_of([&] { test::faces_of("v 1,2,3\nv 1,2x 0 0\n", {Format::obj}); }).what())
+  CHECK(std::string(
+            test::error_of([&] { test::faces_of("v 1,2,3\nv 1,2x 0 0\n", {Format::obj}); }).what())
             .find(point) == std::string::npos);
 }
 

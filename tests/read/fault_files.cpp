@@ -43,7 +43,9 @@ TEST_CASE("files that other readers take are read whole") {
     const InfoReport report = info(context, path);
     CHECK(report.faces == file.faces);
     CHECK(report.area == Approx(file.area).epsilon(1e-6));
-    CHECK(report.bad_faces.degenerate + report.bad_faces.non_finite + report.bad_faces.out_of_range == 0);
+    CHECK(report.bad_faces.degenerate + report.bad_faces.non_finite +
+              report.bad_faces.out_of_range ==
+          0);
     CHECK(report.notes.size() == file.notes);
   }
 }

@@ -63,7 +63,8 @@ TEST_CASE("colours of a glTF have the numbers and the type of the file") {
   CHECK(wide.facts.choice.carried[3].kind == AttributeKind::value);
   GltfBuilder real;
   const Carried floats = colored(
-      real, real.numbers<float>({0.1F, 2, -1, 1, 1, std::nanf(""), 0, 0, 0}, 5126, "VEC3", false, 24));
+      real,
+      real.numbers<float>({0.1F, 2, -1, 1, 1, std::nanf(""), 0, 0, 0}, 5126, "VEC3", false, 24));
   CHECK(floats.attributes == names("float"));
   CHECK(floats.numbers[0] == 0.1F);
   CHECK(floats.numbers[3] == 2);
@@ -77,9 +78,9 @@ TEST_CASE("colours of a glTF's primitives are of the widest type and have an alp
       file.numbers<std::uint16_t>({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}, 5123, "VEC4", true);
   const std::size_t positions = file.positions(corner);
   // Vertices of the same positions are not mixed up.
-  file.mesh(
-      Json::array({primitive(positions, {{"COLOR_0", small}}), primitive(positions, {{"COLOR_0", wide}}),
-                   primitive(positions, {{"COLOR_0", small}})}));
+  file.mesh(Json::array({primitive(positions, {{"COLOR_0", small}}),
+                         primitive(positions, {{"COLOR_0", wide}}),
+                         primitive(positions, {{"COLOR_0", small}})}));
   const Carried both = read(file);
   CHECK(both.attributes == names("ushort", true));
   CHECK(both.facts.vertices == 6);
@@ -103,12 +104,14 @@ TEST_CASE("what only some primitives of a glTF's scene have is told") {
   const std::size_t positions = file.positions(corner);
   file.mesh(Json::array({primitive(positions, {{"COLOR_0", colors}, {"NORMAL", normals}}),
                          primitive(positions, {{"NORMAL", normals}, {"COLOR_1", colors}})}));
-  const std::size_t bare = file.mesh(Json::array({primitive(positions, {{"TEXCOORD_0", normals}})}));
+  const std::size_t bare =
+      file.mesh(Json::array({primitive(positions, {{"TEXCOORD_0", normals}})}));
   file.json["nodes"] = {{{"mesh", 0}}, {{"mesh", bare}}};
   file.json["scenes"] = {{{"nodes", {0}}}};
   const Carried some = read(file);
   CHECK(some.attributes == Names{"nx (float)", "ny (float)", "nz (float)"});
-  CHECK(some.facts.offer.unread == Names{"colours of some vertices", "more colours", "texture coordinates"});
+  CHECK(some.facts.offer.unread ==
+        Names{"colours of some vertices", "more colours", "texture coordinates"});
   file.json["scenes"][0]["nodes"] = {0, 1};
   const Carried none = read(file);
   CHECK(none.attributes.empty());

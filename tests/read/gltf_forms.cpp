@@ -35,7 +35,8 @@ std::vector<test::SeenFace> placed(const Json& nodes) {
 }
 
 void check_corner(const test::Point& seen, const test::Point& wanted) {
-  for (std::size_t axis = 0; axis < 3; ++axis) CHECK(seen[axis] == Approx(wanted[axis]).margin(1e-12));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    CHECK(seen[axis] == Approx(wanted[axis]).margin(1e-12));
 }
 
 }  // namespace
@@ -107,7 +108,8 @@ TEST_CASE("positions of a glTF between other attributes, and changed by a sparse
                     {"indices", {{"bufferView", file.view(indices)}, {"componentType", 5125}}},
                     {"values", {{"bufferView", file.view(values)}}}};
   const Json attributes{{"POSITION", positions}};
-  file.mesh(Json::array({{{"attributes", attributes}, {"indices", file.indices(corners_of(mesh), 5125)}}}));
+  file.mesh(Json::array(
+      {{{"attributes", attributes}, {"indices", file.indices(corners_of(mesh), 5125)}}}));
   CHECK(difference(faces_of(file.glb()), as_triangles(mesh)) == "");
   file.json["accessors"][positions]["sparse"] = sparse;
   CHECK(difference(faces_of(file.glb()), as_triangles(changed)) == "");
@@ -121,8 +123,8 @@ TEST_CASE("nodes of a glTF move, turn, stretch and mirror") {
   CHECK(scaled[0].corner[2] == test::Point{3, 4, 1});
   // A quarter turn around z, then moved by the parent.
   const double half = std::sqrt(0.5);
-  const auto turned = placed(
-      {{{"children", {1}}, {"translation", {10, 0, 0}}}, {{"mesh", 0}, {"rotation", {0, 0, half, half}}}});
+  const auto turned = placed({{{"children", {1}}, {"translation", {10, 0, 0}}},
+                              {{"mesh", 0}, {"rotation", {0, 0, half, half}}}});
   check_corner(turned[0].corner[1], {10, 1, 0});
   check_corner(turned[0].corner[2], {9, 1, 0});
   const auto by_matrix =
@@ -210,13 +212,15 @@ TEST_CASE("more buffers beside a glTF than files may be open, whatever bytes the
       json["bufferViews"].push_back(view);
     }
     for (auto accessor : one["accessors"]) {
-      accessor["bufferView"] = accessor["bufferView"].get<std::size_t>() + k * one["bufferViews"].size();
+      accessor["bufferView"] =
+          accessor["bufferView"].get<std::size_t>() + k * one["bufferViews"].size();
       json["accessors"].push_back(accessor);
     }
     auto primitive = one["meshes"][0]["primitives"][0];
     const std::size_t shift = k * one["accessors"].size();
     primitive["indices"] = primitive["indices"].get<std::size_t>() + shift;
-    for (auto& attribute : primitive["attributes"]) attribute = attribute.get<std::size_t>() + shift;
+    for (auto& attribute : primitive["attributes"])
+      attribute = attribute.get<std::size_t>() + shift;
     json["meshes"][0]["primitives"].push_back(primitive);
   }
   test::write_file(directory.file("mesh.gltf"), json.dump());
@@ -250,17 +254,20 @@ TEST_CASE("buffer views packed by EXT_meshopt_compression") {
     GltfBuilder file;
     file.json["extensionsRequired"] = {"EXT_meshopt_compression"};
     std::vector<unsigned char> vertices(meshopt_encodeVertexBufferBound(3000, 12));
-    vertices.resize(meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), xyz.data(), 3000, 12));
+    vertices.resize(
+        meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), xyz.data(), 3000, 12));
     file.add("accessors", {{"bufferView", file.packed_view(vertices, "ATTRIBUTES", 3000, 12)},
                            {"componentType", 5126},
                            {"count", 3000},
                            {"type", "VEC3"}});
     const bool whole = std::string(mode) == "TRIANGLES";
-    std::vector<unsigned char> faces(whole ? meshopt_encodeIndexBufferBound(indices.size(), 3000)
-                                           : meshopt_encodeIndexSequenceBound(indices.size(), 3000));
-    faces.resize(
-        whole ? meshopt_encodeIndexBuffer(faces.data(), faces.size(), indices.data(), indices.size())
-              : meshopt_encodeIndexSequence(faces.data(), faces.size(), indices.data(), indices.size()));
+    std::vector<unsigned char> faces(whole
+                                         ? meshopt_encodeIndexBufferBound(indices.size(), 3000)
+                                         : meshopt_encodeIndexSequenceBound(indices.size(), 3000));
+    faces.resize(whole ? meshopt_encodeIndexBuffer(faces.data(), faces.size(), indices.data(),
+                                                   indices.size())
+                       : meshopt_encodeIndexSequence(faces.data(), faces.size(), indices.data(),
+                                                     indices.size()));
     file.add("accessors", {{"bufferView", file.packed_view(faces, mode, indices.size(), 4)},
                            {"componentType", 5125},
                            {"count", indices.size()},
@@ -280,7 +287,8 @@ TEST_CASE("buffer views packed by EXT_meshopt_compression") {
     std::string glb = file.glb();
     for (int round = 0; round < 200; ++round) {
       std::string damaged = glb;
-      damaged[damaged.size() - 1 - random.below(file.buffer.size())] = static_cast<char>(random.bits() >> 56);
+      damaged[damaged.size() - 1 - random.below(file.buffer.size())] =
+          static_cast<char>(random.bits() >> 56);
       try {
         const std::size_t count = faces_of(damaged).size();
         CHECK(count == 5000);
@@ -302,13 +310,14 @@ TEST_CASE("what of glTF is not read is said") {
   CHECK(refused([](Json& json) {
           json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
         }).find("Draco") != std::string::npos);
-  CHECK(
-      refused([](Json& json) {
-        json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
-      }).find("Draco") != std::string::npos);
+  CHECK(refused([](Json& json) {
+          json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+              {"bufferView", 0}};
+        }).find("Draco") != std::string::npos);
   CHECK(refused([](Json& json) { json["extensionsRequired"] = {"X_strange"}; }).find("X_strange") !=
         std::string::npos);
-  CHECK(refused([](Json& json) { json["asset"]["version"] = "1.0"; }).find("version 2") != std::string::npos);
+  CHECK(refused([](Json& json) { json["asset"]["version"] = "1.0"; }).find("version 2") !=
+        std::string::npos);
   test::TestJob test;
   GltfBuilder file = test::gltf_of({test::unit_square.vertices, {{0, 1, 2}}});
   file.json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 1}});

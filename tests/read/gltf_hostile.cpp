@@ -41,7 +41,8 @@ TEST_CASE("a GLB cut at every byte is an error") {
     for (const bool pipe : {false, true}) CHECK_FALSE(read(file.substr(0, length), pipe));
   }
   const std::string json = test::gltf_of(test::unit_square).gltf();
-  for (std::size_t length = 0; length < json.size(); ++length) CHECK_FALSE(read(json.substr(0, length)));
+  for (std::size_t length = 0; length < json.size(); ++length)
+    CHECK_FALSE(read(json.substr(0, length)));
 }
 
 TEST_CASE("counts, sizes and indices of a glTF that its file does not hold are refused") {
@@ -128,9 +129,9 @@ TEST_CASE("bytes of a glTF changed at random are an error or another mesh, nothi
     std::string file = random.chance(0.5) ? builder.glb() : builder.gltf();
     for (std::uint64_t changes = random.between(1, 5); changes > 0; --changes) {
       const std::size_t at = random.below(file.size());
-      file.replace(
-          at, 1,
-          random.one_of<std::string>({"9", "-", "{", "[", "\"", ",", "\xff", std::string(1, '\0'), "e", ""}));
+      file.replace(at, 1,
+                   random.one_of<std::string>(
+                       {"9", "-", "{", "[", "\"", ",", "\xff", std::string(1, '\0'), "e", ""}));
     }
     CAPTURE(round, file);
     const auto faces = read(file);

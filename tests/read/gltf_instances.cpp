@@ -1,4 +1,5 @@
-// Instances of a glTF's mesh, the centre that CESIUM_RTC gives, and what of a glTF moves and is not carried.
+// Instances of a glTF's mesh, the centre that CESIUM_RTC gives, and what of a glTF moves and is not
+// carried.
 #include "support/gltf_file.hpp"
 #include "support/job.hpp"
 #include "support/reading.hpp"
@@ -38,10 +39,11 @@ std::string refusal(const GltfBuilder& file) {
 TEST_CASE("every instance of a mesh is read, scaled, turned and moved within its node") {
   GltfBuilder file = triangle();
   const float half = static_cast<float>(std::sqrt(0.5));
-  set_instances(file,
-                {{"TRANSLATION", file.positions({{0, 0, 0}, {0, 5, 0}, {0, 0, 7}})},
-                 {"ROTATION", file.numbers<float>({0, 0, 0, 1, 0, 0, half, half, 0, 0, 0, 1}, 5126, "VEC4")},
-                 {"SCALE", file.positions({{1, 1, 1}, {2, 2, 2}, {-1, 1, 1}})}});
+  set_instances(
+      file,
+      {{"TRANSLATION", file.positions({{0, 0, 0}, {0, 5, 0}, {0, 0, 7}})},
+       {"ROTATION", file.numbers<float>({0, 0, 0, 1, 0, 0, half, half, 0, 0, 0, 1}, 5126, "VEC4")},
+       {"SCALE", file.positions({{1, 1, 1}, {2, 2, 2}, {-1, 1, 1}})}});
   for (const bool required : {false, true}) {
     if (required) file.json["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
     const std::vector<SeenFace> faces = faces_of(file.glb());
@@ -59,8 +61,8 @@ TEST_CASE("instances have any of translation, rotation and scale, of any allowed
   CHECK(faces_of(moved.glb()).size() == 10'000);
   CHECK(faces_of(moved.glb()).back().corner[1] == Point{104, 0, 0});
   GltfBuilder turned = triangle();
-  set_instances(
-      turned, {{"ROTATION", turned.numbers<std::int8_t>({0, 0, 127, 0, 0, 0, 90, 90}, 5120, "VEC4", true)}});
+  set_instances(turned, {{"ROTATION", turned.numbers<std::int8_t>({0, 0, 127, 0, 0, 0, 90, 90},
+                                                                  5120, "VEC4", true)}});
   const std::vector<SeenFace> faces = faces_of(turned.glb());
   REQUIRE(faces.size() == 2);
   CHECK(faces[0].corner[1] == Point{99, 0, 0});
@@ -98,7 +100,8 @@ TEST_CASE("the centre that CESIUM_RTC gives is added, and told") {
     REQUIRE(faces.size() == 1);
     CHECK(faces[0].corner[2] == Point{4'000'000.25 + (nodes ? 100 : 0), -19, 3});
     REQUIRE(test.job.notes.size() == 1);
-    CHECK_THAT(test.job.notes[0], Catch::Contains("CESIUM_RTC") && Catch::Contains("4000000.25 -20 3"));
+    CHECK_THAT(test.job.notes[0],
+               Catch::Contains("CESIUM_RTC") && Catch::Contains("4000000.25 -20 3"));
   }
 }
 

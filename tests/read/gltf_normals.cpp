@@ -19,12 +19,14 @@ const std::vector<Point> corner{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 // A triangle with these normals; as the file has them, or where `nodes` place them.
 std::vector<Point> normals_of(GltfBuilder& file, std::size_t normals, const Json& nodes = nullptr) {
-  file.mesh(Json::array({{{"attributes", {{"POSITION", file.positions(corner)}, {"NORMAL", normals}}}}}));
+  file.mesh(
+      Json::array({{{"attributes", {{"POSITION", file.positions(corner)}, {"NORMAL", normals}}}}}));
   if (!nodes.is_null()) file.json["nodes"] = nodes;
   std::vector<Point> seen(3);
   for (const auto kind : {MemorySource::Kind::file, MemorySource::Kind::pipe}) {
     const Carried carried = carried_by(std::make_unique<MemorySource>(file.glb(), kind));
-    REQUIRE(carried.attributes == std::vector<std::string>{"nx (float)", "ny (float)", "nz (float)"});
+    REQUIRE(carried.attributes ==
+            std::vector<std::string>{"nx (float)", "ny (float)", "nz (float)"});
     CHECK(carried.facts.choice.carried[0].kind == AttributeKind::normal);
     for (std::size_t v = 0; v < 3; ++v)
       seen[v] = {carried.numbers[v], carried.numbers[3 + v], carried.numbers[6 + v]};
@@ -41,7 +43,8 @@ std::vector<Point> placed(const std::vector<float>& normals, const Json& node) {
 }
 
 void check_near(const Point& seen, const Point& wanted, double margin = 1e-7) {
-  for (std::size_t axis = 0; axis < 3; ++axis) CHECK(seen[axis] == Approx(wanted[axis]).margin(margin));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    CHECK(seen[axis] == Approx(wanted[axis]).margin(margin));
 }
 
 }  // namespace
@@ -75,14 +78,16 @@ TEST_CASE("normals of a glTF packed as octahedra") {
     std::vector<unsigned char> plain(3 * stride);
     meshopt_encodeFilterOct(plain.data(), 3, stride, stride == 4 ? 8 : 16, directions.data());
     std::vector<unsigned char> packed(meshopt_encodeVertexBufferBound(3, stride));
-    packed.resize(meshopt_encodeVertexBuffer(packed.data(), packed.size(), plain.data(), 3, stride));
+    packed.resize(
+        meshopt_encodeVertexBuffer(packed.data(), packed.size(), plain.data(), 3, stride));
     GltfBuilder file;
     const std::size_t view = file.packed_view(packed, "ATTRIBUTES", 3, stride, "OCTAHEDRAL");
-    const std::size_t accessor = file.add("accessors", {{"bufferView", view},
-                                                        {"componentType", stride == 4 ? 5120 : 5122},
-                                                        {"normalized", true},
-                                                        {"count", 3},
-                                                        {"type", "VEC3"}});
+    const std::size_t accessor =
+        file.add("accessors", {{"bufferView", view},
+                               {"componentType", stride == 4 ? 5120 : 5122},
+                               {"normalized", true},
+                               {"count", 3},
+                               {"type", "VEC3"}});
     const std::vector<Point> seen = normals_of(file, accessor);
     for (std::size_t v = 0; v < 3; ++v) {
       const Point want{directions[4 * v], directions[4 * v + 1], directions[4 * v + 2]};
@@ -120,8 +125,8 @@ TEST_CASE("nodes take normals of a glTF along with the surface") {
   check_near(stretched[0], {0.3 / length, 0.8 / length, 0});
   check_near(stretched[1], {0.3 / length, 0.8 / length, 0});
   check_near(stretched[2], {0, 0, 1});
-  // Outside stays outside where the surface is mirrored, which swaps the first two corners, and where the
-  // node is huge, tiny or flat.
+  // Outside stays outside where the surface is mirrored, which swaps the first two corners, and
+  // where the node is huge, tiny or flat.
   const auto mirrored = placed(x, {{"scale", {-1, 1, 1}}});
   check_near(mirrored[1], {-1, 0, 0});
   check_near(mirrored[0], {0, 1, 0});

@@ -20,12 +20,14 @@ std::size_t packed(GltfBuilder& file, const std::vector<Number>& numbers, int co
                    const std::string& type) {
   const std::size_t stride = numbers.size() / vertices * sizeof(Number);
   std::vector<unsigned char> bytes(meshopt_encodeVertexBufferBound(vertices, stride));
-  bytes.resize(meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), numbers.data(), vertices, stride));
-  return file.add("accessors", {{"bufferView", file.packed_view(bytes, "ATTRIBUTES", vertices, stride)},
-                                {"componentType", component},
-                                {"normalized", component != 5126},
-                                {"count", vertices},
-                                {"type", type}});
+  bytes.resize(
+      meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), numbers.data(), vertices, stride));
+  return file.add("accessors",
+                  {{"bufferView", file.packed_view(bytes, "ATTRIBUTES", vertices, stride)},
+                   {"componentType", component},
+                   {"normalized", component != 5126},
+                   {"count", vertices},
+                   {"type", type}});
 }
 
 // Triangles one after the other, with normals and colours in views of their own.
@@ -44,8 +46,8 @@ GltfBuilder packed_triangles() {
   const std::size_t positions = packed(file, xyz, 5126, "VEC3");
   const std::size_t normal = packed(file, normals, 5126, "VEC3");
   const std::size_t color = packed(file, colors, 5121, "VEC4");
-  file.mesh(
-      Json::array({{{"attributes", {{"POSITION", positions}, {"NORMAL", normal}, {"COLOR_0", color}}}}}));
+  file.mesh(Json::array(
+      {{{"attributes", {{"POSITION", positions}, {"NORMAL", normal}, {"COLOR_0", color}}}}}));
   return file;
 }
 
@@ -83,18 +85,21 @@ TEST_CASE("a packed view of a glTF that its bytes cannot hold takes no memory") 
     Json& view = file.json["bufferViews"][2];
     view["extensions"]["EXT_meshopt_compression"].update(change);
     const std::size_t stride = view["extensions"]["EXT_meshopt_compression"]["byteStride"];
-    view["byteLength"] = view["extensions"]["EXT_meshopt_compression"]["count"].get<std::size_t>() * stride;
+    view["byteLength"] =
+        view["extensions"]["EXT_meshopt_compression"]["count"].get<std::size_t>() * stride;
     const std::string glb = file.glb();
     return error_of([&] { carried_by(std::make_unique<MemorySource>(glb)); });
   };
-  for (const Json& change : {Json{{"count", 50'000'000}}, Json{{"byteStride", 12}, {"filter", "OCTAHEDRAL"}},
-                             Json{{"mode", "INDICES"}, {"filter", "EXPONENTIAL"}}}) {
+  for (const Json& change :
+       {Json{{"count", 50'000'000}}, Json{{"byteStride", 12}, {"filter", "OCTAHEDRAL"}},
+        Json{{"mode", "INDICES"}, {"filter", "EXPONENTIAL"}}}) {
     CAPTURE(change.dump());
     const Error error = refused(change);
     CHECK(error.kind() == ErrorKind::bad_input);
     CHECK_THAT(error.what(), Catch::Contains("do not fit each other"));
   }
-  CHECK_THAT(refused({{"filter", "QUATERNION"}}).what(), Catch::Contains("a filter that is not for that"));
+  CHECK_THAT(refused({{"filter", "QUATERNION"}}).what(),
+             Catch::Contains("a filter that is not for that"));
 }
 
 }  // namespace winnow::test

@@ -1,4 +1,5 @@
-// Faces that jump over more vertices than memory has room for: the same faces as by looking each vertex up.
+// Faces that jump over more vertices than memory has room for: the same faces as by looking each
+// vertex up.
 #include "support/files.hpp"
 #include "support/ply_file.hpp"
 #include "support/reading.hpp"
@@ -54,8 +55,8 @@ void check(const std::string& file, const std::vector<test::SeenFace>& right,
       }
       const test::FedPipe pipe(file);
       test::TestJob test({.threads = threads});
-      const auto reader =
-          open_reader(test.job, open_source(test.job, pipe.path()), Format::automatic, access, memory);
+      const auto reader = open_reader(test.job, open_source(test.job, pipe.path()),
+                                      Format::automatic, access, memory);
       REQUIRE(difference(test::read_faces(test.job, *reader), right) == "");
       CHECK(test.job.scratch.written() >= 3 * 7 * right.size());
     }
@@ -136,7 +137,8 @@ TEST_CASE("whatever the memory, faces that jump are the same") {
   }
 }
 
-TEST_CASE("faces that jump only somewhere in a file are noticed, and those that do not are looked up") {
+TEST_CASE(
+    "faces that jump only somewhere in a file are noticed, and those that do not are looked up") {
   test::Random random(416);
   test::Polygons mesh = test::random_polygons(random, vertex_count, 0, 3);
   const auto faces = static_cast<std::int64_t>(2 * vertex_count);
@@ -153,7 +155,8 @@ TEST_CASE("faces that jump only somewhere in a file are noticed, and those that 
     }
     test::TestJob test;
     auto source = std::make_unique<test::MemorySource>(ply_file(mesh, style));
-    const auto seen = test::faces_of(test.job, std::move(source), {.memory = {std::uint64_t{1} << 16, 1000}});
+    const auto seen =
+        test::faces_of(test.job, std::move(source), {.memory = {std::uint64_t{1} << 16, 1000}});
     CAPTURE(jumping_from);
     CHECK(difference(seen, as_triangles(as_stored(mesh, style))) == "");
     // The vertices themselves are kept there.
@@ -171,7 +174,8 @@ TEST_CASE("bringing the vertices of jumping faces together is cancelled", "[thre
       if (std::string(progress.stage) == stage) test.context.cancel();
     };
     const Error error = test::error_of([&] {
-      test::faces_of(test.job, std::make_unique<test::MemorySource>(file), {.memory = small_memory});
+      test::faces_of(test.job, std::make_unique<test::MemorySource>(file),
+                     {.memory = small_memory});
     });
     CHECK(error.exit_code() == 130);
     CHECK(test.job.budget.used() == 0);

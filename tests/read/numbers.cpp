@@ -36,8 +36,9 @@ TEST_CASE("reals are read to the last bit, however they are written") {
 }
 
 TEST_CASE("what is no finite number in any spelling is one that is not finite") {
-  for (const char* word : {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "-nan(snan)", "inf", "-inf", "INF",
-                           "Infinity", "+inf", "1.#QNAN", "1.#INF", "-1.#IND", "1e999", "-1e999", "+1e400"}) {
+  for (const char* word :
+       {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "-nan(snan)", "inf", "-inf", "INF",
+        "Infinity", "+inf", "1.#QNAN", "1.#INF", "-1.#IND", "1e999", "-1e999", "+1e400"}) {
     CAPTURE(word);
     const std::optional<double> value = parse_real(word);
     REQUIRE(value);
@@ -100,7 +101,8 @@ TEST_CASE("words are found across blocks, with the lines they stand in") {
 }
 
 TEST_CASE("the rest of a line can be skipped, and what was not used is given back") {
-  test::MemorySource source("one two three\nfour five\n\nsix" + std::string(200'000, ' ') + "seven\neight");
+  test::MemorySource source("one two three\nfour five\n\nsix" + std::string(200'000, ' ') +
+                            "seven\neight");
   TextTokens tokens(source);
   CHECK(tokens.next() == "one");
   tokens.skip_line();

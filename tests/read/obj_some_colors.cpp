@@ -32,7 +32,8 @@ TEST_CASE("colours that some vertices lack are carried by none, in any order") {
 }
 
 TEST_CASE("colours that all vertices have are carried") {
-  const Carried carried = carried_by_lines({"0 0 0 1 0 0", "1 0 0 1 1 0", "1 1 0 0 1 0", "0 1 0 0 0 1"});
+  const Carried carried =
+      carried_by_lines({"0 0 0 1 0 0", "1 0 0 1 1 0", "1 1 0 0 1 0", "0 1 0 0 0 1"});
   CHECK(carried.attributes.size() == 3);
   CHECK(carried.facts.offer.unread.empty());
 }

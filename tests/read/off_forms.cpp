@@ -22,7 +22,8 @@ TEST_CASE("an OFF of any style is the mesh that was written") {
       CAPTURE(round, end, keyword);
       const std::string file = off_file(mesh, {end, &random}, keyword);
       for (const std::size_t batch : {8, 64, 8192}) {
-        const test::ReadStyle style{Format::automatic, Access::once, {test::usual_vertex_memory, batch}};
+        const test::ReadStyle style{
+            Format::automatic, Access::once, {test::usual_vertex_memory, batch}};
         REQUIRE(difference(faces_of(file, style), as_triangles(mesh)) == "");
         REQUIRE(difference(test::faces_of_pipe(file, style), as_triangles(mesh)) == "");
       }
@@ -32,9 +33,9 @@ TEST_CASE("an OFF of any style is the mesh that was written") {
 
 TEST_CASE("headers of OFF") {
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  for (const char* header :
-       {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF\n\n# counts\n3 1 0 # so\n", "OFF\n3 1\n", "\t OFF3 1 3\n",
-        "# comes first\n\nOFF\n3 1 0\n", "4OFF\n3 1 0\n", "OFF BINARY\n3 1 0\n", "NOFF\n3 1 0\n"}) {
+  for (const char* header : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF\n\n# counts\n3 1 0 # so\n",
+                             "OFF\n3 1\n", "\t OFF3 1 3\n", "# comes first\n\nOFF\n3 1 0\n",
+                             "4OFF\n3 1 0\n", "OFF BINARY\n3 1 0\n", "NOFF\n3 1 0\n"}) {
     CAPTURE(header);
     const bool refused = std::string(header).find_first_of("4B") != std::string::npos;
     if (refused) {
@@ -43,8 +44,9 @@ TEST_CASE("headers of OFF") {
       CHECK(faces_of(header + body).size() == 1);
     }
   }
-  CHECK(std::string(test::error_of([] { faces_of("OFF BINARY\n" + std::string(200, '\1')); }).what())
-            .find("binary OFF") != std::string::npos);
+  CHECK(
+      std::string(test::error_of([] { faces_of("OFF BINARY\n" + std::string(200, '\1')); }).what())
+          .find("binary OFF") != std::string::npos);
 }
 
 TEST_CASE("the header of an OFF may stretch over several blocks") {
@@ -52,8 +54,8 @@ TEST_CASE("the header of an OFF may stretch over several blocks") {
   const std::string file = "STCOFF\n# " + std::string(3000, 'x') +
                            "\n3 1 0\n0 0 0 7 7 0 0\n1 0 0 7 7 0 0\n0 1 0 7 7 0 0\n3 0 1 2\n";
   test::TestJob test;
-  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
-                                  Access::once, {test::usual_vertex_memory, 8});
+  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file),
+                                  Format::automatic, Access::once, {test::usual_vertex_memory, 8});
   CHECK(test::read_faces(test.job, *reader).size() == 1);
   CHECK(reader->facts().offer.unread ==
         std::vector<std::string>{"colours", "texture coordinates", "numbers behind vertices"});

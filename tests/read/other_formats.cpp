@@ -23,7 +23,9 @@ TEST_CASE("other formats are refused by name") {
   refused("# nothing but a comment\n");
   refused("off we go\n");
   refused("Vertex\n");
-  refused("solidarity is no word that begins a mesh, and this is longer than a header would be, by far\n");
+  refused(
+      "solidarity is no word that begins a mesh, and this is longer than a header would be, by "
+      "far\n");
   refused("<html><body>404 not found</body></html>\n" + std::string(2000, ' '));
   refused("plywood is not a mesh\n" + std::string(2000, '.'));
   refused(std::string(83, '\0'));
@@ -55,7 +57,8 @@ TEST_CASE("a file that is no mesh is named as what it is, with the way out") {
            {tar_name + "ustar" + zeros, "tar", "tar -xOf"},
            {"Kaydara FBX Binary  \0" + zeros, "FBX", "export it as"},
            {"; FBX 7.3.0 project file\n" + obj, "FBX", "export it as"},
-           {"<?xml version=\"1.0\"?>\n<!-- of a program -->\n<COLLADA xmlns=\"\">", "COLLADA", "export"},
+           {"<?xml version=\"1.0\"?>\n<!-- of a program -->\n<COLLADA xmlns=\"\">", "COLLADA",
+            "export"},
            {"  <COLLADA xmlns=\"\">", "COLLADA", "export it as"},
            {"LASF" + zeros, "LAS", "surface"},
            {"LASF" + zeros + "laszip encoded" + zeros, "LAZ", "surface"},
@@ -67,8 +70,8 @@ TEST_CASE("a file that is no mesh is named as what it is, with the way out") {
            {"\xff\xd8\xff\xe0" + noise, "JPEG", ""},
            {"<!DOCTYPE html>\n<html>" + obj, "HTML", "download"},
            {"\n<html><body>404</body></html>", "HTML", "download"},
-           {"version https://git-lfs.github.com/spec/v1\noid sha256:abc\nsize 123\n", "Git LFS pointer",
-            "git lfs pull"},
+           {"version https://git-lfs.github.com/spec/v1\noid sha256:abc\nsize 123\n",
+            "Git LFS pointer", "git lfs pull"},
            {"\xff\xfe" + utf16(obj, false), "UTF-16", "iconv -f UTF-16 "},
            {"\xfe\xff" + utf16(obj, true), "UTF-16", "iconv -f UTF-16 "},
            {utf16(obj, false), "UTF-16", "iconv -f UTF-16LE"},
@@ -99,8 +102,9 @@ TEST_CASE("a format that is asked for is the one that is tried") {
   test::Random random(300);
   const std::vector<test::Triangle> faces = test::random_triangles(random, 10);
   CHECK(test::faces_of(test::binary_stl(faces), {.format = Format::stl}).size() == 10);
-  CHECK(test::error_of([&] { test::faces_of(test::binary_stl(faces), {.format = Format::ply}); }).kind() ==
-        ErrorKind::bad_input);
+  CHECK(test::error_of([&] {
+          test::faces_of(test::binary_stl(faces), {.format = Format::ply});
+        }).kind() == ErrorKind::bad_input);
   // A binary STL whose header is that of a PLY.
   const std::string odd = test::binary_stl(faces, {"ply\nformat binary", -1, ""});
   CHECK(test::faces_of(odd, {.format = Format::stl}).size() == 10);
@@ -112,12 +116,13 @@ TEST_CASE("random bytes are refused or read as a handful of faces, nothing worse
     std::string bytes(random.below(3000), '\0');
     for (char& c : bytes) c = static_cast<char>(random.bits() >> 56);
     if (random.chance(0.3))
-      bytes =
-          random.one_of<std::string>({"solid ", "ply\n", "solid facet normal", "ply\nformat ascii 1.0\n"}) +
-          bytes;
+      bytes = random.one_of<std::string>(
+                  {"solid ", "ply\n", "solid facet normal", "ply\nformat ascii 1.0\n"}) +
+              bytes;
     for (const bool pipe : {false, true}) {
       try {
-        const std::size_t count = (pipe ? test::faces_of_pipe(bytes) : test::faces_of(bytes)).size();
+        const std::size_t count =
+            (pipe ? test::faces_of_pipe(bytes) : test::faces_of(bytes)).size();
         REQUIRE(count <= bytes.size() / 50);
       } catch (const Error& error) {
         REQUIRE(error.kind() == ErrorKind::bad_input);

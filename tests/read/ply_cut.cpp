@@ -20,7 +20,8 @@ void check_cuts(const std::string& file, bool ascii, std::size_t step) {
     for (const bool pipe : {false, true}) {
       const std::string cut = file.substr(0, length);
       if (ascii && only_last_word_cut(file, length)) continue;
-      const Error error = test::error_of([&] { pipe ? test::faces_of_pipe(cut) : test::faces_of(cut); });
+      const Error error =
+          test::error_of([&] { pipe ? test::faces_of_pipe(cut) : test::faces_of(cut); });
       REQUIRE(error.kind() == ErrorKind::bad_input);
     }
   }
@@ -62,7 +63,8 @@ TEST_CASE("an element behind the faces may be cut: nobody asked for it") {
   const std::string file =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
       "z\nelement face 1\n"
-      "property list uchar int vertex_indices\nelement edge 5\nproperty list int int a\nend_header\n0 0 0\n1 "
+      "property list uchar int vertex_indices\nelement edge 5\nproperty list int int "
+      "a\nend_header\n0 0 0\n1 "
       "0 0\n0 1 0\n3 0 1 2\n2 7 7\n";
   CHECK(test::faces_of_pipe(file).size() == 1);
 }

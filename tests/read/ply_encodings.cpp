@@ -73,8 +73,9 @@ TEST_CASE("random meshes in random styles are read as they were written") {
   test::Random random(213);
   for (int round = 0; round < 400; ++round) {
     const std::size_t vertices = random.between(1, random.one_of<std::uint64_t>({10, 120, 3000}));
-    test::Polygons mesh = test::random_polygons(
-        random, vertices, random.between(0, random.chance(0.1) ? 4000 : 300), random.chance(0.5) ? 3 : 9);
+    test::Polygons mesh =
+        test::random_polygons(random, vertices, random.between(0, random.chance(0.1) ? 4000 : 300),
+                              random.chance(0.5) ? 3 : 9);
     test::PlyStyle style = random_ply_style(random, mesh);
     if (style.coordinate[0] == PlyType::int32) {
       for (test::Point& p : mesh.vertices) p[0] *= 1e6;  // beyond a float
@@ -120,8 +121,9 @@ TEST_CASE("the header tells what is in the file") {
       style.form = static_cast<PlyForm>(form);
       style.coordinate[2] = type;
       test::TestJob test;
-      const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(ply_file(mesh, style)),
-                                      Format::automatic, Access::once, {1 << 20, 100});
+      const auto reader =
+          open_reader(test.job, std::make_unique<test::MemorySource>(ply_file(mesh, style)),
+                      Format::automatic, Access::once, {1 << 20, 100});
       CHECK(reader->facts().faces == 7);
       CHECK(reader->facts().vertices == 10);
       CHECK(reader->facts().double_positions == (type == PlyType::float64));

@@ -28,9 +28,11 @@ std::string lines(const std::string& text, const std::string& end) {
 }
 
 const std::string plain =
-    "ply\nformat binary_little_endian 1.0\ncomment a comment\nobj_info made by hand\nelement vertex "
+    "ply\nformat binary_little_endian 1.0\ncomment a comment\nobj_info made by hand\nelement "
+    "vertex "
     "3\nproperty float x\n"
-    "property float y\nproperty double z\nproperty list uchar int flags\nelement face 1\nproperty list uchar "
+    "property float y\nproperty double z\nproperty list uchar int flags\nelement face 1\nproperty "
+    "list uchar "
     "uint vertex_index\n"
     "end_header\n";
 
@@ -75,7 +77,8 @@ TEST_CASE("blanks, tabs, empty lines and remarks anywhere do not matter") {
   const std::string text =
       "ply\n\n  format \t binary_little_endian   1.0 \ncomment\ncomment element face 77\nobj_info "
       "end_header\n\telement vertex 3  \n"
-      "property float x\ncomment between\nproperty float  y\nproperty double z\nobj_info\nproperty list "
+      "property float x\ncomment between\nproperty float  y\nproperty double z\nobj_info\nproperty "
+      "list "
       "uchar int flags\n   \n"
       "element face 1 more words\nproperty list uchar uint vertex_index and more\nend_header\n";
   check_plain(header_of(text));
@@ -113,13 +116,15 @@ TEST_CASE("a header longer than one block is read whole") {
 TEST_CASE("a header cut anywhere is an error") {
   for (std::size_t length = 0; length < plain.size() - 1; ++length) {
     CAPTURE(length);
-    REQUIRE(test::error_of([&] { header_of(plain.substr(0, length)); }).kind() == ErrorKind::bad_input);
+    REQUIRE(test::error_of([&] { header_of(plain.substr(0, length)); }).kind() ==
+            ErrorKind::bad_input);
   }
 }
 
 TEST_CASE("a header of very many elements or properties takes linear time") {
   const std::string vertices =
-      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+      "z\n";
   const std::string list = "property list uchar int vertex_indices\n";
   std::string elements, properties;
   for (int i = 0; i < 55'000; ++i) {
@@ -128,7 +133,9 @@ TEST_CASE("a header of very many elements or properties takes linear time") {
   }
   const std::string body = "end_header\n0 0 0\n1 0 0\n0 1 0\n";
   const auto begin = std::chrono::steady_clock::now();
-  CHECK(test::faces_of(vertices + "element face 1\n" + list + elements + body + "3 0 1 2\n").size() == 1);
+  CHECK(
+      test::faces_of(vertices + "element face 1\n" + list + elements + body + "3 0 1 2\n").size() ==
+      1);
   CHECK(test::faces_of(vertices + "element face 0\n" + properties + list + body).empty());
   // Ten seconds when each name was looked for among all.
   if (!test::sanitized) CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(2));
@@ -139,27 +146,28 @@ TEST_CASE("a wrong header is refused with the line that is wrong") {
     std::string from, to;
     int line;
   };
-  for (const Wrong& wrong : std::vector<Wrong>{{"ply\n", "plx\n", 1},
-                                               {"binary_little_endian", "binary_middle_endian", 2},
-                                               {"format binary_little_endian 1.0", "format", 2},
-                                               {"element vertex 3", "element vertex", 5},
-                                               {"element vertex 3", "element vertex -3", 5},
-                                               {"element vertex 3", "element vertex 3.5", 5},
-                                               {"element vertex 3", "element vertex three", 5},
-                                               {"element vertex 3", "element vertex 9223372036854775808", 5},
-                                               {"element vertex 3", "element vertex 18446744073709551616", 5},
-                                               {"element vertex 3", "element vertex 281474976710656", 5},
-                                               {"element vertex 3\n", "", 5},
-                                               {"property float y", "property quad y", 7},
-                                               {"property float y", "property float", 7},
-                                               {"property float y", "property", 7},
-                                               {"property float y", "properties float y", 7},
-                                               {"list uchar int", "list float int", 9},
-                                               {"list uchar int", "list double int", 9},
-                                               {"list uchar int", "list uchar in\x1bt", 9},
-                                               {"element vertex", "element ver\x01tex", 5},
-                                               {"element face", "element fa\x7f", 10},
-                                               {"list uchar int flags", "list uchar int", 9}}) {
+  for (const Wrong& wrong :
+       std::vector<Wrong>{{"ply\n", "plx\n", 1},
+                          {"binary_little_endian", "binary_middle_endian", 2},
+                          {"format binary_little_endian 1.0", "format", 2},
+                          {"element vertex 3", "element vertex", 5},
+                          {"element vertex 3", "element vertex -3", 5},
+                          {"element vertex 3", "element vertex 3.5", 5},
+                          {"element vertex 3", "element vertex three", 5},
+                          {"element vertex 3", "element vertex 9223372036854775808", 5},
+                          {"element vertex 3", "element vertex 18446744073709551616", 5},
+                          {"element vertex 3", "element vertex 281474976710656", 5},
+                          {"element vertex 3\n", "", 5},
+                          {"property float y", "property quad y", 7},
+                          {"property float y", "property float", 7},
+                          {"property float y", "property", 7},
+                          {"property float y", "properties float y", 7},
+                          {"list uchar int", "list float int", 9},
+                          {"list uchar int", "list double int", 9},
+                          {"list uchar int", "list uchar in\x1bt", 9},
+                          {"element vertex", "element ver\x01tex", 5},
+                          {"element face", "element fa\x7f", 10},
+                          {"list uchar int flags", "list uchar int", 9}}) {
     std::string text = plain;
     text.replace(text.find(wrong.from), wrong.from.size(), wrong.to);
     CAPTURE(text);

@@ -1,5 +1,5 @@
-// Wrong and hostile files: an error that says where, quickly, and without taking memory for what is not
-// there.
+// Wrong and hostile files: an error that says where, quickly, and without taking memory for what is
+// not there.
 #include "io/arena.hpp"
 #include "read/for_each_batch.hpp"
 #include "support/ply_file.hpp"
@@ -29,10 +29,11 @@ Outcome try_everything(const std::string& file, Kind kind, Format format = Forma
   Outcome outcome;
   const Stopwatch watch;
   try {
-    const auto reader =
-        open_reader(test.job, std::move(owned), format, Access::once, {std::uint64_t{8} << 20, 1024});
+    const auto reader = open_reader(test.job, std::move(owned), format, Access::once,
+                                    {std::uint64_t{8} << 20, 1024});
     in_arena(test.job, [&] {
-      if (reader->facts().vertices) for_each_position_batch(test.job, *reader, [](const PositionView&) {});
+      if (reader->facts().vertices)
+        for_each_position_batch(test.job, *reader, [](const PositionView&) {});
       reader->begin_faces();
       for_each_face_batch(test.job, *reader, [](const FaceBatch&) {}, {});
     });
@@ -70,22 +71,27 @@ const std::string list = "property list uchar int vertex_indices\n";
 
 TEST_CASE("counts that the file cannot hold are refused") {
   for (const std::string& form : forms) {
-    for (const char* count : {"1000", "4294967295", "4294967296", "281474976710655", "9223372036854775808",
-                              "18446744073709551615", "18446744073709551616", "-1", "1e9"}) {
+    for (const char* count :
+         {"1000", "4294967295", "4294967296", "281474976710655", "9223372036854775808",
+          "18446744073709551615", "18446744073709551616", "-1", "1e9"}) {
       const std::string number = count;
-      check_refused(header(form, "element vertex " + number + "\n" + xyz + "element face 1\n" + list) +
-                    std::string(100, '1'));
-      check_refused(header(form, "element vertex 2\n" + xyz + "element face " + number + "\n" + list) +
-                    "0 0 0 1 1 1 " + std::string(12, '\1'));
-      check_refused(header(form, "element other " + number + "\nproperty int a\nelement vertex 2\n" + xyz +
+      check_refused(
+          header(form, "element vertex " + number + "\n" + xyz + "element face 1\n" + list) +
+          std::string(100, '1'));
+      check_refused(
+          header(form, "element vertex 2\n" + xyz + "element face " + number + "\n" + list) +
+          "0 0 0 1 1 1 " + std::string(12, '\1'));
+      check_refused(header(form, "element other " + number +
+                                     "\nproperty int a\nelement vertex 2\n" + xyz +
                                      "element face 1\n" + list) +
                     std::string(100, '1'));
       check_refused(header(form, "element other " + number +
                                      "\nproperty list uint double a\nelement vertex 2\n" + xyz +
                                      "element face 1\n" + list) +
                     std::string(100, '1'));
-      check_refused(header(form, "element face " + number + "\n" + list + "element vertex 2\n" + xyz) +
-                    std::string(100, '1'));
+      check_refused(
+          header(form, "element face " + number + "\n" + list + "element vertex 2\n" + xyz) +
+          std::string(100, '1'));
     }
   }
 }
@@ -96,8 +102,8 @@ TEST_CASE("a list longer than its file is refused") {
     const std::string full(4, '\x7f');  // a length of 127 or more by any type
     const std::string vertices(24, '\0');
     for (const std::string form : {"binary_little_endian", "binary_big_endian"}) {
-      check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\n" + lists) + vertices + full +
-                    std::string(12, '\0'));
+      check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\n" + lists) +
+                    vertices + full + std::string(12, '\0'));
       check_refused(header(form, "element vertex 2\n" + xyz + "property list " + type +
                                      " double other\nelement face 1\n" + list) +
                     std::string(12, '\0') + full + std::string(50, '\0'));
@@ -106,14 +112,15 @@ TEST_CASE("a list longer than its file is refused") {
     }
   }
   const std::string vertices = "0 0 0\n1 1 1\n";
-  for (const char* length : {"4", "255", "4000000000", "9000000000000000", "99999999999999999999999"}) {
+  for (const char* length :
+       {"4", "255", "4000000000", "9000000000000000", "99999999999999999999999"}) {
     // A length that no integer holds is no list at all: a face without corners.
     if (std::string(length).size() > 20) continue;
-    check_refused(header("ascii", "element vertex 2\n" + xyz + "element face 1\n" + list) + vertices +
-                  length + " 0 1 0");
-    check_refused(
-        header("ascii", "element vertex 2\n" + xyz + "property list uint int a\nelement face 1\n" + list) +
-        "0 0 0 " + length + " 1 1 1");
+    check_refused(header("ascii", "element vertex 2\n" + xyz + "element face 1\n" + list) +
+                  vertices + length + " 0 1 0");
+    check_refused(header("ascii", "element vertex 2\n" + xyz +
+                                      "property list uint int a\nelement face 1\n" + list) +
+                  "0 0 0 " + length + " 1 1 1");
   }
 }
 
@@ -130,21 +137,23 @@ TEST_CASE("elements without what they need are refused") {
       check_refused(header(form, "element vertex 2\n" + lists + "element face 1\n" + list) + data);
     }
     check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\n") + data);
-    check_refused(
-        header(form, "element vertex 2\n" + xyz + "element face 1\nproperty list uchar int indices\n") +
-        data);
-    check_refused(header(form, "element vertex 2\n" + xyz + "element face 1\nproperty int vertex_indices\n") +
+    check_refused(header(form, "element vertex 2\n" + xyz +
+                                   "element face 1\nproperty list uchar int indices\n") +
                   data);
     check_refused(
-        header(form, "element vertex 2\n" + xyz + "element tristrips 1\nproperty int vertex_indices\n") +
+        header(form, "element vertex 2\n" + xyz + "element face 1\nproperty int vertex_indices\n") +
         data);
+    check_refused(header(form, "element vertex 2\n" + xyz +
+                                   "element tristrips 1\nproperty int vertex_indices\n") +
+                  data);
     check_refused(header(form, "element face 1\n" + list) + data);
     check_refused(header(form, "element vertices 2\n" + xyz + "element face 1\n" + list) + data);
   }
 }
 
 TEST_CASE("an element that is declared twice is refused") {
-  const std::string vertex = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string vertex =
+      "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string more = "property float quality\n";
   for (const std::string& first : {vertex, vertex + more}) {
     check_refused("ply\nformat ascii 1.0\n" + first + vertex +
@@ -192,7 +201,9 @@ TEST_CASE("a record of many properties takes no more memory than one of few") {
   for (const std::string form : {"binary_little_endian", "ascii"}) {
     for (const Kind kind : {Kind::pipe, Kind::file}) {
       const Outcome wide_vertices = try_everything(
-          header(form, "element vertex 100000\n" + xyz + many + "element face 1\n" + list) + vertices, kind);
+          header(form, "element vertex 100000\n" + xyz + many + "element face 1\n" + list) +
+              vertices,
+          kind);
       CAPTURE(form, static_cast<int>(kind));
       REQUIRE(wide_vertices.error);
       CHECK(wide_vertices.error->kind() == ErrorKind::bad_input);
@@ -239,13 +250,14 @@ TEST_CASE("a record of many properties takes no more memory than one of few") {
 TEST_CASE("bytes changed at random are an error or another mesh, nothing worse") {
   test::Random random(240);
   for (int round = 0; round < 3000; ++round) {
-    const test::Polygons mesh =
-        test::random_polygons(random, random.between(1, 60), random.between(0, 60), random.between(3, 6));
+    const test::Polygons mesh = test::random_polygons(random, random.between(1, 60),
+                                                      random.between(0, 60), random.between(3, 6));
     const test::PlyStyle style = random_ply_style(random, mesh);
     std::string file = ply_file(mesh, style);
     for (std::uint64_t changes = random.between(1, 6); changes > 0; --changes) {
-      const std::size_t at = random.chance(0.6) ? random.below(std::min<std::size_t>(file.size(), 400))
-                                                : random.below(file.size());
+      const std::size_t at = random.chance(0.6)
+                                 ? random.below(std::min<std::size_t>(file.size(), 400))
+                                 : random.below(file.size());
       const std::string bytes = random.one_of<std::string>(
           {"9", "-", "\n", " ", "\xff", std::string(1, '\0'), "list ", "99999", "e", "\r"});
       if (random.chance(0.3)) {

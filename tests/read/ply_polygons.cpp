@@ -21,7 +21,8 @@ test::Polygons mixed(test::Random& random, std::size_t records) {
   while (mesh.faces.size() < records) {
     const std::size_t stretch = random.one_of<std::size_t>({0, 1, 2, 7, 8, 9, 511, 512, 513, 1000});
     for (std::size_t i = 0; i < stretch + 1; ++i) {
-      const std::size_t corners = i < stretch ? 3 : random.one_of<std::size_t>({0, 1, 2, 4, 5, 20, 200, 255});
+      const std::size_t corners =
+          i < stretch ? 3 : random.one_of<std::size_t>({0, 1, 2, 4, 5, 20, 200, 255});
       std::vector<std::int64_t> polygon(corners);
       for (std::int64_t& index : polygon) index = static_cast<std::int64_t>(random.below(300));
       mesh.faces.push_back(polygon);
@@ -41,8 +42,8 @@ TEST_CASE("triangles and other polygons mix across the ends of batches") {
       style.form = static_cast<PlyForm>(form);
       const std::string file = ply_file(mesh, style);
       const std::vector<test::SeenFace> right = as_triangles(as_stored(mesh, style));
-      for (const std::size_t batch :
-           {std::size_t{8}, std::size_t{100}, std::size_t{512}, std::size_t{1000}, std::size_t{8192}}) {
+      for (const std::size_t batch : {std::size_t{8}, std::size_t{100}, std::size_t{512},
+                                      std::size_t{1000}, std::size_t{8192}}) {
         CAPTURE(round, form, batch);
         REQUIRE(difference(test::faces_of(file, with_batches(batch)), right) == "");
         REQUIRE(difference(test::faces_of_pipe(file, with_batches(batch)), right) == "");
@@ -108,8 +109,9 @@ TEST_CASE("no batch is larger than was asked for but by one polygon") {
     style.form = static_cast<PlyForm>(form);
     test::TestJob test;
     for (const std::size_t most : {std::size_t{16}, std::size_t{1000}}) {
-      const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(ply_file(mesh, style)),
-                                      Format::ply, Access::once, {test::usual_vertex_memory, most});
+      const auto reader =
+          open_reader(test.job, std::make_unique<test::MemorySource>(ply_file(mesh, style)),
+                      Format::ply, Access::once, {test::usual_vertex_memory, most});
       reader->begin_faces();
       for (RawBatch batch; reader->next_faces(batch);) {
         REQUIRE(batch.count < most + 255 - 2);

@@ -55,13 +55,15 @@ TEST_CASE("strips with restarts and turns are read as their definition says") {
         test::PlyStyle style = strip_style(static_cast<PlyForm>(form), index);
         style.faces_first = random.chance(0.3);
         if (random.chance(0.5)) style.ornaments = &random;
-        const test::ReadStyle reading{Format::automatic,
-                                      Access::once,
-                                      {test::usual_vertex_memory, random.one_of<std::size_t>({5, 64, 8192})}};
+        const test::ReadStyle reading{
+            Format::automatic,
+            Access::once,
+            {test::usual_vertex_memory, random.one_of<std::size_t>({5, 64, 8192})}};
         const std::string file = ply_file(mesh, style);
         CAPTURE(round, form, static_cast<int>(index));
         REQUIRE(difference(test::faces_of(file, reading), as_strips(as_stored(mesh, style))) == "");
-        REQUIRE(difference(test::faces_of_pipe(file, reading), as_strips(as_stored(mesh, style))) == "");
+        REQUIRE(difference(test::faces_of_pipe(file, reading), as_strips(as_stored(mesh, style))) ==
+                "");
       }
     }
   }
@@ -71,8 +73,9 @@ TEST_CASE("an index of a strip that names no vertex spoils its triangles only") 
   test::Polygons mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   mesh.faces = {{0, 1, 2, 77, 3, 1, 0, 2}, {0, 1, -7, 2, 3, 1}};
-  CHECK(difference(test::faces_of(ply_file(mesh, strip_style(PlyForm::little_endian, PlyType::int32))),
-                   as_strips(mesh)) == "");
+  CHECK(difference(
+            test::faces_of(ply_file(mesh, strip_style(PlyForm::little_endian, PlyType::int32))),
+            as_strips(mesh)) == "");
 }
 
 TEST_CASE("faces and strips in one file: the faces count, strips only where there are none") {

@@ -58,7 +58,8 @@ Polygon spiral(std::size_t n) {
 Polygon comb(Random& random, std::size_t n) {
   Polygon out{{0, 0, 0}, {static_cast<double>(n), 0, 0}};
   for (std::size_t i = n; i-- > 1;)
-    out.push_back({static_cast<double>(i), i % 2 == 0 ? 1 : 2 + static_cast<double>(random.below(3)), 0});
+    out.push_back(
+        {static_cast<double>(i), i % 2 == 0 ? 1 : 2 + static_cast<double>(random.below(3)), 0});
   out.push_back({0, 1, 0});
   return out;
 }
@@ -103,7 +104,8 @@ void check_cut(const Polygon& polygon) {
     const double one = dot(cross(polygon[b] - polygon[a], polygon[c] - polygon[a]), normal);
     least = std::min(least, one);
     sum += one;
-    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) ++sides[{from, to}];
+    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
+      ++sides[{from, to}];
   }
   CHECK(least >= -1e-8 * area);
   CHECK(sum == Approx(area).epsilon(1e-8));
@@ -152,7 +154,8 @@ TEST_CASE("polygons that cross themselves are not cut") {
   // A bow tie of unequal halves, and a five-pointed star in one line.
   CHECK(cutter.cut(Polygon{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 1, 0}}).empty());
   Polygon pentagram;
-  for (int i = 0; i < 5; ++i) pentagram.push_back({std::cos(2.5132741 * i), std::sin(2.5132741 * i), 0});
+  for (int i = 0; i < 5; ++i)
+    pentagram.push_back({std::cos(2.5132741 * i), std::sin(2.5132741 * i), 0});
   CHECK(cutter.cut(pentagram).empty());
   CHECK(cutter.cut(Polygon{{0, 0, 0}, {1, 0, 0}, {NAN, 1, 0}, {0, 1, 0}}).empty());
 }

@@ -22,8 +22,10 @@ struct Content {
 };
 
 // The way a run reads, for each access.
-Content read(test::TestJob& test, const std::string& path, Access access, const ReaderMemory& memory) {
-  const auto reader = open_reader(test.job, open_source(test.job, path), Format::automatic, access, memory);
+Content read(test::TestJob& test, const std::string& path, Access access,
+             const ReaderMemory& memory) {
+  const auto reader =
+      open_reader(test.job, open_source(test.job, path), Format::automatic, access, memory);
   Content content;
   if (access != Access::once) {
     content.positions = test::read_positions(test.job, *reader);
@@ -97,8 +99,8 @@ TEST_CASE("faces and positions do not depend on how the bytes come", "[slow]") {
         CHECK(content.first == right->first);
       };
       // A small memory for vertices makes them move to scratch, and mapped pages be dropped.
-      for (const ReaderMemory& memory :
-           {ReaderMemory{std::uint64_t{1} << 18, 600}, ReaderMemory{test::usual_vertex_memory, 8192}}) {
+      for (const ReaderMemory& memory : {ReaderMemory{std::uint64_t{1} << 18, 600},
+                                         ReaderMemory{test::usual_vertex_memory, 8192}}) {
         for (const bool map : {false, true}) {
           test::TestJob test({.map_input = map});
           same(map ? "mapped" : "read", read(test, path, access, memory));

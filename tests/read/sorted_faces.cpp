@@ -1,5 +1,5 @@
-// Faces whose vertices are near each other though the next face is anywhere: where any order will do, they
-// come sorted by their vertices; each once, and the same.
+// Faces whose vertices are near each other though the next face is anywhere: where any order will
+// do, they come sorted by their vertices; each once, and the same.
 #include "read/sorted_faces.hpp"
 
 #include "read/kept_faces.hpp"
@@ -24,8 +24,8 @@ constexpr std::size_t vertex_count = 30'000;
 constexpr std::uint64_t vertex_memory = std::uint64_t{1} << 17;
 constexpr ReaderMemory any_order{vertex_memory, 1000, true};
 
-// Polygons over neighbouring vertices, in a scattered order; some name vertices that there are not, have too
-// few corners, or reach across the mesh.
+// Polygons over neighbouring vertices, in a scattered order; some name vertices that there are not,
+// have too few corners, or reach across the mesh.
 test::Polygons scattered(test::Random& random, std::size_t faces, std::size_t most) {
   test::Polygons mesh = test::random_polygons(random, vertex_count, 0, most);
   for (std::size_t i = 0; i < faces; ++i) {
@@ -37,7 +37,8 @@ test::Polygons scattered(test::Random& random, std::size_t faces, std::size_t mo
     if (random.chance(0.002)) face[0] = static_cast<std::int64_t>(random.below(vertex_count));
     if (random.chance(0.002)) face.resize(random.below(3));
     // What faces of too few corners are kept as.
-    if (random.chance(0.001)) face.assign(KeptFaces::degenerate.begin(), KeptFaces::degenerate.end());
+    if (random.chance(0.001))
+      face.assign(KeptFaces::degenerate.begin(), KeptFaces::degenerate.end());
     mesh.faces.push_back(face);
   }
   return mesh;
@@ -66,8 +67,8 @@ void check(const std::string& file, const std::vector<test::SeenFace>& right,
     for (const bool map : {false, true}) {
       test::TestJob test({.threads = threads, .map_input = map});
       {
-        const auto reader =
-            open_reader(test.job, open_source(test.job, path), Format::automatic, Access::repeatedly, memory);
+        const auto reader = open_reader(test.job, open_source(test.job, path), Format::automatic,
+                                        Access::repeatedly, memory);
         CAPTURE(threads, map);
         const std::vector<test::SeenFace> first = test::read_faces(test.job, *reader);
         REQUIRE(difference(ordered(first), wanted) == "");
@@ -78,8 +79,8 @@ void check(const std::string& file, const std::vector<test::SeenFace>& right,
     }
     const test::FedPipe pipe(file);
     test::TestJob test({.threads = threads});
-    const auto reader =
-        open_reader(test.job, open_source(test.job, pipe.path()), Format::automatic, Access::once, memory);
+    const auto reader = open_reader(test.job, open_source(test.job, pipe.path()), Format::automatic,
+                                    Access::once, memory);
     REQUIRE(difference(ordered(test::read_faces(test.job, *reader)), wanted) == "");
     CHECK(test.job.scratch.written() >= scratch);
   }
@@ -108,9 +109,11 @@ TEST_CASE("sorted faces are near the ones before them") {
   const test::Polygons mesh = scattered(random, 40'000, 3);
   const test::PlyStyle style;
   test::Polygons numbered = mesh;
-  for (std::size_t i = 0; i < vertex_count; ++i) numbered.vertices[i] = {static_cast<double>(i), 0, 0};
+  for (std::size_t i = 0; i < vertex_count; ++i)
+    numbered.vertices[i] = {static_cast<double>(i), 0, 0};
   const auto far_apart = [&](const ReaderMemory& memory) {
-    const std::vector<test::SeenFace> faces = test::faces_of(ply_file(numbered, style), {.memory = memory});
+    const std::vector<test::SeenFace> faces =
+        test::faces_of(ply_file(numbered, style), {.memory = memory});
     std::size_t far = 0;
     for (std::size_t i = 1; i < faces.size(); ++i) {
       // A part of the memory that a pass may use, in vertices of 12 bytes.
@@ -131,7 +134,8 @@ TEST_CASE("whatever the memory, sorted faces are the same", "[slow]") {
   for (std::uint64_t memory = 0; memory < std::uint64_t{1} << 21; memory = memory * 5 / 2 + 100) {
     for (const std::size_t batch : {8, 100, 8192}) {
       CAPTURE(memory, batch);
-      REQUIRE(difference(ordered(test::faces_of(file, {.memory = {memory, batch, true}})), right) == "");
+      REQUIRE(difference(ordered(test::faces_of(file, {.memory = {memory, batch, true}})), right) ==
+              "");
     }
   }
 }
@@ -140,7 +144,8 @@ TEST_CASE("faces that reach across the mesh keep their order, whether any will d
   test::Random random(433);
   const test::Polygons mesh = test::random_polygons(random, vertex_count, 30'000, 3);
   const test::PlyStyle style;
-  const std::vector<test::SeenFace> seen = test::faces_of(ply_file(mesh, style), {.memory = any_order});
+  const std::vector<test::SeenFace> seen =
+      test::faces_of(ply_file(mesh, style), {.memory = any_order});
   CHECK(difference(seen, as_triangles(as_stored(mesh, style))) == "");
 }
 
@@ -151,8 +156,9 @@ TEST_CASE("sorting faces is cancelled", "[threads]") {
   test.context.progress = [&](const Progress& progress) {
     if (std::string(progress.stage) == "sort faces") test.context.cancel();
   };
-  const Error error = test::error_of(
-      [&] { test::faces_of(test.job, std::make_unique<test::MemorySource>(file), {.memory = any_order}); });
+  const Error error = test::error_of([&] {
+    test::faces_of(test.job, std::make_unique<test::MemorySource>(file), {.memory = any_order});
+  });
   CHECK(error.exit_code() == 130);
   CHECK(test.job.budget.used() == 0);
 }

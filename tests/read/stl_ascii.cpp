@@ -91,13 +91,15 @@ TEST_CASE("lines may end as on any system") {
 
 TEST_CASE("the name of a solid may hold any words") {
   for (const std::string& name :
-       {std::string(), std::string("facet"), std::string("solid"), std::string("facet normal 0 0 1"),
-        std::string("endsolid endfacet vertex 1 2 3"), std::string("caf\xc3\xa9 \xe2\x84\x96 1"),
-        std::string(3000, 'n'), std::string(90'000, 'm') + " facet", std::string("binary")}) {
+       {std::string(), std::string("facet"), std::string("solid"),
+        std::string("facet normal 0 0 1"), std::string("endsolid endfacet vertex 1 2 3"),
+        std::string("caf\xc3\xa9 \xe2\x84\x96 1"), std::string(3000, 'n'),
+        std::string(90'000, 'm') + " facet", std::string("binary")}) {
     if (name.size() > 65536 && name.find(' ') != std::string::npos) {
       // A name longer than a block, in words of a length that a text may have.
-      check_same(test::ascii_stl(some_faces(), {.name = replaced(name, "mmmmmmmmmm", "mmmmmmmmm ")}),
-                 some_faces());
+      check_same(
+          test::ascii_stl(some_faces(), {.name = replaced(name, "mmmmmmmmmm", "mmmmmmmmm ")}),
+          some_faces());
       continue;
     }
     check_same(test::ascii_stl(some_faces(), {.name = name}), some_faces());
@@ -108,8 +110,9 @@ TEST_CASE("a solid without its last line is read, and told") {
   for (const bool end : {true, false}) {
     test::TestJob test;
     const std::string file = test::ascii_stl(some_faces(), {.end = end});
-    const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
-                                    Access::once, {test::usual_vertex_memory, 8});
+    const auto reader =
+        open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
+                    Access::once, {test::usual_vertex_memory, 8});
     CHECK(difference(test::read_faces(test.job, *reader), test::as_seen(some_faces())) == "");
     CHECK(difference(test::read_faces(test.job, *reader), test::as_seen(some_faces())) == "");
     CHECK(test.job.notes.size() == (end ? 0 : 1));
@@ -136,8 +139,8 @@ TEST_CASE("a facet of more than three corners is a fan, one of fewer is degenera
     return text + "endloop\nendfacet\n";
   };
   const std::string file = "solid s\n" + facet({"0 0 0", "1 0 0", "1 1 0", "0 1 0", "-1 1 0"}) +
-                           facet({"0 0 5", "1 0 5"}) + facet({}) + facet({"0 0 7", "1 0 7", "0 1 7"}) +
-                           "endsolid s\n";
+                           facet({"0 0 5", "1 0 5"}) + facet({}) +
+                           facet({"0 0 7", "1 0 7", "0 1 7"}) + "endsolid s\n";
   const std::vector<test::SeenFace> right{{FaceStatus::good, {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}},
                                           {FaceStatus::good, {{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}},
                                           {FaceStatus::good, {{{0, 0, 0}, {0, 1, 0}, {-1, 1, 0}}}},
@@ -149,19 +152,22 @@ TEST_CASE("a facet of more than three corners is a fan, one of fewer is degenera
 }
 
 TEST_CASE("a facet without corners adds no position to the box") {
-  // Far from the origin: a corner at zero would make the box enormous, and the lattice begin elsewhere.
+  // Far from the origin: a corner at zero would make the box enormous, and the lattice begin
+  // elsewhere.
   const std::string far =
-      "facet normal 0 0 1\nouter loop\nvertex 5000000 100 1\nvertex 5000001 100 1\nvertex 5000000 101 "
+      "facet normal 0 0 1\nouter loop\nvertex 5000000 100 1\nvertex 5000001 100 1\nvertex 5000000 "
+      "101 "
       "1\nendloop\nendfacet\n";
   for (const std::string empty :
        {"facet normal 0 0 1\nouter loop\nendloop\nendfacet\n",
         "facet normal 0 0 1\nouter loop\nvertex 5000000 100 1\nendloop\nendfacet\n"}) {
-    for (const std::string& file :
-         {"solid s\n" + empty + far + "endsolid\n", "solid s\n" + far + empty + far + "endsolid\n"}) {
+    for (const std::string& file : {"solid s\n" + empty + far + "endsolid\n",
+                                    "solid s\n" + far + empty + far + "endsolid\n"}) {
       for (const auto kind : {test::MemorySource::Kind::file, test::MemorySource::Kind::pipe}) {
         test::TestJob test;
-        const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file, kind),
-                                        Format::automatic, Access::once, {test::usual_vertex_memory, 256});
+        const auto reader =
+            open_reader(test.job, std::make_unique<test::MemorySource>(file, kind),
+                        Format::automatic, Access::once, {test::usual_vertex_memory, 256});
         const auto first = reader->first_finite_position();
         REQUIRE(first);
         CHECK((*first)[0] >= 5e6);
@@ -179,8 +185,9 @@ TEST_CASE("one facet of very many corners does not fill the memory") {
   for (int i = 0; i < 100'000; ++i) file += "vertex " + std::to_string(i) + " 0 1\n";
   file += "endloop\nendfacet\nendsolid\n";
   test::TestJob test;
-  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
-                                  Access::once, {test::usual_vertex_memory, 512});
+  const auto reader =
+      open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
+                  Access::once, {test::usual_vertex_memory, 512});
   reader->begin_faces();
   try {
     for (RawBatch batch; reader->next_faces(batch);) REQUIRE(batch.count <= 2 * 512);
@@ -194,15 +201,17 @@ TEST_CASE("an ASCII STL is read as other programs take it") {
   const auto check = [](const std::string& file) { check_same(file, some_faces()); };
   check("\xef\xbb\xbf" + plain);
   // Words apart, words that miss.
-  check(replaced(replaced(replaced(plain, "endsolid", "end solid"), "endfacet", "end facet"), "endloop",
-                 "END Loop"));
+  check(replaced(replaced(replaced(plain, "endsolid", "end solid"), "endfacet", "end facet"),
+                 "endloop", "END Loop"));
   check(replaced(replaced(plain, "  facet normal 0 0 1\n", ""), "  endfacet\n", ""));
   check(replaced(replaced(plain, "  outer loop\n", ""), "  endloop\n", ""));
-  check(replaced(replaced(replaced(replaced(plain, "  facet normal 0 0 1\n", ""), "  endfacet\n", ""),
-                          "  outer loop\n", ""),
-                 "  endloop\n", ""));
+  check(
+      replaced(replaced(replaced(replaced(plain, "  facet normal 0 0 1\n", ""), "  endfacet\n", ""),
+                        "  outer loop\n", ""),
+               "  endloop\n", ""));
   // Lines that are no part of a face.
-  for (const std::string line : {"# facet", "// solid vertex 1 2 3", "; endsolid", "  # a comment", "#"}) {
+  for (const std::string line :
+       {"# facet", "// solid vertex 1 2 3", "; endsolid", "  # a comment", "#"}) {
     CAPTURE(line);
     check(line + "\n" + plain);
     check(replaced(plain, "  facet", line + "\n  facet"));
@@ -220,7 +229,8 @@ TEST_CASE("an ASCII STL may stand on one line") {
   const std::string plain = test::ascii_stl(some_faces());
   check_same(one_line(plain), some_faces());
   check_same(one_line(test::ascii_stl(some_faces(), {.name = ""})), some_faces());
-  check_same(one_line(test::ascii_stl(some_faces(), {.upper_case = true, .end = false})), some_faces());
+  check_same(one_line(test::ascii_stl(some_faces(), {.upper_case = true, .end = false})),
+             some_faces());
   std::vector<test::Triangle> twice = some_faces();
   twice.insert(twice.end(), some_faces().begin(), some_faces().end());
   check_same(one_line(plain + plain), twice);
@@ -256,7 +266,8 @@ TEST_CASE("what does not belong into a facet is an error with its line") {
     const Error error = test::error_of([&] { test::faces_of(file); });
     CAPTURE(error.what());
     CHECK(error.kind() == ErrorKind::bad_input);
-    CHECK(std::string(error.what()).find("line " + std::to_string(wrong.line) + ",") != std::string::npos);
+    CHECK(std::string(error.what()).find("line " + std::to_string(wrong.line) + ",") !=
+          std::string::npos);
   }
 }
 

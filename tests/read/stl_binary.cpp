@@ -18,11 +18,11 @@ struct Read {
   std::vector<std::string> notes;
 };
 
-Read read(const std::string& file, test::MemorySource::Kind kind, const std::string& name = "test.stl",
-          Format format = Format::automatic) {
+Read read(const std::string& file, test::MemorySource::Kind kind,
+          const std::string& name = "test.stl", Format format = Format::automatic) {
   test::TestJob test;
-  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file, kind, name), format,
-                                  Access::once, {test::usual_vertex_memory, 256});
+  const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file, kind, name),
+                                  format, Access::once, {test::usual_vertex_memory, 256});
   Read out;
   out.format = reader->facts().format;
   out.faces = test::read_faces(test.job, *reader);
@@ -51,8 +51,8 @@ TEST_CASE("a binary STL is read as it was written") {
 
 TEST_CASE("a binary STL may begin with the word solid") {
   test::Random random(271);
-  for (const std::string header : {"solid", "solid exported by a program", "SOLID facet normal", "  solid x",
-                                   "solid\nfacet normal 0 0 1\nouter loop\n"}) {
+  for (const std::string header : {"solid", "solid exported by a program", "SOLID facet normal",
+                                   "  solid x", "solid\nfacet normal 0 0 1\nouter loop\n"}) {
     for (const std::size_t count : {1, 3, 1000}) {
       const std::vector<test::Triangle> faces = test::random_triangles(random, count);
       for (const auto kind : both_kinds) {
@@ -71,8 +71,8 @@ TEST_CASE("a binary STL may begin with the word solid") {
 TEST_CASE("a wrong count is settled by the size, and told") {
   test::Random random(272);
   const std::vector<test::Triangle> faces = test::random_triangles(random, 1000);
-  for (const std::int64_t count :
-       {std::int64_t{0}, std::int64_t{1}, std::int64_t{999}, std::int64_t{1001}, std::int64_t{4294967295}}) {
+  for (const std::int64_t count : {std::int64_t{0}, std::int64_t{1}, std::int64_t{999},
+                                   std::int64_t{1001}, std::int64_t{4294967295}}) {
     for (const auto kind : both_kinds) {
       const Read got = read(test::binary_stl(faces, {"x", count, ""}), kind);
       CAPTURE(count, static_cast<int>(kind));
@@ -108,7 +108,8 @@ TEST_CASE("bytes that are no mesh are not taken for a binary STL") {
   const std::vector<test::Triangle> faces = test::random_triangles(random, 300);
   std::string file = test::binary_stl(faces);
   file[82] = 1;
-  for (const auto kind : both_kinds) CHECK(difference(read(file, kind).faces, test::as_seen(faces)) == "");
+  for (const auto kind : both_kinds)
+    CHECK(difference(read(file, kind).faces, test::as_seen(faces)) == "");
 }
 
 TEST_CASE("what no name or option calls an STL is one only where its count fits") {
@@ -121,7 +122,8 @@ TEST_CASE("what no name or option calls an STL is one only where its count fits"
       const Error error = test::error_of([&] { read(file, kind, "mesh.bin"); });
       CHECK(error.kind() == ErrorKind::bad_input);
       CHECK(std::string(error.what()).find("--from stl") != std::string::npos);
-      CHECK(difference(read(file, kind, "mesh.bin", Format::stl).faces, test::as_seen(faces)) == "");
+      CHECK(difference(read(file, kind, "mesh.bin", Format::stl).faces, test::as_seen(faces)) ==
+            "");
       for (const char* name : {"A.STL", "a.stl.gz", "a.stl.zst"})
         CHECK(difference(read(file, kind, name).faces, test::as_seen(faces)) == "");
     }
@@ -156,8 +158,9 @@ TEST_CASE("faces and positions can be read again and again from a file") {
   for (const test::Triangle& face : faces) corners.insert(corners.end(), face.begin(), face.end());
   for (const std::string& file : {test::binary_stl(faces), test::ascii_stl(faces)}) {
     test::TestJob test;
-    const auto reader = open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
-                                    Access::repeatedly, {test::usual_vertex_memory, 256});
+    const auto reader =
+        open_reader(test.job, std::make_unique<test::MemorySource>(file), Format::automatic,
+                    Access::repeatedly, {test::usual_vertex_memory, 256});
     for (int pass = 0; pass < 3; ++pass) {
       CHECK(reader->first_finite_position() == faces[0][0]);
       CHECK(difference(test::read_positions(test.job, *reader), corners) == "");

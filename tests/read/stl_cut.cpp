@@ -10,13 +10,15 @@ namespace winnow {
 namespace {
 
 // What comes must be the first faces, all that are whole in the cut file.
-void check_cut(const std::string& cut, const std::vector<test::SeenFace>& faces, std::size_t whole) {
+void check_cut(const std::string& cut, const std::vector<test::SeenFace>& faces,
+               std::size_t whole) {
   for (const bool pipe : {false, true}) {
     CAPTURE(cut.size(), pipe);
     try {
-      const std::vector<test::SeenFace> seen = pipe ? test::faces_of_pipe(cut) : test::faces_of(cut);
-      REQUIRE(test::difference(seen, {faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(whole)}) ==
-              "");
+      const std::vector<test::SeenFace> seen =
+          pipe ? test::faces_of_pipe(cut) : test::faces_of(cut);
+      REQUIRE(test::difference(
+                  seen, {faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(whole)}) == "");
     } catch (const Error& error) {
       REQUIRE(error.kind() == ErrorKind::bad_input);
     }
@@ -68,7 +70,8 @@ TEST_CASE("an STL cut inside its first face is refused, not taken for one withou
   test::Random random(292);
   const std::string file = test::binary_stl(test::random_triangles(random, 10));
   for (std::size_t length = 84; length < 134; ++length) {
-    CHECK(test::error_of([&] { test::faces_of(file.substr(0, length)); }).kind() == ErrorKind::bad_input);
+    CHECK(test::error_of([&] { test::faces_of(file.substr(0, length)); }).kind() ==
+          ErrorKind::bad_input);
   }
 }
 

@@ -38,20 +38,21 @@ TEST_CASE("an OFF offers what its keyword says and its vertices have") {
   const struct {
     const char* head;
     const char* offer;
-  } cases[] = {
-      {"OFF\n1 0 0\n0 0 0 1 1 1\n", ""},
-      {"NOFF\n1 0 0\n0 0 0 1 1 1\n", "nx:float ny:float nz:float"},
-      {"NOFF\n1 0 0\n0 0 0\n", ""},
-      {"COFF\n2 0 0\n0 0 0 0 1 0\n0 0 0 255 0 0\n", "red:uchar green:uchar blue:uchar"},
-      {"COFF\n2 0 0\n0 0 0 0 1 0 1\n0 0 0 1 0 0 1\n", "red:float green:float blue:float alpha:float"},
-      {"COFF 2 0 0\n0 0 0 7 1 0 1\n# so\n0 0 0 1 0 0.5 1\n", "red:float green:float blue:float alpha:float"},
-      {"COFF 1 1\n0 0 0 7 8 9\n3 0 1 2 0.5\n", "red:uchar green:uchar blue:uchar"},
-      {"COFF\n1 0 0\n0 0 0 3\n", ""},
-      {"STCNOFF\n1 0 0\n0 0 0 1 0 0 9 9 9 0.5 0.5\n",
-       "nx:float ny:float nz:float red:uchar green:uchar blue:uchar s:float t:float"},
-      {"STOFF\n1 0 0\n0 0 0 1 1\n", "s:float t:float"},
-      {"COFF\n", ""},
-      {"", ""}};
+  } cases[] = {{"OFF\n1 0 0\n0 0 0 1 1 1\n", ""},
+               {"NOFF\n1 0 0\n0 0 0 1 1 1\n", "nx:float ny:float nz:float"},
+               {"NOFF\n1 0 0\n0 0 0\n", ""},
+               {"COFF\n2 0 0\n0 0 0 0 1 0\n0 0 0 255 0 0\n", "red:uchar green:uchar blue:uchar"},
+               {"COFF\n2 0 0\n0 0 0 0 1 0 1\n0 0 0 1 0 0 1\n",
+                "red:float green:float blue:float alpha:float"},
+               {"COFF 2 0 0\n0 0 0 7 1 0 1\n# so\n0 0 0 1 0 0.5 1\n",
+                "red:float green:float blue:float alpha:float"},
+               {"COFF 1 1\n0 0 0 7 8 9\n3 0 1 2 0.5\n", "red:uchar green:uchar blue:uchar"},
+               {"COFF\n1 0 0\n0 0 0 3\n", ""},
+               {"STCNOFF\n1 0 0\n0 0 0 1 0 0 9 9 9 0.5 0.5\n",
+                "nx:float ny:float nz:float red:uchar green:uchar blue:uchar s:float t:float"},
+               {"STOFF\n1 0 0\n0 0 0 1 1\n", "s:float t:float"},
+               {"COFF\n", ""},
+               {"", ""}};
   for (const auto& one : cases) {
     CAPTURE(one.head);
     CHECK(line_of(offer_of_off(one.head)) == one.offer);
@@ -67,14 +68,16 @@ TEST_CASE("colours of an OBJ and of an OFF arrive with their vertices") {
     CHECK(obj[1] == 0.75);
     CHECK(obj[2] == 0.5);
     CHECK(obj[8] == 1);
-    CHECK(carried_by("CNOFF 3 1 0\n0 0 0 1 0 0 9 8 7\n1 0 0 0 1 0 6 5 4\n0 1 0 0 0 1 3 2 255\n3 0 1 2\n",
-                     kind) == std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1, 9, 6, 3, 8, 5, 2, 7, 4, 255});
+    CHECK(carried_by(
+              "CNOFF 3 1 0\n0 0 0 1 0 0 9 8 7\n1 0 0 0 1 0 6 5 4\n0 1 0 0 0 1 3 2 255\n3 0 1 2\n",
+              kind) == std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1, 9, 6, 3, 8, 5, 2, 7, 4, 255});
   }
 }
 
 TEST_CASE("a vertex of an OFF that lacks its colour is an error where colours are carried") {
   const Error error = error_of([] {
-    carried_by("COFF 3 1 0\n0 0 0 1 0 2\n1 0 0 1 1\n0 1 0 2 3 4\n3 0 1 2\n", MemorySource::Kind::file);
+    carried_by("COFF 3 1 0\n0 0 0 1 0 2\n1 0 0 1 1\n0 1 0 2 3 4\n3 0 1 2\n",
+               MemorySource::Kind::file);
   });
   CHECK(error.kind() == ErrorKind::bad_input);
   CHECK(std::string(error.what()).find("line 3") != std::string::npos);

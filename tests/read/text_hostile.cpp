@@ -1,4 +1,5 @@
-// OBJ, OFF and .m that are wrong, cut or hostile: an error that says where, or a shorter mesh, never worse.
+// OBJ, OFF and .m that are wrong, cut or hostile: an error that says where, or a shorter mesh,
+// never worse.
 #include "base/text.hpp"
 #include "support/job.hpp"
 #include "support/reading.hpp"
@@ -42,9 +43,10 @@ void check_line(const std::string& file, std::uint64_t line) {
 std::vector<std::pair<Format, std::string>> small_files() {
   test::Random random(440);
   const test::Polygons mesh = test::as_floats(test::random_polygons(random, 6, 5, 4));
-  return {{Format::obj, obj_file(mesh, {})}, {Format::obj, obj_file(mesh, {"\r\n", &random})},
-          {Format::off, off_file(mesh, {})}, {Format::off, off_file(mesh, {"\r\n", &random}, "COFF")},
-          {Format::m, m_file(mesh, {})},     {Format::m, m_file(mesh, {"\r\n", &random})}};
+  return {
+      {Format::obj, obj_file(mesh, {})}, {Format::obj, obj_file(mesh, {"\r\n", &random})},
+      {Format::off, off_file(mesh, {})}, {Format::off, off_file(mesh, {"\r\n", &random}, "COFF")},
+      {Format::m, m_file(mesh, {})},     {Format::m, m_file(mesh, {"\r\n", &random})}};
 }
 
 }  // namespace
@@ -83,8 +85,9 @@ TEST_CASE("a mesh as text cut at every byte is an error or a mesh of fewer faces
 }
 
 TEST_CASE("an OFF whose counts its size cannot hold is refused before anything is taken for it") {
-  for (const char* counts : {"1000 1 0", "3 1000 0", "4294967295 1 0", "3 18446744073709551615 0",
-                             "9223372036854775807 9223372036854775807 0", "4294967296 4294967296 0"}) {
+  for (const char* counts :
+       {"1000 1 0", "3 1000 0", "4294967295 1 0", "3 18446744073709551615 0",
+        "9223372036854775807 9223372036854775807 0", "4294967296 4294967296 0"}) {
     const std::string file = std::string("OFF\n") + counts + "\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     for (const bool pipe : {false, true}) {
       const std::uint64_t peak = peak_resident_bytes();
@@ -111,7 +114,8 @@ TEST_CASE("a long line is read, whatever it is long by") {
     for (int i = 0; i < 50'000; ++i) large += " " + std::to_string(i % 3 + 1);
     CHECK(faces(large) == 49'999);
     // What is wrong behind a long line has its number.
-    CHECK(outcome_of(head + "#" + std::string(2'000'000, ' ') + "\nf 1 x 2\n", Format::automatic, pipe)
+    CHECK(outcome_of(head + "#" + std::string(2'000'000, ' ') + "\nf 1 x 2\n", Format::automatic,
+                     pipe)
               .error.find("line 6:") != std::string::npos);
   }
 }
@@ -123,8 +127,8 @@ TEST_CASE("bytes of a mesh as text changed at random are an error or another mes
     for (std::uint64_t changes = random.between(1, 6); changes > 0 && !file.empty(); --changes) {
       const std::size_t at = random.below(file.size());
       const std::string bytes =
-          random.one_of<std::string>({"9", "-", "\n", " ", "\xff", std::string(1, '\0'), "\\\n", "#", "99999",
-                                      "e", "\r", "/", "v ", "f "});
+          random.one_of<std::string>({"9", "-", "\n", " ", "\xff", std::string(1, '\0'), "\\\n",
+                                      "#", "99999", "e", "\r", "/", "v ", "f "});
       if (random.chance(0.3)) {
         file.erase(at, random.between(1, 9));
       } else if (random.chance(0.5)) {

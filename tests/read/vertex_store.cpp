@@ -30,13 +30,15 @@ const std::vector<test::Point>& some_points() {
 // Indices as faces have them: near each other, or anywhere.
 std::uint32_t some_index(test::Random& random, std::uint32_t near, bool anywhere) {
   if (anywhere) return static_cast<std::uint32_t>(random.below(vertex_count));
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(vertex_count - 1, near + random.below(2000)));
+  return static_cast<std::uint32_t>(
+      std::min<std::uint64_t>(vertex_count - 1, near + random.below(2000)));
 }
 
 VertexRange range_of(const std::array<std::vector<std::uint32_t>, 3>& index) {
   VertexRange range{UINT32_MAX, 0};
   for (const auto& corner : index) {
-    for (const std::uint32_t i : corner) range = {std::min(range.lowest, i), std::max(range.highest, i)};
+    for (const std::uint32_t i : corner)
+      range = {std::min(range.lowest, i), std::max(range.highest, i)};
   }
   return range;
 }
@@ -53,7 +55,8 @@ void check_lookups(const VertexStore& store) {
       corner.resize(count);
       for (std::uint32_t& i : corner) i = some_index(random, near, anywhere);
     }
-    store.gather({index[0].data(), index[1].data(), index[2].data()}, range_of(index), count, *batch);
+    store.gather({index[0].data(), index[1].data(), index[2].data()}, range_of(index), count,
+                 *batch);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       for (std::size_t i = 0; i < count; ++i)
         REQUIRE(batch->corner(corner, i) == some_points()[index[corner][i]]);
@@ -86,7 +89,8 @@ void keep_all(VertexStore& store, bool doubles) {
 
 TEST_CASE("vertices that are kept are looked up from memory and from scratch") {
   for (const bool doubles : {false, true}) {
-    for (const std::uint64_t limit : {std::uint64_t{64} << 20, std::uint64_t{1} << 20, std::uint64_t{0}}) {
+    for (const std::uint64_t limit :
+         {std::uint64_t{64} << 20, std::uint64_t{1} << 20, std::uint64_t{0}}) {
       test::TestJob test;
       VertexStore store(test.job, limit);
       keep_all(store, doubles);
@@ -101,7 +105,8 @@ TEST_CASE("vertices that are kept are looked up from memory and from scratch") {
   }
 }
 
-TEST_CASE("a changed bit of vertices that are kept in scratch is noticed however they are looked up") {
+TEST_CASE(
+    "a changed bit of vertices that are kept in scratch is noticed however they are looked up") {
   test::TestJob test;
   const std::set<int> before = test::descriptors();
   VertexStore store(test.job, std::uint64_t{1} << 20);
@@ -162,7 +167,8 @@ TEST_CASE("vertices in a mapped file are looked up whatever their records are li
         const auto single = static_cast<float>(p[axis]);
         const std::size_t size = form.type == PlyType::float32 ? 4 : 8;
         std::memcpy(value.data(), size == 4 ? static_cast<const void*>(&single) : &p[axis], size);
-        if (form.swapped) std::reverse(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(size));
+        if (form.swapped)
+          std::reverse(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(size));
         record.replace(form.offset[axis], size, value.data(), size);
       }
       bytes += record;

@@ -29,7 +29,8 @@ Flat flat(const std::vector<Triangle>& faces, bool shared) {
     for (const Point& corner : face) {
       const auto next = static_cast<std::uint32_t>(out.positions.size() / 3);
       const auto [at, is_new] = numbers.emplace(corner, next);
-      if (is_new || !shared) out.positions.insert(out.positions.end(), corner.begin(), corner.end());
+      if (is_new || !shared)
+        out.positions.insert(out.positions.end(), corner.begin(), corner.end());
       out.corners.push_back(shared ? at->second : next);
     }
   }
@@ -120,9 +121,9 @@ TEST_CASE("triangles that are added give what the file of them gives") {
   const Flat own = flat(faces, false);
   for (const SimplifyOptions& options : several_ways()) {
     for (const bool doubles : {false, true}) {
-      const std::string right = doubles
-                                    ? simplified_file(place, "in.ply", ply_of(own, PlyType::float64), options)
-                                    : simplified_file(place, "in.stl", binary_stl(faces), options);
+      const std::string right =
+          doubles ? simplified_file(place, "in.ply", ply_of(own, PlyType::float64), options)
+                  : simplified_file(place, "in.stl", binary_stl(faces), options);
       const std::string path = place.directory.file("out.ply");
       Simplification simplification(place.context, path, options);
       if (doubles) {
@@ -205,7 +206,8 @@ TEST_CASE("what is added and not finished leaves nothing, and cancelling is noti
   CHECK(place.directory.names().empty());
   Simplification simplification(place.context, place.directory.file("out.ply"), options);
   place.context.cancel();
-  CHECK(error_of([&] { simplification.add_triangles(std::span(floats)); }).kind() == ErrorKind::cancelled);
+  CHECK(error_of([&] { simplification.add_triangles(std::span(floats)); }).kind() ==
+        ErrorKind::cancelled);
 }
 
 }  // namespace winnow::test

@@ -40,7 +40,8 @@ TEST_CASE("a run with attributes goes on to the same bytes", "[faults]") {
   check_resumed(options);
 }
 
-TEST_CASE("a run with named attributes and an error to reach goes on to the same bytes", "[faults]") {
+TEST_CASE("a run with named attributes and an error to reach goes on to the same bytes",
+          "[faults]") {
   SimplifyOptions options;
   options.relative_error = 0.001;
   options.attributes = {"colors", "stamp"};

@@ -13,7 +13,8 @@ namespace {
 
 std::vector<Column> all_columns() {
   std::vector<Column> columns = usual_columns();
-  columns.insert(columns.begin() + 2, {"s", ScalarType::float32, [](const Point& p) { return p[0]; }});
+  columns.insert(columns.begin() + 2,
+                 {"s", ScalarType::float32, [](const Point& p) { return p[0]; }});
   columns.push_back({"nx", ScalarType::float32, [](const Point& p) { return 3 * p[0]; }});
   columns.push_back({"ny", ScalarType::float32, [](const Point& p) { return p[1]; }});
   columns.push_back({"nz", ScalarType::float32, [](const Point&) { return 0; }});
@@ -32,7 +33,8 @@ std::string converted(const Directory& directory, const std::string& input, cons
 
 }  // namespace
 
-TEST_CASE("attributes of a PLY are converted unchanged from every form to every form", "[same_bytes]") {
+TEST_CASE("attributes of a PLY are converted unchanged from every form to every form",
+          "[same_bytes]") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
   const AttributedMesh mesh = generated(directory.path(), 30'000);
@@ -41,7 +43,8 @@ TEST_CASE("attributes of a PLY are converted unchanged from every form to every 
   for (const PlyForm form : {PlyForm::little_endian, PlyForm::big_endian, PlyForm::ascii}) {
     CAPTURE(static_cast<int>(form));
     write_attributed(in, mesh, all_columns(), form);
-    const AttributedMesh out = read_attributed(converted(directory, in, "out.ply", {"--threads", "3"}));
+    const AttributedMesh out =
+        read_attributed(converted(directory, in, "out.ply", {"--threads", "3"}));
     CHECK(out.properties == want.properties);
     CHECK(out.positions == want.positions);
     CHECK(out.faces == want.faces);
@@ -53,7 +56,8 @@ TEST_CASE("attributes of a PLY are converted unchanged from every form to every 
       CHECK(std::memcmp(found.data(), numbers.data(), numbers.size() * sizeof(double)) == 0);
     }
     const std::string hash = hash_of_file(directory.file("out.ply"));
-    CHECK(hash_of_file(converted(directory, "-", "out.ply", {"--threads", "1"}, {.in = in})) == hash);
+    CHECK(hash_of_file(converted(directory, "-", "out.ply", {"--threads", "1"}, {.in = in})) ==
+          hash);
     const std::string text = converted(directory, in, "text.ply", {"--ascii"});
     CHECK(hash_of_file(converted(directory, text, "out.ply")) == hash);
   }
@@ -70,14 +74,16 @@ TEST_CASE("a conversion tells what it carries and what not") {
   CHECK(report("out.ply.gz")["notes"].empty());
   const auto off = report("out.off");
   CHECK(off["attributes"]["carried"].size() == 6);
-  CHECK(off["notes"] == nlohmann::json{"not carried: the output's format holds no attributes but normals and "
-                                       "colours: s, quality, label, stamp, odd"});
+  CHECK(off["notes"] ==
+        nlohmann::json{"not carried: the output's format holds no attributes but normals and "
+                       "colours: s, quality, label, stamp, odd"});
   CHECK(bytes_of_file(directory.file("out.off")).starts_with("CNOFF\n"));
   CHECK(report("out.stl")["attributes"]["carried"].empty());
   CHECK(report("out.glb")["attributes"]["carried"].size() == 6);
 }
 
-TEST_CASE("converting attributes stays within the smallest budget and to the same bytes", "[budget]") {
+TEST_CASE("converting attributes stays within the smallest budget and to the same bytes",
+          "[budget]") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
   write_attributed(in, generated(directory.path(), 400'000), all_columns());
@@ -88,7 +94,8 @@ TEST_CASE("converting attributes stays within the smallest budget and to the sam
   check_peak(run, memory);
   CHECK(run.json()["spilled_bytes"] > 8 * mebibyte);
   CHECK(run.json()["attributes"]["carried"].size() == 11);
-  CHECK(hash_of_file(out) == hash_of_file(converted(directory, in, "again.ply", {"--threads", "4"})));
+  CHECK(hash_of_file(out) ==
+        hash_of_file(converted(directory, in, "again.ply", {"--threads", "4"})));
 }
 
 }  // namespace winnow::test

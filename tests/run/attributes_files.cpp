@@ -16,7 +16,8 @@ AttributedMesh part_of(const AttributedMesh& mesh, std::size_t begin, std::size_
   return part;
 }
 
-// A mesh as one file, and as three whose columns come in other orders, are of other types, or are missing.
+// A mesh as one file, and as three whose columns come in other orders, are of other types, or are
+// missing.
 struct Parts {
   Directory directory;
   std::string whole = directory.file("whole.ply");
@@ -28,8 +29,10 @@ struct Parts {
     std::vector<Column> columns = common;
     columns.push_back({"other_type", ScalarType::float32, [](const Point& p) { return p[0]; }});
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::string& file = files.emplace_back(directory.file("part" + std::to_string(i) + ".ply"));
-      write_attributed(file, part_of(mesh, mesh.faces.size() * i / 3, mesh.faces.size() * (i + 1) / 3),
+      const std::string& file =
+          files.emplace_back(directory.file("part" + std::to_string(i) + ".ply"));
+      write_attributed(file,
+                       part_of(mesh, mesh.faces.size() * i / 3, mesh.faces.size() * (i + 1) / 3),
                        columns, i == 1 ? PlyForm::ascii : PlyForm::little_endian);
       if (i == 0) {
         columns.back().type = ScalarType::float64;
@@ -53,8 +56,9 @@ struct Parts {
 
 TEST_CASE("several files carry what all have and tell what only some have", "[same_bytes]") {
   Parts parts(usual_columns());
-  for (const Words& options : {Words{"--cell", "0.03"}, Words{"--grid", "50"}, Words{"--faces", "3000"},
-                               Words{"--error", "1%", "--attributes", "stamp,colors"}}) {
+  for (const Words& options :
+       {Words{"--cell", "0.03"}, Words{"--grid", "50"}, Words{"--faces", "3000"},
+        Words{"--error", "1%", "--attributes", "stamp,colors"}}) {
     INFO(joined(options));
     const Simplified want = simplified(parts.directory, parts.whole, options);
     const Simplified all = parts.joined_by(options);
@@ -70,9 +74,9 @@ TEST_CASE("several files carry what all have and tell what only some have", "[sa
 
 TEST_CASE("what not all files have cannot be asked for by name") {
   Parts parts({usual_columns()[0]});
-  const Run run = run_winnow(
-      Words{"simplify"} + parts.files +
-      Words{"-o", parts.directory.file("never.ply"), "--faces", "100", "--attributes", "other_type"});
+  const Run run = run_winnow(Words{"simplify"} + parts.files +
+                             Words{"-o", parts.directory.file("never.ply"), "--faces", "100",
+                                   "--attributes", "other_type"});
   CHECK(run.code == 2);
   CHECK_THAT(run.err, Catch::Contains("'other_type' is not in every input, or not of one type"));
   CHECK_FALSE(exists(parts.directory.file("never.ply")));
@@ -92,8 +96,8 @@ TEST_CASE("a box that holds all changes nothing of what is carried", "[same_byte
   const Parts parts(usual_columns());
   for (const Words& options : {Words{"--grid", "50"}, Words{"--faces", "3000"}}) {
     const Simplified want = simplified(parts.directory, parts.whole, options);
-    CHECK(simplified(parts.directory, parts.whole, options + Words{"--crop", "-9,-9,-9,9,9,9"}).hash ==
-          want.hash);
+    CHECK(simplified(parts.directory, parts.whole, options + Words{"--crop", "-9,-9,-9,9,9,9"})
+              .hash == want.hash);
   }
 }
 

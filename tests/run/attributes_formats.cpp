@@ -14,7 +14,8 @@ namespace {
 std::vector<Column> colors_of(ScalarType type) {
   const double full = is_integer(type) ? 255 : 1;
   const auto wave = [full](double a, double b) {
-    return [full, a, b](const Point& p) { return full * (0.5 + 0.5 * std::sin(a * p[0] + b * p[1])); };
+    return
+        [full, a, b](const Point& p) { return full * (0.5 + 0.5 * std::sin(a * p[0] + b * p[1])); };
   };
   return {{"red", type, wave(3, 20)}, {"green", type, wave(31, 7)}, {"blue", type, wave(2, 9)}};
 }
@@ -32,13 +33,15 @@ struct Case {
   std::string file(const std::string& name) const { return directory.file(name); }
   // Nothing goes: every vertex keeps what it carries.
   Run all(const std::string& in, const std::string& out, const Words& options = {}) const {
-    return winnow_ok(Words{"simplify", file(in), "-o", file(out), "--faces", "1M", "--json", "--force"} +
-                     options);
+    return winnow_ok(
+        Words{"simplify", file(in), "-o", file(out), "--faces", "1M", "--json", "--force"} +
+        options);
   }
 };
 
 // `out` has the numbers of `in` at the same positions, times `factor`, to within `tolerance`.
-void check_columns(const AttributedMesh& out, const AttributedMesh& in, double factor, double tolerance) {
+void check_columns(const AttributedMesh& out, const AttributedMesh& in, double factor,
+                   double tolerance) {
   REQUIRE(out.positions.size() == in.positions.size());
   std::map<Point, std::size_t> at;
   for (std::size_t v = 0; v < in.positions.size(); ++v) at[in.positions[v]] = v;
@@ -69,7 +72,8 @@ TEST_CASE("colours go to OBJ and OFF and come back") {
     test.all("in.ply", "out.off");
     const Run back = test.all("out.off", "back.ply");
     CHECK(back.json()["attributes"]["carried"].size() == 4);
-    CHECK(back.json()["attributes"]["carried"][3] == (full > 1 ? "alpha (uchar)" : "alpha (float)"));
+    CHECK(back.json()["attributes"]["carried"][3] ==
+          (full > 1 ? "alpha (uchar)" : "alpha (float)"));
     const AttributedMesh out = read_attributed(test.file("back.ply"));
     check_columns(out, in, 1, full > 1 ? 0 : 1e-6);
     for (const double alpha : out.columns.at("alpha")) CHECK(alpha == full);
@@ -104,7 +108,8 @@ TEST_CASE("eight bits of colour become sixteen of light in a GLB", "[same_bytes]
   for (const bool alpha : {false, true}) {
     std::vector<Column> columns = colors_of(ScalarType::uint8);
     if (alpha)
-      columns.push_back({"alpha", ScalarType::uint8, [](const Point& p) { return 255 * std::abs(p[0]); }});
+      columns.push_back(
+          {"alpha", ScalarType::uint8, [](const Point& p) { return 255 * std::abs(p[0]); }});
     write_attributed(test.file("in.ply"), test.mesh, columns);
     const AttributedMesh in = read_attributed(test.file("in.ply"));
     std::map<std::array<float, 3>, std::size_t> at;
@@ -147,11 +152,14 @@ TEST_CASE("what OBJ OFF and GLB cannot hold is told") {
     INFO(out);
     CHECK(run.json()["attributes"]["carried"].size() == 3);
     CHECK(run.json()["attributes"]["dropped"] ==
-          nlohmann::json{"the output's format holds no attributes but normals and colours: quality, label, "
-                         "stamp"});
+          nlohmann::json{
+              "the output's format holds no attributes but normals and colours: quality, label, "
+              "stamp"});
   }
   write_attributed(test.file("in.ply"), test.mesh, normals());
-  CHECK(test.all("in.ply", "out.obj", {"--attributes", "nx"}).json()["attributes"]["dropped"].size() == 1);
+  CHECK(test.all("in.ply", "out.obj", {"--attributes", "nx"})
+            .json()["attributes"]["dropped"]
+            .size() == 1);
 }
 
 TEST_CASE("an alpha without a colour goes to no format that has it only with one") {
@@ -160,13 +168,15 @@ TEST_CASE("an alpha without a colour goes to no format that has it only with one
   write_attributed(test.file("alone.ply"), test.mesh, columns);
   columns.push_back({"red", ScalarType::uint8, [](const Point&) { return 9; }});
   write_attributed(test.file("in.ply"), test.mesh, columns);
-  const nlohmann::json told{"the output's format holds no attributes but normals and colours: alpha"};
+  const nlohmann::json told{
+      "the output's format holds no attributes but normals and colours: alpha"};
   for (const char* out : {"out.obj", "out.off", "out.glb"}) {
     INFO(out);
     const nlohmann::json alone = test.all("alone.ply", out).json()["attributes"];
     CHECK(alone["carried"].empty());
     CHECK(alone["dropped"] == told);
-    const nlohmann::json asked = test.all("in.ply", out, {"--attributes", "alpha"}).json()["attributes"];
+    const nlohmann::json asked =
+        test.all("in.ply", out, {"--attributes", "alpha"}).json()["attributes"];
     CHECK(asked["carried"].empty());
     const nlohmann::json both = test.all("in.ply", out).json()["attributes"];
     CHECK(both["carried"].size() == (std::string(out) == "out.obj" ? 1 : 2));

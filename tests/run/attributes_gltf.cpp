@@ -1,4 +1,5 @@
-// Normals and colours of a GLB from file to file: to a GLB and back to the bit, as colours to the others.
+// Normals and colours of a GLB from file to file: to a GLB and back to the bit, as colours to the
+// others.
 #include "base/attribute.hpp"
 #include "base/srgb.hpp"
 #include "support/attributes.hpp"
@@ -18,7 +19,8 @@ namespace {
 std::vector<Column> columns_of(ScalarType type, bool alpha) {
   const double full = full_component(type);
   const auto wave = [full](double a, double b) {
-    return [full, a, b](const Point& p) { return full * (0.5 + 0.5 * std::sin(a * p[0] + b * p[1])); };
+    return
+        [full, a, b](const Point& p) { return full * (0.5 + 0.5 * std::sin(a * p[0] + b * p[1])); };
   };
   std::vector<Column> columns{
       {"nx", ScalarType::float32, [](const Point&) { return 0.6; }},
@@ -27,7 +29,8 @@ std::vector<Column> columns_of(ScalarType type, bool alpha) {
       {"red", type, wave(3, 20)},
       {"green", type, wave(31, 7)},
       {"blue", type, wave(2, 9)}};
-  if (alpha) columns.push_back({"alpha", type, [full](const Point& p) { return full * std::abs(p[0]); }});
+  if (alpha)
+    columns.push_back({"alpha", type, [full](const Point& p) { return full * std::abs(p[0]); }});
   return columns;
 }
 
@@ -38,7 +41,8 @@ struct Case {
     write_attributed(file("in.ply"), generated(directory.path(), faces), columns);
   }
   std::string file(const std::string& name) const { return directory.file(name); }
-  std::string converted(const std::string& in, const std::string& out, const Words& options = {}) const {
+  std::string converted(const std::string& in, const std::string& out,
+                        const Words& options = {}) const {
     winnow_ok(Words{"convert", file(in), "-o", file(out), "-q", "--force"} + options);
     return bytes_of_file(file(out));
   }
@@ -98,7 +102,8 @@ TEST_CASE("a PLY that goes through a GLB keeps its normals and colours", "[same_
       double worst = 0;
       for (std::size_t v = 0; v < numbers.size(); ++v) {
         worst = std::max(worst, std::abs(found[v] / full_back - numbers[v] / full));
-        if (full > 1 && std::nearbyint(found[v] / full_back * full) != numbers[v]) FAIL("vertex " << v);
+        if (full > 1 && std::nearbyint(found[v] / full_back * full) != numbers[v])
+          FAIL("vertex " << v);
       }
       CHECK(worst <= (normal ? 0 : full_back > 1 ? 2e-4 : 1e-6));
     }
@@ -134,7 +139,8 @@ TEST_CASE("eight bits of light of a GLB stay what they are, and become eight bit
     for (std::size_t v = 0; v < ply.positions.size(); ++v) {
       const Point& p = ply.positions[v];
       const auto from = 3 * static_cast<std::size_t>(p[2]) + (p[1] > 0 ? 2 : p[0] > p[2] ? 1 : 0);
-      REQUIRE(ply.columns.at("red")[v] == std::nearbyint(255 * component_of_light(bytes[4 * from] / 255.0)));
+      REQUIRE(ply.columns.at("red")[v] ==
+              std::nearbyint(255 * component_of_light(bytes[4 * from] / 255.0)));
       REQUIRE(ply.columns.at("alpha")[v] == bytes[4 * from + 3]);
     }
   }
@@ -179,8 +185,8 @@ TEST_CASE("attributes of a GLB are the same from files and pipes, and within the
   CHECK(want.report["attributes"]["carried"].size() == 7);
   CHECK(simplified_by_pipe(test.directory, input, two).hash == want.hash);
   CHECK(simplified(test.directory, zstd_file(input), two).hash == want.hash);
-  CHECK(simplified(test.directory, input, two + Words{"--memory", smallest_memory(input, two)}).hash ==
-        want.hash);
+  CHECK(simplified(test.directory, input, two + Words{"--memory", smallest_memory(input, two)})
+            .hash == want.hash);
   check_budget(test.directory, input, two, "smallest");
   // What is carried changes nothing of where vertices go.
   const auto geometry = [&](const Words& more) {

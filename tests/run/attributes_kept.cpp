@@ -1,5 +1,5 @@
-// What vertices carry arrives at the output: every type from every form of file, and with no sum in between
-// where nothing is averaged.
+// What vertices carry arrives at the output: every type from every form of file, and with no sum in
+// between where nothing is averaged.
 #include "support/attributes.hpp"
 #include "support/simplified.hpp"
 
@@ -20,17 +20,22 @@ std::vector<Column> all_types() {
       {"nx", ScalarType::float32, [](const Point&) { return 0.6; }},
       {"ny", ScalarType::float32, [](const Point& p) { return p[0] > 0 ? 0.8 : -0.8; }},
       {"nz", ScalarType::float32, [](const Point&) { return 0.0; }},
-      {"red", ScalarType::uint8, [](const Point& p) { return std::abs(255 * std::sin(90 * p[0])); }},
-      {"green", ScalarType::uint16, [](const Point& p) { return std::abs(65535 * std::sin(90 * p[0])); }},
+      {"red", ScalarType::uint8,
+       [](const Point& p) { return std::abs(255 * std::sin(90 * p[0])); }},
+      {"green", ScalarType::uint16,
+       [](const Point& p) { return std::abs(65535 * std::sin(90 * p[0])); }},
       {"blue", ScalarType::float32, [](const Point& p) { return std::abs(std::sin(90 * p[0])); }},
       {"i1", ScalarType::int8, some(127)},
       {"u1", ScalarType::uint8, [](const Point& p) { return std::abs(255 * std::sin(50 * p[2])); }},
       {"i2", ScalarType::int16, some(32767)},
-      {"u2", ScalarType::uint16, [](const Point& p) { return std::abs(65535 * std::sin(50 * p[2])); }},
+      {"u2", ScalarType::uint16,
+       [](const Point& p) { return std::abs(65535 * std::sin(50 * p[2])); }},
       {"i4", ScalarType::int32, some(2147483647)},
-      {"u4", ScalarType::uint32, [](const Point& p) { return std::abs(4294967295 * std::sin(50 * p[2])); }},
+      {"u4", ScalarType::uint32,
+       [](const Point& p) { return std::abs(4294967295 * std::sin(50 * p[2])); }},
       {"f4", ScalarType::float32, some(1e30)},
-      {"f8", ScalarType::float64, [](const Point& p) { return 1e250 * (2 + std::sin(50 * p[2])); }}};
+      {"f8", ScalarType::float64,
+       [](const Point& p) { return 1e250 * (2 + std::sin(50 * p[2])); }}};
 }
 
 // By position: the order of the vertices is the output's own.
@@ -61,7 +66,8 @@ TEST_CASE("attributes of every type come through unchanged where no vertex goes"
     write_attributed(in, mesh, all_types(), form);
     for (const std::string& input : {in, zstd_file(in)}) {
       CAPTURE(input, static_cast<int>(form));
-      const Run run = winnow_ok({"simplify", input, "-o", out, "--faces", "1M", "--json", "--force"});
+      const Run run =
+          winnow_ok({"simplify", input, "-o", out, "--faces", "1M", "--json", "--force"});
       check_equal(read_attributed(out), expected);
       CHECK(run.json()["attributes"]["carried"].size() == all_types().size());
       CHECK(run.json()["attributes"]["dropped"].empty());
@@ -96,10 +102,12 @@ TEST_CASE("normals that --normals computes stand in for those of the input") {
   winnow_ok({"simplify", in, "-o", out, "--faces", "1k", "--normals", "-q"});
   const std::string computed = hash_of_file(out);
   write_attributed(in, mesh, {all_types()[0], all_types()[1], all_types()[2]});
-  const Run run = winnow_ok({"simplify", in, "-o", out, "--faces", "1k", "--normals", "--force", "--json"});
+  const Run run =
+      winnow_ok({"simplify", in, "-o", out, "--faces", "1k", "--normals", "--force", "--json"});
   CHECK(hash_of_file(out) == computed);
   REQUIRE(run.json()["attributes"]["dropped"].size() == 1);
-  CHECK_THAT(run.json()["attributes"]["dropped"][0].get<std::string>(), Catch::Contains("nx, ny, nz"));
+  CHECK_THAT(run.json()["attributes"]["dropped"][0].get<std::string>(),
+             Catch::Contains("nx, ny, nz"));
   CHECK(run.json()["notes"].size() == 1);
 }
 
@@ -127,8 +135,9 @@ TEST_CASE("of a name that a file has twice the number of the common type is carr
   const std::string two = directory.file("two.ply");
   const std::string out = directory.file("out.ply");
   write_attributed(one, mesh, {{"red", ScalarType::uint8, always(200)}});
-  write_attributed(two, mesh,
-                   {{"red", ScalarType::float32, always(1e12)}, {"red", ScalarType::uint8, always(200)}});
+  write_attributed(
+      two, mesh,
+      {{"red", ScalarType::float32, always(1e12)}, {"red", ScalarType::uint8, always(200)}});
   for (const Words& inputs : {Words{one, two}, Words{two, one}}) {
     winnow_ok(Words{"simplify"} + inputs + Words{"-o", out, "--faces", "500", "-q", "--force"});
     const std::vector<double> red = read_attributed(out).columns.at("red");
@@ -140,7 +149,8 @@ TEST_CASE("an STL carries nothing and says so") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
   write_attributed(in, generated(directory.path(), 4000), usual_columns());
-  const Run run = winnow_ok({"simplify", in, "-o", directory.file("out.stl"), "--faces", "1k", "--json"});
+  const Run run =
+      winnow_ok({"simplify", in, "-o", directory.file("out.stl"), "--faces", "1k", "--json"});
   CHECK(run.json()["attributes"]["carried"].empty());
   REQUIRE(run.json()["notes"].size() == 1);
   CHECK_THAT(run.json()["notes"][0].get<std::string>(),

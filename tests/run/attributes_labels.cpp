@@ -1,4 +1,5 @@
-// Whole numbers that tell things apart stay what they are, and numbers for "none" take no part in means.
+// Whole numbers that tell things apart stay what they are, and numbers for "none" take no part in
+// means.
 #include <winnow/simplify.hpp>
 
 #include "support/attributes.hpp"
@@ -23,8 +24,8 @@ std::set<double> values_of(const AttributedMesh& mesh, const std::string& column
   return {all.begin(), all.end()};
 }
 
-AttributedMesh simplified(const std::string& input, const std::string& output, SimplifyOptions options,
-                          unsigned threads = 2) {
+AttributedMesh simplified(const std::string& input, const std::string& output,
+                          SimplifyOptions options, unsigned threads = 2) {
   Context context;
   context.threads = threads;
   options.force = true;
@@ -48,15 +49,17 @@ TEST_CASE("no label comes out that did not go in") {
   const Directory directory;
   const AttributedMesh mesh = generated(directory.path(), 60'000);
   const std::string input = directory.file("in.ply");
-  const std::vector<std::pair<std::string, ScalarType>> labels{{"label", ScalarType::int32},
-                                                               {"object_id", ScalarType::uint32},
-                                                               {"classification", ScalarType::uint8},
-                                                               {"Segment", ScalarType::int16},
-                                                               {"flags", ScalarType::uint16}};
+  const std::vector<std::pair<std::string, ScalarType>> labels{
+      {"label", ScalarType::int32},
+      {"object_id", ScalarType::uint32},
+      {"classification", ScalarType::uint8},
+      {"Segment", ScalarType::int16},
+      {"flags", ScalarType::uint16}};
   std::vector<Column> columns;
   for (const auto& [name, type] : labels) {
     const bool small = type == ScalarType::uint8;
-    columns.push_back({name, type, [small](const Point& p) { return small ? octant(p) / 8 : octant(p); }});
+    columns.push_back(
+        {name, type, [small](const Point& p) { return small ? octant(p) / 8 : octant(p); }});
   }
   write_attributed(input, mesh, columns);
   const AttributedMesh before = read_attributed(input);
@@ -88,8 +91,9 @@ TEST_CASE("a number that says there is no data takes no part in means") {
   };
   write_attributed(input, mesh,
                    {{"height", ScalarType::float32, holes}, {"exact", ScalarType::float64, holes}});
-  write_attributed(whole, mesh,
-                   {{"height", ScalarType::float32, height}, {"exact", ScalarType::float64, height}});
+  write_attributed(
+      whole, mesh,
+      {{"height", ScalarType::float32, height}, {"exact", ScalarType::float64, height}});
   for (SimplifyOptions options : label_ways()) {
     options.no_data = -9999;
     const AttributedMesh out = simplified(input, directory.file("out.ply"), options);

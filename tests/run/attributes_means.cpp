@@ -1,4 +1,5 @@
-// What is averaged stays what it has to stay: a constant, the slope of a line, the mean of the light.
+// What is averaged stays what it has to stay: a constant, the slope of a line, the mean of the
+// light.
 #include "base/srgb.hpp"
 #include "support/attributes.hpp"
 #include "support/not_finite.hpp"
@@ -12,7 +13,8 @@ namespace winnow::test {
 
 namespace {
 
-// Clustered alone by either placement; all faces refined, in several tiles; clustered and then refined.
+// Clustered alone by either placement; all faces refined, in several tiles; clustered and then
+// refined.
 const std::vector<Words>& ways() {
   static const std::vector<Words> ways{{"--grid", "40"},
                                        {"--grid", "40", "--placement", "mean"},
@@ -23,7 +25,8 @@ const std::vector<Words>& ways() {
   return ways;
 }
 
-AttributedMesh simplified_mesh(const Directory& directory, const std::string& in, const Words& options) {
+AttributedMesh simplified_mesh(const Directory& directory, const std::string& in,
+                               const Words& options) {
   const std::string out = directory.file("out.ply");
   winnow_ok(Words{"simplify", in, "-o", out, "--force", "-q"} + options);
   return read_attributed(out);
@@ -45,12 +48,15 @@ TEST_CASE("a constant attribute stays what it is") {
   const auto constant = [](const std::string& name, ScalarType type, double value) {
     return Column{name, type, [value](const Point&) { return value; }};
   };
-  const std::vector<Column> columns{
-      constant("nx", ScalarType::float64, 0.48),         constant("ny", ScalarType::float64, 0.6),
-      constant("nz", ScalarType::float64, 0.64),         constant("red", ScalarType::uint8, 77),
-      constant("green", ScalarType::uint16, 54321),      constant("blue", ScalarType::float32, 0.7F),
-      constant("label", ScalarType::uint32, 4000000001), constant("small", ScalarType::float64, 1.1e-300),
-      constant("large", ScalarType::float64, -1.7e308)};
+  const std::vector<Column> columns{constant("nx", ScalarType::float64, 0.48),
+                                    constant("ny", ScalarType::float64, 0.6),
+                                    constant("nz", ScalarType::float64, 0.64),
+                                    constant("red", ScalarType::uint8, 77),
+                                    constant("green", ScalarType::uint16, 54321),
+                                    constant("blue", ScalarType::float32, 0.7F),
+                                    constant("label", ScalarType::uint32, 4000000001),
+                                    constant("small", ScalarType::float64, 1.1e-300),
+                                    constant("large", ScalarType::float64, -1.7e308)};
   write_attributed(in, generated(directory.path(), 80'000), columns);
   for (const Words& way : ways()) {
     const AttributedMesh mesh = simplified_mesh(directory, in, way);
@@ -74,7 +80,8 @@ TEST_CASE("a linear attribute stays near its line") {
     double longest = 0;
     for (const auto& face : mesh.faces) {
       for (std::size_t i = 0; i < 3; ++i)
-        longest = std::max(longest, length(mesh.positions[face[i]] - mesh.positions[face[(i + 1) % 3]]));
+        longest =
+            std::max(longest, length(mesh.positions[face[i]] - mesh.positions[face[(i + 1) % 3]]));
     }
     // No vertex has its number from farther away than a face is long.
     CHECK(largest_difference(mesh, "line", line) < slope * longest);
@@ -150,7 +157,8 @@ TEST_CASE("colours of vertices at one place are averaged") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
   write_file(in,
-             "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+             "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float "
+             "y\nproperty float z\n"
              "property uchar red\nproperty uchar blue\nelement face 2\n"
              "property list uchar int vertex_indices\nend_header\n"
              "0 0 0 255 0\n1 0 0 255 0\n1 1 0 255 0\n0 0 0 0 255\n1 1 0 0 255\n0 1 0 0 255\n"

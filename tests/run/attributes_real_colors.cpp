@@ -20,7 +20,8 @@ std::vector<Column> one_color(double full, const std::array<const char*, 3>& nam
   std::vector<Column> columns;
   const std::array<double, 3> color{0.8, 0.4, 0.2};
   for (std::size_t i = 0; i < 3; ++i)
-    columns.push_back({names[i], ScalarType::float32, [=](const Point&) { return color[i] * full; }});
+    columns.push_back(
+        {names[i], ScalarType::float32, [=](const Point&) { return color[i] * full; }});
   return columns;
 }
 
@@ -36,8 +37,8 @@ bool has_note(const std::vector<std::string>& notes, const std::string& part) {
 TEST_CASE("reals up to 255 are the same colours in every format") {
   const Directory directory;
   const AttributedMesh mesh = generated(directory.path(), 5000);
-  for (const auto& names :
-       {usual, std::array{"r", "g", "b"}, std::array{"diffuse_red", "diffuse_green", "diffuse_blue"}}) {
+  for (const auto& names : {usual, std::array{"r", "g", "b"},
+                            std::array{"diffuse_red", "diffuse_green", "diffuse_blue"}}) {
     for (const char* ending : {"obj", "off", "glb"}) {
       CAPTURE(names[0], ending);
       std::vector<std::string> bytes;

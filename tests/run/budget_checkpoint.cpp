@@ -19,8 +19,9 @@ TEST_CASE("refining with a checkpoint stays within the smallest budget, resumed 
     const Words checkpoint{"--checkpoint", kept};
     check_budget(directory, input, options + checkpoint, memory);
     // Killed when the first round's mesh is brought to the disk.
-    const Run killed = run_winnow(Words{"simplify", input, "-o", output} + options + speed + checkpoint,
-                                  {.fault = "change 1 0 kept/stage-1"});
+    const Run killed =
+        run_winnow(Words{"simplify", input, "-o", output} + options + speed + checkpoint,
+                   {.fault = "change 1 0 kept/stage-1"});
     REQUIRE(killed.signal == SIGKILL);
     const Run resumed = run_winnow(Words{"resume", kept, "--threads", options.back()} + speed);
     check_peak(resumed, memory);

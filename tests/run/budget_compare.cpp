@@ -1,4 +1,5 @@
-// A comparison stays within the budget, whatever the size of the original; what the messages call enough is.
+// A comparison stays within the budget, whatever the size of the original; what the messages call
+// enough is.
 #include "support/budget.hpp"
 #include "support/random.hpp"
 
@@ -14,11 +15,13 @@ TEST_CASE("a comparison stays within the budget", "[budget]") {
   generate("scan", 1'000'000, original);
   winnow_ok({"simplify", original, "-o", small, "--faces", "20k"});
   const std::string packed = zstd_file(original);
-  const Words pictured{
-      original, small, "--picture", directory.file("picture.png"), "--colored", directory.file("colored.ply"),
-      "--force"};
+  const Words pictured{original,    small,
+                       "--picture", directory.file("picture.png"),
+                       "--colored", directory.file("colored.ply"),
+                       "--force"};
   for (const Words& what : {Words{original, small}, Words{packed, small}, pictured}) {
-    const Words arguments = Words{"compare", "--json", "--samples", "100k", "--threads", "2"} + what;
+    const Words arguments =
+        Words{"compare", "--json", "--samples", "100k", "--threads", "2"} + what;
     const std::string enough = enough_memory(arguments);
     INFO(joined(arguments) << " --memory " << enough);
     check_peak(run_winnow(arguments + Words{"--memory", enough}), enough);

@@ -1,4 +1,5 @@
-// Every way in stays within the budget: the peak of the child's resident set, mapped pages included.
+// Every way in stays within the budget: the peak of the child's resident set, mapped pages
+// included.
 #include "support/budget.hpp"
 
 #include <fstream>
@@ -13,7 +14,8 @@ const Words coarse{"--cell", "0.01", "--threads", "2"};
 void check_pipe(const Directory& directory, const std::string& input, const Words& options) {
   const std::string memory = smallest_memory(input, options);
   const std::string output = directory.file("out.ply");
-  Program program(Words{"simplify", "-", "-o", output, "--json", "--memory", memory} + options, {.in = "|"});
+  Program program(Words{"simplify", "-", "-o", output, "--json", "--memory", memory} + options,
+                  {.in = "|"});
   std::ifstream file(input, std::ios::binary);
   std::string part(1 << 16, '\0');
   while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0) {
@@ -30,9 +32,11 @@ TEST_CASE("a PLY file stays within the budget", "[budget]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   generate("scan", faces, input);
-  for (const char* memory : {"smallest", "64M", "128M"}) check_budget(directory, input, coarse, memory);
-  for (const Words& options : {Words{"--grid", "300"}, Words{"--faces", "300k", "--refine", "none"},
-                               Words{"--ratio", "50%", "--refine", "none", "--placement", "quadric"}}) {
+  for (const char* memory : {"smallest", "64M", "128M"})
+    check_budget(directory, input, coarse, memory);
+  for (const Words& options :
+       {Words{"--grid", "300"}, Words{"--faces", "300k", "--refine", "none"},
+        Words{"--ratio", "50%", "--refine", "none", "--placement", "quadric"}}) {
     check_budget(directory, input, options, "smallest");
   }
 }
@@ -41,8 +45,10 @@ TEST_CASE("an STL file stays within the budget", "[budget]") {
   const Directory directory;
   const std::string input = directory.file("scan.stl");
   generate("scan", faces, input);
-  for (const char* memory : {"smallest", "64M", "128M"}) check_budget(directory, input, coarse, memory);
-  for (const Words& options : {Words{"--grid", "300"}, Words{"--faces", "300k", "--refine", "none"}}) {
+  for (const char* memory : {"smallest", "64M", "128M"})
+    check_budget(directory, input, coarse, memory);
+  for (const Words& options :
+       {Words{"--grid", "300"}, Words{"--faces", "300k", "--refine", "none"}}) {
     check_budget(directory, input, options, "smallest");
   }
 }
@@ -103,7 +109,8 @@ TEST_CASE("many threads stay within the budget", "[budget]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   generate("scan", faces, input);
-  check_budget(directory, input, {"--faces", "300k", "--refine", "none", "--threads", "16"}, "smallest");
+  check_budget(directory, input, {"--faces", "300k", "--refine", "none", "--threads", "16"},
+               "smallest");
   check_budget(directory, input, {"--cell", "0.003", "--threads", "64", "--placement", "quadric"},
                "smallest");
 }

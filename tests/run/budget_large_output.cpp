@@ -6,7 +6,8 @@ namespace winnow::test {
 namespace {
 
 // Cells far below the spacing: every vertex stays.
-void check_whole(const char* name, std::uint64_t faces, const Words& options, const std::string& memory) {
+void check_whole(const char* name, std::uint64_t faces, const Words& options,
+                 const std::string& memory) {
   const Directory directory;
   const std::string input = directory.file(name);
   generate("scan", faces, input);
@@ -39,8 +40,9 @@ TEST_CASE("an STL output larger than the budget", "[budget]") {
   const std::string output = directory.file("out.stl");
   const Words options{"--cell", "0.0002", "--threads", "2"};
   const std::string memory = smallest_memory(input, options);
-  check_peak(run_winnow(Words{"simplify", input, "-o", output, "--json", "--memory", memory} + options),
-             memory);
+  check_peak(
+      run_winnow(Words{"simplify", input, "-o", output, "--json", "--memory", memory} + options),
+      memory);
   CHECK(size_of_file(output) > bytes_of_size(memory));
 }
 

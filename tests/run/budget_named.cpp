@@ -16,7 +16,8 @@ bool is_refused(const Shape& shape, const Words& options, bool with_attributes =
                    with_attributes ? usual_columns() : std::vector<Column>{});
   const std::string smallest = smallest_memory(input, options);
   INFO(joined(options) << " --memory " << smallest);
-  const Words command = Words{"simplify", input, "-o", directory.file("out.ply"), "--json"} + options;
+  const Words command =
+      Words{"simplify", input, "-o", directory.file("out.ply"), "--json"} + options;
   const Run first = run_winnow(command + Words{"--memory", smallest});
   INFO(first.err);
   if (first.code == 0) return false;
@@ -39,9 +40,10 @@ TEST_CASE("the smallest budget of the plan is enough for a surface", "[budget]")
   }
 }
 
-// Where the smallest budget is too small, is_refused() runs the command again with the one that is named, and
-// checks that it works.
-TEST_CASE("a budget that is named works for dust and for very many faces around a vertex", "[budget]") {
+// Where the smallest budget is too small, is_refused() runs the command again with the one that is
+// named, and checks that it works.
+TEST_CASE("a budget that is named works for dust and for very many faces around a vertex",
+          "[budget]") {
   unsigned refused = 0;
   for (const char* threads : {"1", "4"}) {
     refused += is_refused(shapes::soup(100'000, 0.01), {"--faces", "50k", "--threads", threads});

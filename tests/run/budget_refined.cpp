@@ -5,7 +5,8 @@ namespace winnow::test {
 
 namespace {
 
-void check_refined(const char* name, std::uint64_t faces, const Words& options, const std::string& memory) {
+void check_refined(const char* name, std::uint64_t faces, const Words& options,
+                   const std::string& memory) {
   const Directory directory;
   const std::string input = directory.file(name);
   generate("scan", faces, input);

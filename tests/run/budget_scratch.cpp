@@ -5,8 +5,8 @@ namespace winnow::test {
 
 namespace {
 
-nlohmann::json check_scratch(const Directory& directory, const std::string& input, const Words& options,
-                             const Setup& setup = {}) {
+nlohmann::json check_scratch(const Directory& directory, const std::string& input,
+                             const Words& options, const Setup& setup = {}) {
   const Words arguments =
       Words{"simplify", input, "-o", directory.file("out.ply"), "--json", "--force"} + options;
   INFO(joined(arguments));
@@ -59,9 +59,10 @@ TEST_CASE("a dry run foretells the scratch of refinement", "[budget]") {
   generate("scan", 600'000, input);
   for (const Words& options :
        {Words{"--faces", "30k", "--detail", "full"}, Words{"--ratio", "20%", "--detail", "4"}}) {
-    const Words arguments = Words{"simplify", input,     "-o",       directory.file("out.ply"),
-                                  "--json",   "--force", "--memory", smallest_memory(input, options)} +
-                            options;
+    const Words arguments =
+        Words{"simplify", input,     "-o",       directory.file("out.ply"),
+              "--json",   "--force", "--memory", smallest_memory(input, options)} +
+        options;
     const nlohmann::json plan = winnow_ok(arguments + Words{"--dry-run"}).json();
     const double peak = winnow_ok(arguments).json()["peak_scratch_bytes"];
     INFO(joined(options) << " " << plan["scratch_expected"]);

@@ -12,10 +12,11 @@ TEST_CASE("scattered faces stay within the budget", "[budget]") {
   const auto check = [&](const Words& options, std::uint64_t bytes_a_face) {
     const nlohmann::json report = check_budget(directory, input, options, "smallest").json();
     CHECK(report["spilled_bytes"] >= bytes_a_face * faces);
-    const nlohmann::json plan = winnow_ok(Words{"simplify", input, "-o", directory.file("out.ply"), "--json",
-                                                "--dry-run", "--memory", smallest_memory(input, options)} +
-                                          options)
-                                    .json();
+    const nlohmann::json plan =
+        winnow_ok(Words{"simplify", input, "-o", directory.file("out.ply"), "--json", "--dry-run",
+                        "--memory", smallest_memory(input, options)} +
+                  options)
+            .json();
     CHECK(report["peak_scratch_bytes"] <= plan["scratch_worst"]);
   };
   // Sorted, the numbers of a face's vertices go through scratch.

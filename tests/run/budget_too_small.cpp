@@ -18,7 +18,8 @@ TEST_CASE("a budget that is too small names the smallest that works", "[budget]"
       INFO(smallest << ": " << enough.err);
       CHECK(enough.code == 0);
       // One byte less than that is not.
-      const Run less = run_winnow(arguments + Words{"--memory", std::to_string(bytes_of_size(smallest) - 1)});
+      const Run less =
+          run_winnow(arguments + Words{"--memory", std::to_string(bytes_of_size(smallest) - 1)});
       CHECK(less.code == 4);
       CHECK(less.err.find("--memory " + smallest) != std::string::npos);
       // The plan knows the same number, whatever the budget.
@@ -35,8 +36,8 @@ TEST_CASE("a budget of next to nothing is refused and not crashed on", "[budget]
   const std::string input = directory.file("scan.ply");
   generate("scan", 2'000, input);
   for (const char* memory : {"0", "1", "1k", "1M", "20M"}) {
-    const Run run =
-        run_winnow({"simplify", input, "-o", directory.file("out.ply"), "--grid", "10", "--memory", memory});
+    const Run run = run_winnow(
+        {"simplify", input, "-o", directory.file("out.ply"), "--grid", "10", "--memory", memory});
     INFO(memory << ": " << run.err);
     CHECK(run.code == 4);
     CHECK(run.err.find("the smallest that works is --memory") != std::string::npos);

@@ -1,5 +1,5 @@
-// zstd content can ask for a history of up to 2 GiB (zstd --long): it counts, and where it does not fit the
-// message says what would.
+// zstd content can ask for a history of up to 2 GiB (zstd --long): it counts, and where it does not
+// fit the message says what would.
 #include "support/budget.hpp"
 
 #include <fstream>
@@ -13,7 +13,8 @@ namespace {
 
 // As `zstd --long=27` does: the size of the content not in the header, a window of 128 MiB.
 std::string zstd_long(const std::string& path) {
-  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                     ZSTD_freeCCtx);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_windowLog, 27);
   std::ifstream in(path, std::ios::binary);
   std::ofstream out(path + ".long.zst", std::ios::binary);
@@ -61,7 +62,8 @@ TEST_CASE("the smallest budget for compressed input works", "[budget]") {
   const Words options{"--cell", "0.02", "--threads", "2"};
   const std::string memory = smallest_memory(input, options);
   const std::string output = directory.file("out.ply");
-  const Words arguments = Words{"simplify", input, "-o", output, "--json", "--memory", memory} + options;
+  const Words arguments =
+      Words{"simplify", input, "-o", output, "--json", "--memory", memory} + options;
   const nlohmann::json plan = winnow_ok(arguments + Words{"--dry-run"}).json();
   CHECK(plan["smallest_memory"] == bytes_of_size(memory));
   check_peak(run_winnow(arguments), memory);

@@ -1,5 +1,5 @@
-// Every mesh of a folder of real and of broken meshes ends in an output that is sound, or in one clear
-// refusal with a documented exit code.
+// Every mesh of a folder of real and of broken meshes ends in an output that is sound, or in one
+// clear refusal with a documented exit code.
 #include "meshes.hpp"
 #include "support/program.hpp"
 
@@ -25,8 +25,10 @@ std::vector<fs::path> meshes_in(const fs::path& folder) {
     std::string ending = entry.path().extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array<std::string_view, 7> endings{".ply", ".stl", ".obj", ".off", ".m", ".glb", ".gltf"};
-    if (entry.is_regular_file() && std::find(endings.begin(), endings.end(), ending) != endings.end())
+    constexpr std::array<std::string_view, 7> endings{".ply", ".stl", ".obj", ".off",
+                                                      ".m",   ".glb", ".gltf"};
+    if (entry.is_regular_file() &&
+        std::find(endings.begin(), endings.end(), ending) != endings.end())
       found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());
@@ -49,7 +51,8 @@ TEST_CASE("every mesh at hand ends in a sound output or a documented refusal", "
     std::cout << "skipped: needs -DWINNOW_MESHES=<folder of meshes>\n";
     return;
   }
-  const fs::path place = fs::temp_directory_path() / ("winnow-census-" + std::to_string(::getpid()));
+  const fs::path place =
+      fs::temp_directory_path() / ("winnow-census-" + std::to_string(::getpid()));
   fs::create_directories(place);
   const std::string output = place / "small.ply";
   for (const fs::path& mesh : meshes_in(folder)) {

@@ -12,7 +12,8 @@ namespace {
 
 class Killed {
  public:
-  Killed(const Directory& directory, const std::string& input, const Words& options, std::uint64_t seed)
+  Killed(const Directory& directory, const std::string& input, const Words& options,
+         std::uint64_t seed)
       : directory_(directory), random_(seed), options_(options), input_(input) {
     const Run whole = winnow_ok(begin());
     seconds_ = whole.seconds;

@@ -1,5 +1,5 @@
-// A checkpoint that cannot be used is one clear error that names the file and the way out; so is a directory
-// that cannot be one.
+// A checkpoint that cannot be used is one clear error that names the file and the way out; so is a
+// directory that cannot be one.
 #include "io/manifest.hpp"
 #include "support/checkpoints.hpp"
 #include "support/simplified.hpp"
@@ -82,7 +82,8 @@ TEST_CASE("a checkpoint whose input has changed is refused", "[faults]") {
     flip(stopped.input, 5'000);
     stopped.check_refused({"'" + stopped.input + "' has changed", stopped.kept});
     ::unlink(stopped.input.c_str());
-    if (std::string(stage) == "weld") stopped.check_refused({"'" + stopped.input + "'", "is not there"});
+    if (std::string(stage) == "weld")
+      stopped.check_refused({"'" + stopped.input + "'", "is not there"});
   }
 }
 
@@ -170,8 +171,8 @@ TEST_CASE("a directory that holds something else is no place for a checkpoint", 
   const std::string input = directory.file("in.ply");
   generate("scan", 2'000, input);
   const auto refused = [&](const std::string& place, const std::string& part, int code) {
-    const Run run = run_winnow(
-        {"simplify", input, "-o", directory.file("out.ply"), "--faces", "500", "--checkpoint", place});
+    const Run run = run_winnow({"simplify", input, "-o", directory.file("out.ply"), "--faces",
+                                "500", "--checkpoint", place});
     INFO(run.err);
     CHECK(run.code == code);
     CHECK(run.err.find(part) != std::string::npos);
@@ -191,8 +192,8 @@ TEST_CASE("a directory that holds something else is no place for a checkpoint", 
   }
   // That of another run.
   const Stopped stopped;
-  const Run run = run_winnow(
-      {"simplify", input, "-o", directory.file("out.ply"), "--faces", "500", "--checkpoint", stopped.kept});
+  const Run run = run_winnow({"simplify", input, "-o", directory.file("out.ply"), "--faces", "500",
+                              "--checkpoint", stopped.kept});
   INFO(run.err);
   CHECK(run.code == 2);
   CHECK(run.err.find("winnow resume '" + stopped.kept + "'") != std::string::npos);
@@ -203,8 +204,8 @@ TEST_CASE("a directory that holds something else is no place for a checkpoint", 
 TEST_CASE("a run that fails before it has read anything leaves no checkpoint", "[faults]") {
   const Directory directory;
   const std::string kept = directory.file("kept");
-  const Run run = run_winnow({"simplify", directory.file("missing.ply"), "-o", directory.file("out.ply"),
-                              "--faces", "500", "--checkpoint", kept});
+  const Run run = run_winnow({"simplify", directory.file("missing.ply"), "-o",
+                              directory.file("out.ply"), "--faces", "500", "--checkpoint", kept});
   CHECK(run.code == 3);
   CHECK(std::filesystem::is_empty(kept));
 }

@@ -41,10 +41,11 @@ TEST_CASE("a run goes on where it was stopped", "[faults]") {
     int time;
     bool clustered;
     std::uint64_t rounds;
-  } places[] = {{"weld", 1, false, 0}, {"refine", 1, true, 0}, {"refine", 2, true, 0}, {"write", 1, true, 2}};
+  } places[] = {
+      {"weld", 1, false, 0}, {"refine", 1, true, 0}, {"refine", 2, true, 0}, {"write", 1, true, 2}};
   for (const auto& place : places) {
-    const Checkpoint checkpoint =
-        stopped_at(test.directory, {test.input}, test.output, test.options, place.stage, place.time);
+    const Checkpoint checkpoint = stopped_at(test.directory, {test.input}, test.output,
+                                             test.options, place.stage, place.time);
     // Where the input was read it is needed no more.
     const std::string away = test.directory.file("away.ply");
     if (place.clustered) std::filesystem::rename(test.input, away);
@@ -95,7 +96,8 @@ TEST_CASE("tiles that were tried are not tried again", "[faults]") {
   Checkpoint checkpoint;
   std::uint64_t tiles = 0;
   for (int time = 2; tiles == 0 && time < 5; ++time) {
-    checkpoint = stopped_at(test.directory, {test.input}, test.output, test.options, "refine", time);
+    checkpoint =
+        stopped_at(test.directory, {test.input}, test.output, test.options, "refine", time);
     tiles = exists(test.directory.file("kept/round-1.attempt-0"))
                 ? size_of_file(test.directory.file("kept/round-1.attempt-0"))
                 : 0;

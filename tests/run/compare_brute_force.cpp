@@ -55,7 +55,8 @@ Distances by_looking_at_all(const Faces& from, const Faces& to, double samples) 
       result.max = std::max(result.max, d);
       ++count;
     }
-    for (const Point& corner : from[f]) result.max = std::max(result.max, distance_to_all(corner, to));
+    for (const Point& corner : from[f])
+      result.max = std::max(result.max, distance_to_all(corner, to));
   }
   result.mean = sum / count;
   result.rms = std::sqrt(squares / count);
@@ -89,8 +90,8 @@ TEST_CASE("a comparison is what looking at every face gives") {
     check_equal(report.forward, by_looking_at_all(original, simplified, 3000));
     check_equal(report.backward, by_looking_at_all(simplified, original, 3000));
     // The worst point is that far away indeed.
-    const double there =
-        std::max(distance_to_all(report.worst, original), distance_to_all(report.worst, simplified));
+    const double there = std::max(distance_to_all(report.worst, original),
+                                  distance_to_all(report.worst, simplified));
     CHECK(there == Approx(report.symmetric.max).epsilon(1e-12));
   }
 }

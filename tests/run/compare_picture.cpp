@@ -25,8 +25,8 @@ struct Picture {
 
   // Pixels of text have no colour, those of surfaces and of the scale have one.
   template <typename Test>
-  [[nodiscard]] Picture cut(std::size_t left, std::size_t top, std::size_t right, std::size_t bottom,
-                            Test&& test) const {
+  [[nodiscard]] Picture cut(std::size_t left, std::size_t top, std::size_t right,
+                            std::size_t bottom, Test&& test) const {
     Picture part{right - left, bottom - top};
     for (std::size_t y = top; y < bottom; ++y) {
       for (std::size_t x = left; x < right; ++x) {
@@ -37,12 +37,14 @@ struct Picture {
     }
     return part;
   }
-  [[nodiscard]] Picture text(std::size_t left, std::size_t top, std::size_t right, std::size_t bottom) const {
+  [[nodiscard]] Picture text(std::size_t left, std::size_t top, std::size_t right,
+                             std::size_t bottom) const {
     return cut(left, top, right, bottom,
                [](std::uint32_t pixel, bool colored) { return !colored && pixel != 0xFFFFFF; });
   }
   [[nodiscard]] Picture surfaces() const {
-    return cut(0, 0, width, height - picture_scale_rows, [](std::uint32_t, bool colored) { return colored; });
+    return cut(0, 0, width, height - picture_scale_rows,
+               [](std::uint32_t, bool colored) { return colored; });
   }
   [[nodiscard]] std::size_t count() const {
     return static_cast<std::size_t>(std::count(pixels.begin(), pixels.end(), 1U));
@@ -131,13 +133,15 @@ TEST_CASE("the picture names both meshes above them") {
   CHECK(10 * right.count() > 11 * left.count());  // the longer word
   // In the middle of each half and nowhere else.
   CHECK(picture.text(half / 3, 0, 2 * half / 3, picture_label_rows).count() == left.count());
-  CHECK(picture.text(half + half / 3, 0, half + 2 * half / 3, picture_label_rows).count() == right.count());
+  CHECK(picture.text(half + half / 3, 0, half + 2 * half / 3, picture_label_rows).count() ==
+        right.count());
 }
 
 TEST_CASE("numbers beside the scale are of this comparison, in both units") {
   const auto scale = [](double size, double off) {
     const Picture picture =
-        Pictured(enlarged(box_faces({1, 1, 1}), size), enlarged(box_faces({1, 1, 1 + off}), size)).draw();
+        Pictured(enlarged(box_faces({1, 1, 1}), size), enlarged(box_faces({1, 1, 1 + off}), size))
+            .draw();
     const std::size_t top = picture.height - 64;
     return std::pair(picture.text(0, top + 4, picture.width, top + 28).pixels,
                      picture.text(0, top + 34, picture.width, picture.height).pixels);
@@ -157,8 +161,8 @@ TEST_CASE("numbers beside the scale are of this comparison, in both units") {
 }
 
 TEST_CASE("the picture fits meshes of any shape to its frame") {
-  for (const Point& size : {Point{1, 1, 1}, Point{1, 4, 1}, Point{6, 1, 1}, Point{1, 1, 4}, Point{4, 3, 0.1},
-                            Point{1e6, 1e6, 1e6}, Point{1e-9, 1e-9, 1e-9}}) {
+  for (const Point& size : {Point{1, 1, 1}, Point{1, 4, 1}, Point{6, 1, 1}, Point{1, 1, 4},
+                            Point{4, 3, 0.1}, Point{1e6, 1e6, 1e6}, Point{1e-9, 1e-9, 1e-9}}) {
     Pictured pictured(box_faces(size), box_faces(size));
     for (const View view : {View::iso, View::front, View::top}) {
       const Picture surfaces = pictured.draw(view).surfaces();
@@ -177,8 +181,8 @@ TEST_CASE("the picture fits meshes of any shape to its frame") {
       CHECK(left > 0);
       CHECK(right < surfaces.width);
       const auto wide = static_cast<double>(right - left) / static_cast<double>(surfaces.width);
-      const auto high =
-          static_cast<double>(bottom - top) / static_cast<double>(surfaces.height - picture_label_rows);
+      const auto high = static_cast<double>(bottom - top) /
+                        static_cast<double>(surfaces.height - picture_label_rows);
       const bool thin = size[2] < 1 && view == View::front;
       CHECK(wide > 0.9);
       CHECK((thin || high > 0.85));
@@ -192,10 +196,10 @@ TEST_CASE("a mesh that lies elsewhere is in the picture too") {
     for (Point& corner : face) corner = corner + Point{3, 0, 0};
   }
   const Picture picture = Pictured(box_faces({1, 1, 1}), moved).draw(View::front).surfaces();
-  CHECK(
-      picture
-          .cut(0, 0, picture.width, picture.height / 2, [](std::uint32_t pixel, bool) { return pixel != 0; })
-          .count() > 1000);
+  CHECK(picture
+            .cut(0, 0, picture.width, picture.height / 2,
+                 [](std::uint32_t pixel, bool) { return pixel != 0; })
+            .count() > 1000);
   CHECK(picture
             .cut(0, picture.height / 2, picture.width, picture.height,
                  [](std::uint32_t pixel, bool) { return pixel != 0; })

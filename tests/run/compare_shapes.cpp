@@ -17,7 +17,8 @@ namespace {
 
 using Faces = std::vector<Triangle>;
 
-CompareReport compare_faces(const Faces& original, const Faces& simplified, std::uint64_t samples = 20'000) {
+CompareReport compare_faces(const Faces& original, const Faces& simplified,
+                            std::uint64_t samples = 20'000) {
   const Directory directory;
   write_file(directory.file("original.stl"), binary_stl(original));
   write_file(directory.file("simplified.stl"), binary_stl(simplified));
@@ -26,7 +27,8 @@ CompareReport compare_faces(const Faces& original, const Faces& simplified, std:
   context.scratch = directory.path();
   CompareOptions options;
   options.samples = samples;
-  return compare(context, directory.file("original.stl"), directory.file("simplified.stl"), options);
+  return compare(context, directory.file("original.stl"), directory.file("simplified.stl"),
+                 options);
 }
 
 // A square in the plane z, of n * n * 2 faces that look up.
@@ -62,7 +64,8 @@ void check_all(const Distances& distances, double expected) {
 TEST_CASE("a mesh is at no distance from itself") {
   const Faces faces = ball(20, 0.2);
   const CompareReport report = compare_faces(faces, faces);
-  for (const Distances& d : {report.forward, report.backward, report.symmetric}) CHECK(d.max < 1e-7);
+  for (const Distances& d : {report.forward, report.backward, report.symmetric})
+    CHECK(d.max < 1e-7);
   CHECK(report.area_change == 0);
   REQUIRE(report.volume_change);
   CHECK(*report.volume_change == 0);
@@ -94,7 +97,7 @@ TEST_CASE("the two directions differ where one mesh lacks a part") {
   Faces half = square(0, 4);
   std::erase_if(half, [](const Triangle& t) { return t[0][0] + t[1][0] + t[2][0] > 6; });
   const CompareReport report = compare_faces(square(0, 4), half, 200'000);
-  CHECK(report.forward.mean == Approx(0.5).epsilon(0.01));                // half at 0, half at 1 in the mean
+  CHECK(report.forward.mean == Approx(0.5).epsilon(0.01));  // half at 0, half at 1 in the mean
   CHECK(report.forward.rms == Approx(std::sqrt(2.0 / 3)).epsilon(0.01));  // x^2 over 0..2, halved
   CHECK(report.forward.max == 2);
   check_all(report.backward, 0);
@@ -180,8 +183,8 @@ TEST_CASE("what is wrong with the simplified mesh is counted") {
   CHECK(report.topology.degenerate == 2);
   CHECK(report.topology.components == 3);
   CHECK(report.simplified.bad_faces.degenerate == 1);
-  // The doubled face has two sides inside, with three faces, and one on the border, with two; the two lone
-  // faces have three borders each.
+  // The doubled face has two sides inside, with three faces, and one on the border, with two; the
+  // two lone faces have three borders each.
   CHECK(report.topology.non_manifold_edges == 2);
   CHECK(report.topology.boundary_edges == 8 - 1 + 6);
 }
@@ -202,7 +205,8 @@ TEST_CASE("what cannot be compared is refused") {
   CHECK(kind(mesh, directory.file("missing.stl")) == ErrorKind::bad_input);
   CHECK(kind("-", "-") == ErrorKind::usage);
   CompareOptions options;
-  for (const std::uint64_t samples : {std::uint64_t{0}, std::uint64_t{99}, std::uint64_t{1} << 61}) {
+  for (const std::uint64_t samples :
+       {std::uint64_t{0}, std::uint64_t{99}, std::uint64_t{1} << 61}) {
     options.samples = samples;
     CHECK(error_of([&] { compare(context, mesh, mesh, options); }).kind() == ErrorKind::usage);
   }

@@ -1,5 +1,5 @@
-// A converted mesh is the mesh that was read: vertices and faces in their order, or welded where there are no
-// vertices.
+// A converted mesh is the mesh that was read: vertices and faces in their order, or welded where
+// there are no vertices.
 #include <winnow/convert.hpp>
 
 #include "support/files.hpp"
@@ -22,8 +22,8 @@ namespace winnow::test {
 
 namespace {
 
-ConvertReport convert_file(const Directory& directory, const std::string& from, const std::string& to,
-                           ConvertOptions options = {}) {
+ConvertReport convert_file(const Directory& directory, const std::string& from,
+                           const std::string& to, ConvertOptions options = {}) {
   Context context;
   context.threads = 2;
   context.scratch = directory.path();
@@ -74,7 +74,8 @@ TEST_CASE("vertices and faces of a PLY stay as they are in every format") {
     const std::set<Point> places{out.positions[polygon[0]], out.positions[polygon[1]],
                                  out.positions[polygon[2]]};
     if (places.size() == 3)
-      right.push_back({static_cast<std::uint32_t>(polygon[0]), static_cast<std::uint32_t>(polygon[1]),
+      right.push_back({static_cast<std::uint32_t>(polygon[0]),
+                       static_cast<std::uint32_t>(polygon[1]),
                        static_cast<std::uint32_t>(polygon[2])});
   }
   CHECK(out.faces == right);
@@ -101,8 +102,9 @@ TEST_CASE("positions are converted between floats and doubles as asked for") {
   const Polygons mesh = random_polygons(random, 100, 200, 3);
   write_file(directory.file("in.ply"), ply_file(mesh, style));
   ConvertOptions options;
-  for (const auto& [positions, doubles] :
-       {std::pair{Positions::as_input, true}, {Positions::doubles, true}, {Positions::floats, false}}) {
+  for (const auto& [positions, doubles] : {std::pair{Positions::as_input, true},
+                                           {Positions::doubles, true},
+                                           {Positions::floats, false}}) {
     options.encoding.positions = positions;
     convert_file(directory, directory.file("in.ply"), directory.file("out.ply"), options);
     CHECK(written(directory.file("out.ply")).positions ==
@@ -117,7 +119,8 @@ TEST_CASE("bad faces are left out, counted, or refused") {
   mesh.vertices = {{nan, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.faces = {{0, 1, 2}, {1, 2, 3}, {1, 1, 2}, {1, 2, 9}, {3, 2, 1}};
   write_file(directory.file("in.ply"), ply_file(mesh, {}));
-  const ConvertReport report = convert_file(directory, directory.file("in.ply"), directory.file("out.ply"));
+  const ConvertReport report =
+      convert_file(directory, directory.file("in.ply"), directory.file("out.ply"));
   CHECK(report.input.bad_faces.non_finite == 1);
   CHECK(report.input.bad_faces.degenerate == 1);
   CHECK(report.input.bad_faces.out_of_range == 1);
@@ -139,7 +142,8 @@ TEST_CASE("equal positions of an STL become one vertex, and its faces stay") {
   const Directory directory;
   const std::vector<Triangle> faces = as_floats(ball(20, 0.1));
   write_file(directory.file("in.stl"), binary_stl(faces));
-  const ConvertReport report = convert_file(directory, directory.file("in.stl"), directory.file("out.ply"));
+  const ConvertReport report =
+      convert_file(directory, directory.file("in.stl"), directory.file("out.ply"));
   CHECK(report.welded);
   CHECK(report.output.faces == faces.size());
   CHECK(report.output.vertices == faces.size() / 2 + 2);  // Euler: it is closed

@@ -74,7 +74,8 @@ TEST_CASE("a mesh with two sides keeps the first and says so") {
     REQUIRE(out.report.notes.size() == 2);
     CHECK(out.report.notes[1].find("of the area") != std::string::npos);
     CHECK(out.report.notes[0] ==
-          "1,520 faces stood twice, once in each sense: one side of each was kept, that of the first");
+          "1,520 faces stood twice, once in each sense: one side of each was kept, that of the "
+          "first");
   }
 }
 

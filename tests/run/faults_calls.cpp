@@ -1,5 +1,5 @@
-// Whatever call to the system fails, the program ends with one clear message and its exit code, and nothing
-// half-written stands under the output's name.
+// Whatever call to the system fails, the program ends with one clear message and its exit code, and
+// nothing half-written stands under the output's name.
 #include "support/simplified.hpp"
 
 #include <cerrno>
@@ -34,8 +34,8 @@ TEST_CASE("an output that cannot be brought to the disk is refused", "[faults]")
   const std::string aside = ".out.ply.winnow-";
   for (const std::string& fault :
        {failing("write", 1, ENOSPC, aside), failing("write", 3, EIO, aside),
-        failing("sync", 1, ENOSPC, aside), failing("sync", 1, EIO, aside), failing("close", 1, EDQUOT, aside),
-        failing("rename", 1, EIO, "out.ply")}) {
+        failing("sync", 1, ENOSPC, aside), failing("sync", 1, EIO, aside),
+        failing("close", 1, EDQUOT, aside), failing("rename", 1, EIO, "out.ply")}) {
     INFO(fault);
     check_failed(run_winnow(arguments, {.fault = fault}), 4, {"cannot write '" + output + "'"});
     CHECK(directory.names() == Words{"in.ply"});
@@ -57,9 +57,10 @@ TEST_CASE("an input that cannot be read to its end is refused", "[faults]") {
   for (const std::string& input : {plain, packed, zipped}) {
     for (const int number : {1, 2, 3}) {
       if (input == plain && number > 1) continue;  // the rest is mapped
-      check_failed(run_winnow({"simplify", input, "-o", directory.file("out.ply"), "--faces", "500"},
-                              {.fault = failing("read", number, EIO, input)}),
-                   3, {"cannot read '" + input + "' at byte", "Input/output error"});
+      check_failed(
+          run_winnow({"simplify", input, "-o", directory.file("out.ply"), "--faces", "500"},
+                     {.fault = failing("read", number, EIO, input)}),
+          3, {"cannot read '" + input + "' at byte", "Input/output error"});
     }
   }
   CHECK(directory.names() == before);
@@ -70,9 +71,10 @@ TEST_CASE("scratch that cannot be written or read back is refused", "[faults]") 
   const std::string input = directory.file("in.ply");
   generate("scan", 400'000, input);
   const Words options{"--cell", "0.0005", "--threads", "2"};
-  const Words arguments =
-      Words{"simplify", input, "-o", directory.file("out.ply"), "--memory", smallest_memory(input, options)} +
-      options;
+  const Words arguments = Words{"simplify", input,
+                                "-o",       directory.file("out.ply"),
+                                "--memory", smallest_memory(input, options)} +
+                          options;
   const std::string nameless = "/#";
   check_failed(run_winnow(arguments, {.fault = failing("write", 5, ENOSPC, nameless)}), 4,
                {"cannot write scratch in", directory.path(), "--scratch"});
@@ -107,7 +109,8 @@ TEST_CASE("a checkpoint that cannot be written is an error, and no run is lost",
   }
 }
 
-TEST_CASE("a run killed before any call that changes the disk goes on to the same bytes", "[faults]") {
+TEST_CASE("a run killed before any call that changes the disk goes on to the same bytes",
+          "[faults]") {
   const Directory directory;
   const std::string input = directory.file("in.ply");
   const std::string output = directory.file("out.ply");
@@ -160,7 +163,8 @@ TEST_CASE("a run that was killed when its output had its name is not done twice"
     INFO(number);
     // What is replaced.
     std::filesystem::copy_file(input, mesh, std::filesystem::copy_options::overwrite_existing);
-    const Run run = run_winnow(arguments, {.fault = failing("change", number, 0, directory.path())});
+    const Run run =
+        run_winnow(arguments, {.fault = failing("change", number, 0, directory.path())});
     if (run.signal != SIGKILL) break;
     if (!exists(kept + "/manifest")) {
       if (hash_of_file(mesh) != want) winnow_ok(arguments);
@@ -185,10 +189,12 @@ TEST_CASE("where no thread can be made, that is what is said", "[faults]") {
   generate("scan", 30'000, input);
   const std::string output = directory.file("out.ply");
   for (const Words& arguments :
-       {Words{"simplify", input, "-o", output, "--faces", "500"}, Words{"convert", input, "-o", output},
-        Words{"info", input}, Words{"compare", input, input}, Words{"generate", "scan", "-o", output}}) {
+       {Words{"simplify", input, "-o", output, "--faces", "500"},
+        Words{"convert", input, "-o", output}, Words{"info", input}, Words{"compare", input, input},
+        Words{"generate", "scan", "-o", output}}) {
     INFO(joined(arguments));
-    check_failed(run_winnow(arguments + Words{"--threads", "4"}, {.fault = failing("thread", 1, EAGAIN, "")}),
+    check_failed(run_winnow(arguments + Words{"--threads", "4"},
+                            {.fault = failing("thread", 1, EAGAIN, "")}),
                  4, {"--threads 1"});
     CHECK(directory.names() == Words{"in.ply"});
   }

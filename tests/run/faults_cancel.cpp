@@ -1,4 +1,5 @@
-// Context::cancel in every stage of a run, at its very beginning: Error(cancelled), and nothing is left.
+// Context::cancel in every stage of a run, at its very beginning: Error(cancelled), and nothing is
+// left.
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
@@ -13,8 +14,9 @@ namespace {
 
 using Stages = std::set<std::string>;
 
-void check_every_stage(const Directory& directory, const std::string& input, const SimplifyOptions& options,
-                       const Stages& expected, std::uint64_t mebibytes = 40) {
+void check_every_stage(const Directory& directory, const std::string& input,
+                       const SimplifyOptions& options, const Stages& expected,
+                       std::uint64_t mebibytes = 40) {
   const std::string output = directory.file("out.ply");
   Context context;
   context.threads = 2;
@@ -112,13 +114,14 @@ TEST_CASE("a run is cancelled in every stage", "[faults][threads]") {
   check_every_stage(directory, ply, with_cell(), {"cluster", "check", "write"});
   check_every_stage(directory, stl, with_grid(), {"measure", "cluster", "check", "write"});
   check_every_stage(directory, ply, with_faces(), {"sample", "cluster", "check", "write"});
-  check_every_stage(directory, packed_ply, with_cell(), {"read vertices", "cluster", "check", "write"});
+  check_every_stage(directory, packed_ply, with_cell(),
+                    {"read vertices", "cluster", "check", "write"});
   check_every_stage(directory, packed_stl, with_faces(),
                     {"copy the input to scratch", "sample", "cluster", "check", "write"});
   check_every_stage(directory, ascii_file(stl, directory.file("ascii.stl")), with_ratio(),
                     {"count faces", "sample", "cluster", "check", "write"});
-  check_every_stage(directory, faces_first_file(ply, directory.file("faces-first.ply")), with_cell(),
-                    {"keep faces", "cluster", "check", "write"});
+  check_every_stage(directory, faces_first_file(ply, directory.file("faces-first.ply")),
+                    with_cell(), {"keep faces", "cluster", "check", "write"});
 }
 
 // Under the thread sanitizer the stages of their own are cancelled in tests/read.
@@ -130,7 +133,8 @@ TEST_CASE("a run over faces that jump is cancelled in every stage", "[faults]") 
   coarse.cell = 0.05;
   check_every_stage(directory, ply, coarse, {"sort faces", "cluster", "check", "write"});
   coarse.strict = true;
-  check_every_stage(directory, ply, coarse, {"sort corners", "look up corners", "cluster", "check", "write"});
+  check_every_stage(directory, ply, coarse,
+                    {"sort corners", "look up corners", "cluster", "check", "write"});
 }
 
 TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]") {
@@ -141,11 +145,11 @@ TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]")
   check_every_stage(directory, ply, refined(),
                     {"measure", "weld", "join faces", "refine", "unfold", "check", "write"});
   check_every_stage(directory, ply, refined_after_clustering(),
-                    {"sample", "cluster", "look for damage", "read near damage", "split cells", "refine",
-                     "unfold", "check", "write"});
+                    {"sample", "cluster", "look for damage", "read near damage", "split cells",
+                     "refine", "unfold", "check", "write"});
   check_every_stage(directory, ply, refined_after_welding(),
-                    {"measure", "gather vertices", "find neighbours", "join vertices", "count faces", "weld",
-                     "join faces", "refine", "unfold", "check", "write"},
+                    {"measure", "gather vertices", "find neighbours", "join vertices",
+                     "count faces", "weld", "join faces", "refine", "unfold", "check", "write"},
                     60);
   check_every_stage(directory, ply, refined_to_error(),
                     {"measure", "weld", "join faces", "refine", "check", "write"});
@@ -165,7 +169,8 @@ TEST_CASE("a run that refines is cancelled in its second round", "[faults][threa
     if (std::string_view(progress.stage) != "refine" || progress.done != 0) return;
     if (++rounds == 2) context.cancel();
   };
-  const Error error = error_of([&] { simplify(context, ply, directory.file("out.ply"), refined()); });
+  const Error error =
+      error_of([&] { simplify(context, ply, directory.file("out.ply"), refined()); });
   CHECK(error.exit_code() == 130);
   CHECK(rounds == 2);
   CHECK(directory.names() == Words{"scan.ply"});

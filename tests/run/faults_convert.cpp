@@ -1,4 +1,5 @@
-// A conversion that is interrupted, or runs out of disk, says so and leaves nothing under the output's name.
+// A conversion that is interrupted, or runs out of disk, says so and leaves nothing under the
+// output's name.
 #include "support/simplified.hpp"
 
 #include <csignal>
@@ -33,8 +34,9 @@ TEST_CASE("a conversion onto a full disk leaves nothing", "[faults]") {
   const Directory directory;
   generate("scan", 40'000, directory.file("scan.ply"));
   for (const char* output : {"out.stl", "out.ply.gz", "out.glb"}) {
-    const Run run = run_winnow({"convert", directory.file("scan.ply"), "-o", directory.file(output), "-q"},
-                               {.largest_file = 200'000});
+    const Run run =
+        run_winnow({"convert", directory.file("scan.ply"), "-o", directory.file(output), "-q"},
+                   {.largest_file = 200'000});
     check_nothing_left(directory, run, 4);
     CHECK(run.err.find("free some space") != std::string::npos);
   }
@@ -45,7 +47,8 @@ TEST_CASE("an input that ends inside its faces is named, and nothing is written"
   generate("scan", 2'000, directory.file("scan.ply"));
   const std::string whole = bytes_of_file(directory.file("scan.ply"));
   write_file(directory.file("scan.ply"), whole.substr(0, whole.size() - 100));
-  const Run run = run_winnow({"convert", directory.file("scan.ply"), "-o", directory.file("out.glb"), "-q"});
+  const Run run =
+      run_winnow({"convert", directory.file("scan.ply"), "-o", directory.file("out.glb"), "-q"});
   check_nothing_left(directory, run, 3);
   CHECK(run.err.find("scan.ply") != std::string::npos);
 }

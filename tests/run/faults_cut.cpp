@@ -1,5 +1,5 @@
-// A file cut anywhere ends in a documented way: an error that names it and leaves nothing behind, or, where a
-// format cannot tell, a result with a note.
+// A file cut anywhere ends in a documented way: an error that names it and leaves nothing behind,
+// or, where a format cannot tell, a result with a note.
 #include "support/simplified.hpp"
 
 #include <algorithm>

@@ -5,8 +5,8 @@ namespace winnow::test {
 
 namespace {
 
-// Changes one bit in some of the writes to scratch, from the first to the last, and returns in how many runs
-// it was noticed.
+// Changes one bit in some of the writes to scratch, from the first to the last, and returns in how
+// many runs it was noticed.
 int noticed(const Directory& directory, const std::string& input, const Words& options) {
   const Words arguments =
       Words{"simplify", input, "-o", directory.file("out.ply"), "--threads", "2"} + options;
@@ -40,9 +40,11 @@ TEST_CASE("a changed bit is noticed in what a run keeps in scratch", "[faults][l
   const std::string input = directory.file("scan.ply");
   generate("scan", 400'000, input);
   const Words clustered{"--cell", "0.0005"};
-  CHECK(noticed(directory, input, clustered + Words{"--memory", smallest_memory(input, clustered)}) >= 4);
+  CHECK(noticed(directory, input,
+                clustered + Words{"--memory", smallest_memory(input, clustered)}) >= 4);
   const Words refined{"--ratio", "40%", "--detail", "full"};
-  CHECK(noticed(directory, input, refined + Words{"--memory", smallest_memory(input, refined)}) >= 4);
+  CHECK(noticed(directory, input, refined + Words{"--memory", smallest_memory(input, refined)}) >=
+        4);
 }
 
 TEST_CASE("a changed bit is noticed in a copy of the input and in vertices that were parsed",

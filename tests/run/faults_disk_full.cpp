@@ -1,4 +1,5 @@
-// A full disk ends with 4, names the place, and leaves nothing under the output's name nor beside it.
+// A full disk ends with 4, names the place, and leaves nothing under the output's name nor beside
+// it.
 #include "support/simplified.hpp"
 
 #include <filesystem>
@@ -87,9 +88,9 @@ TEST_CASE("scratch that outgrows the largest file is refused", "[faults]") {
   const Words where{"-o", directory.file("out.ply"), "--scratch", scratch.path()};
   // Cells and faces that do not fit; a copy of a pipe.
   const std::string memory = smallest_memory(input, whole);
-  check_refused(
-      run_winnow(Words{"simplify", input, "--memory", memory} + where + whole, {.largest_file = limit}),
-      scratch.path());
+  check_refused(run_winnow(Words{"simplify", input, "--memory", memory} + where + whole,
+                           {.largest_file = limit}),
+                scratch.path());
   Program piped(Words{"simplify", "-", "--grid", "50"} + where, {.in = "|", .largest_file = limit});
   piped.write(bytes_of_file(soup));
   check_refused(piped.wait(), scratch.path());
@@ -111,7 +112,8 @@ TEST_CASE("scratch for faces that jump that outgrows the largest file is refused
     CHECK(scratch.names().empty());
     CHECK(directory.names() == Words{"scan.ply"});
   };
-  // The faces themselves, in any order; in theirs, the numbers of their vertices, and their positions.
+  // The faces themselves, in any order; in theirs, the numbers of their vertices, and their
+  // positions.
   const Words options{"--cell", "0.05", "--threads", "2"};
   check(options, limit / 2);
   check(options + Words{"--strict"}, limit / 2);
@@ -132,8 +134,9 @@ TEST_CASE("a full disk for the output is refused", "[faults]") {
                 disk.file("new.stl"));
   CHECK(disk.empty());
   // Redirected there, what was written stays: the shell made the file, and its name is not known.
-  check_refused(run_winnow(Words{"simplify", input, "-o", "-"} + options, {.out = disk.file("redirected")}),
-                "standard output");
+  check_refused(
+      run_winnow(Words{"simplify", input, "-o", "-"} + options, {.out = disk.file("redirected")}),
+      "standard output");
 }
 
 TEST_CASE("an output on another file system than scratch and input is renamed there", "[faults]") {
@@ -143,7 +146,8 @@ TEST_CASE("an output on another file system than scratch and input is renamed th
   const std::string input = directory.file("scan.ply");
   generate("scan", 20'000, input);
   const std::string output = disk.file("out.ply");
-  const Words arguments{"simplify", input, "-o", output, "--faces", "2k", "--scratch", directory.path()};
+  const Words arguments{"simplify", input, "-o",        output,
+                        "--faces",  "2k",  "--scratch", directory.path()};
   winnow_ok(arguments);
   const std::string bytes = bytes_of_file(output);
   CHECK(std::distance(std::filesystem::directory_iterator(disk.file("")), {}) == 1);
@@ -163,8 +167,8 @@ TEST_CASE("a full disk for scratch is refused", "[faults]") {
   const Words before = directory.names();
   const std::string memory = smallest_memory(input, whole);
   const std::string scratch = disk.file("");
-  check_refused(run_winnow(Words{"simplify", input, "-o", directory.file("out.ply"), "--scratch", scratch,
-                                 "--memory", memory} +
+  check_refused(run_winnow(Words{"simplify", input, "-o", directory.file("out.ply"), "--scratch",
+                                 scratch, "--memory", memory} +
                            whole),
                 scratch);
   CHECK(disk.empty());

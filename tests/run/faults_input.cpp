@@ -34,7 +34,8 @@ TEST_CASE("an input that is not there or no file is refused", "[faults]") {
        {Words{"--cell", "1"}, Words{"--faces", "100"}, Words{"--grid", "9", "--dry-run"}}) {
     const std::string missing = directory.file("missing.ply");
     check_refused(run_winnow(Words{"simplify", missing, "-o", output} + options), missing);
-    check_refused(run_winnow(Words{"simplify", directory.path(), "-o", output} + options), directory.path());
+    check_refused(run_winnow(Words{"simplify", directory.path(), "-o", output} + options),
+                  directory.path());
     const std::string inside = directory.file("missing/scan.ply");
     check_refused(run_winnow(Words{"simplify", inside, "-o", output} + options), inside);
     CHECK(directory.names().empty());
@@ -53,8 +54,8 @@ TEST_CASE("an input that may not be read is refused", "[faults]") {
   const std::string input = directory.file("secret.ply");
   generate("scan", 2'000, input);
   ::chmod(input.c_str(), 0);
-  const Run run =
-      run_winnow({"simplify", input, "-o", directory.file("out.ply"), "--grid", "9"}, {.unprivileged = true});
+  const Run run = run_winnow({"simplify", input, "-o", directory.file("out.ply"), "--grid", "9"},
+                             {.unprivileged = true});
   if (run.code == 97) {
     std::cout << "skipped: another user may not run " << WINNOW_PROGRAM << "\n";
     return;
@@ -78,7 +79,8 @@ TEST_CASE("an input is never written to", "[faults]") {
     for (const std::string& from : {input, gzip}) {
       run_winnow({"simplify", from, "-o", output, "--faces", "1000", "--force"});
       run_winnow({"simplify", from, "-o", output, "--cell", "-1"});
-      run_winnow({"simplify", from, "-o", output, "--cell", "0.001", "--force"}, {.largest_file = 10'000});
+      run_winnow({"simplify", from, "-o", output, "--cell", "0.001", "--force"},
+                 {.largest_file = 10'000});
       run_winnow({"simplify", from, "-o", from, "--grid", "10"});
       ::unlink(output.c_str());
     }
@@ -107,8 +109,8 @@ TEST_CASE("an input that is changed while it is read is refused, whatever is rea
   generate("scan", 50'000, input);
   const std::string other = directory.file("other.stl");
   generate("scan", 1'000, other);
-  for (const std::string& name :
-       {input, directory.file("scan.stl"), gzip_file(input), ascii_file(input, directory.file("scan.obj"))}) {
+  for (const std::string& name : {input, directory.file("scan.stl"), gzip_file(input),
+                                  ascii_file(input, directory.file("scan.obj"))}) {
     if (!exists(name)) generate("scan", 50'000, name);
     for (const bool several : {false, true}) {
       std::vector<std::string> inputs{name};

@@ -166,8 +166,8 @@ TEST_CASE("a link to an output is followed", "[faults]") {
   CHECK(input.simplify_to(link, {"--force"}).code == 0);
   CHECK(std::filesystem::is_symlink(link));
   CHECK(hash_of_file(target) == input.hash);
-  // One that leads nowhere is refused at once, or leads to a new file; it is not found out about after the
-  // work.
+  // One that leads nowhere is refused at once, or leads to a new file; it is not found out about
+  // after the work.
   ::unlink(target.c_str());
   const Run dangling = input.simplify_to(link);
   INFO(dangling.err);
@@ -198,8 +198,8 @@ TEST_CASE("a result is there before the program says so", "[faults]") {
   CHECK(run.code == 4);
   CHECK(run.err.find("standard output") != std::string::npos);
   CHECK(hash_of_file(output) == input.hash);
-  for (const Words& words :
-       {Words{"info", input.directory.file("scan.ply"), "--json"}, Words{"--help"}, Words{"--version"}})
+  for (const Words& words : {Words{"info", input.directory.file("scan.ply"), "--json"},
+                             Words{"--help"}, Words{"--version"}})
     CHECK(run_winnow(words, {.out = "/dev/full"}).code == 4);
 }
 

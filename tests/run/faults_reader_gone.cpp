@@ -44,7 +44,8 @@ TEST_CASE("a report that nobody reads does not change the result", "[faults]") {
   program.close_out();
   const Run run = program.wait();
   CHECK(run.signal == 0);
-  CHECK(hash_of_file(output) == simplified(directory, input, {"--grid", "50"}, {}, "again.ply").hash);
+  CHECK(hash_of_file(output) ==
+        simplified(directory, input, {"--grid", "50"}, {}, "again.ply").hash);
 }
 
 }  // namespace winnow::test

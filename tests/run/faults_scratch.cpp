@@ -23,8 +23,8 @@ TEST_CASE("a scratch directory that is not there is refused", "[faults]") {
   const std::string input = directory.file("scan.ply");
   generate("scan", 2'000, input);
   for (const std::string& scratch : {directory.file("missing"), input}) {
-    const Run run =
-        run_winnow({"simplify", input, "-o", directory.file("out.ply"), "--grid", "9", "--scratch", scratch});
+    const Run run = run_winnow(
+        {"simplify", input, "-o", directory.file("out.ply"), "--grid", "9", "--scratch", scratch});
     INFO(run.err);
     CHECK(run.code == 2);
     CHECK(run.err.find("'" + scratch + "' is not a directory") != std::string::npos);
@@ -32,7 +32,8 @@ TEST_CASE("a scratch directory that is not there is refused", "[faults]") {
   CHECK(directory.names() == Words{"scan.ply"});
 }
 
-TEST_CASE("a scratch directory that may not be written to is refused when it is needed", "[faults]") {
+TEST_CASE("a scratch directory that may not be written to is refused when it is needed",
+          "[faults]") {
   const Directory directory;
   ::chmod(directory.path().c_str(), 0777);
   const std::string input = directory.file("scan.ply");
@@ -41,9 +42,9 @@ TEST_CASE("a scratch directory that may not be written to is refused when it is 
   ::mkdir(closed.c_str(), 0555);
   const std::string output = directory.file("out.ply");
   const Words options = whole + Words{"--scratch", closed};
-  const Run spills =
-      run_winnow(Words{"simplify", input, "-o", output, "--memory", smallest_memory(input, whole)} + options,
-                 {.unprivileged = true});
+  const Run spills = run_winnow(
+      Words{"simplify", input, "-o", output, "--memory", smallest_memory(input, whole)} + options,
+      {.unprivileged = true});
   if (spills.code == 97) {
     std::cout << "skipped: another user may not run " << WINNOW_PROGRAM << "\n";
     return;
@@ -53,7 +54,8 @@ TEST_CASE("a scratch directory that may not be written to is refused when it is 
   CHECK(spills.err.find("'" + closed + "'") != std::string::npos);
   CHECK(spills.err.find("--scratch") != std::string::npos);
   CHECK(directory.names() == Words{"closed", "scan.ply"});
-  CHECK(run_winnow(Words{"simplify", input, "-o", output, "--memory", "2G"} + options, {.unprivileged = true})
+  CHECK(run_winnow(Words{"simplify", input, "-o", output, "--memory", "2G"} + options,
+                   {.unprivileged = true})
             .code == 0);
 }
 
@@ -67,9 +69,9 @@ TEST_CASE("scratch that a dead run left is removed and that of a living one kept
   for (const std::string& file : {stale, alive, other}) write_file(file, "left behind");
   const int fd = ::open(alive.c_str(), O_RDONLY | O_CLOEXEC);
   REQUIRE(::flock(fd, LOCK_EX | LOCK_NB) == 0);
-  winnow_ok(
-      Words{"simplify", input, "-o", directory.file("out.ply"), "--memory", smallest_memory(input, whole)} +
-      whole);
+  winnow_ok(Words{"simplify", input, "-o", directory.file("out.ply"), "--memory",
+                  smallest_memory(input, whole)} +
+            whole);
   CHECK_FALSE(exists(stale));
   CHECK(exists(alive));
   CHECK(exists(other));
@@ -81,9 +83,10 @@ TEST_CASE("a killed run leaves no scratch and what it left goes with the next", 
   const Directory scratch;
   const std::string input = directory.file("scan.ply");
   generate("scan", 400'000, input);
-  const Words arguments = Words{"simplify",  input,          "-o",       directory.file("out.ply"),
-                                "--scratch", scratch.path(), "--memory", smallest_memory(input, whole)} +
-                          whole;
+  const Words arguments =
+      Words{"simplify",  input,          "-o",       directory.file("out.ply"),
+            "--scratch", scratch.path(), "--memory", smallest_memory(input, whole)} +
+      whole;
   for (int i = 0; i < 4; ++i) {
     Program program(arguments);
     while (program.running() && directory.names().size() < 2)

@@ -37,8 +37,10 @@ TEST_CASE("a pipe of single bytes or odd chunks gives the same bytes", "[faults]
     INFO(name);
     const std::string bytes = bytes_of_file(directory.file(name));
     const std::string want = simplified(directory, directory.file(name), {"--cell", "0.1"}).hash;
-    CHECK(through_slow_pipe(directory, bytes, [](std::size_t) -> std::size_t { return 1; }) == want);
-    CHECK(through_slow_pipe(directory, bytes, [](std::size_t last) { return last * 5 % 4099; }) == want);
+    CHECK(through_slow_pipe(directory, bytes, [](std::size_t) -> std::size_t { return 1; }) ==
+          want);
+    CHECK(through_slow_pipe(directory, bytes, [](std::size_t last) { return last * 5 % 4099; }) ==
+          want);
   }
 }
 
@@ -59,7 +61,8 @@ TEST_CASE("a writer that pauses is waited for", "[faults]") {
     CHECK(program.running());
   }
   CHECK(program.wait().code == 0);
-  CHECK(hash_of_file(output) == simplified(directory, input, {"--cell", "0.1"}, {}, "again.ply").hash);
+  CHECK(hash_of_file(output) ==
+        simplified(directory, input, {"--cell", "0.1"}, {}, "again.ply").hash);
 }
 
 }  // namespace winnow::test

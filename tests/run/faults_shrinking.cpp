@@ -1,5 +1,5 @@
-// An input that another program shortens while it is read ends in an error that says so: never in a death by
-// SIGBUS, never in a result of zeros.
+// An input that another program shortens while it is read ends in an error that says so: never in a
+// death by SIGBUS, never in a result of zeros.
 #include <winnow/error.hpp>
 #include <winnow/mapped_guard.hpp>
 #include <winnow/simplify.hpp>
@@ -18,10 +18,11 @@ namespace {
 
 enum class Route { mapped, read };
 
-// Runs on a copy of `input` that is cut to `length` bytes when `stage` begins: to the byte the same place
-// each time.
-void check_shrinking(const Directory& directory, const std::string& input, const SimplifyOptions& options,
-                     const std::string& stage, std::uint64_t length, Route route) {
+// Runs on a copy of `input` that is cut to `length` bytes when `stage` begins: to the byte the same
+// place each time.
+void check_shrinking(const Directory& directory, const std::string& input,
+                     const SimplifyOptions& options, const std::string& stage, std::uint64_t length,
+                     Route route) {
   const std::string copy = directory.file("copy");
   std::filesystem::copy_file(input, copy, std::filesystem::copy_options::overwrite_existing);
   const std::string output = directory.file("out.ply");
@@ -56,12 +57,14 @@ std::string quads_file(const std::string& path, std::uint32_t side) {
   std::ostringstream text;
   text << "ply\nformat binary_little_endian 1.0\nelement vertex " << std::uint64_t{side} * side
        << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
-       << std::uint64_t{side - 1} * (side - 1) << "\nproperty list uchar int vertex_indices\nend_header\n";
+       << std::uint64_t{side - 1} * (side - 1)
+       << "\nproperty list uchar int vertex_indices\nend_header\n";
   const auto put = [&](const auto& value) {
     text.write(reinterpret_cast<const char*>(&value), sizeof value);
   };
   for (std::uint32_t i = 0; i < side * side; ++i) {
-    for (const float value : {static_cast<float>(i % side), static_cast<float>(i / side), 0.0F}) put(value);
+    for (const float value : {static_cast<float>(i % side), static_cast<float>(i / side), 0.0F})
+      put(value);
   }
   for (std::uint32_t y = 0; y + 1 < side; ++y) {
     for (std::uint32_t x = 0; x + 1 < side; ++x) {
@@ -116,10 +119,14 @@ TEST_CASE("a file that shrinks while it is mapped is an error", "[faults]") {
     }
   }
   for (const std::string& input : {ply, stl}) {
-    check_shrinking(directory, input, with_faces(5000), "sample", size_of_file(input) / 5, Route::mapped);
-    check_shrinking(directory, input, with_faces(5000), "cluster", size_of_file(input) / 2, Route::mapped);
-    check_shrinking(directory, input, refined(5000), "weld", size_of_file(input) / 5, Route::mapped);
-    check_shrinking(directory, input, refined(5000), "join faces", size_of_file(input) / 2, Route::mapped);
+    check_shrinking(directory, input, with_faces(5000), "sample", size_of_file(input) / 5,
+                    Route::mapped);
+    check_shrinking(directory, input, with_faces(5000), "cluster", size_of_file(input) / 2,
+                    Route::mapped);
+    check_shrinking(directory, input, refined(5000), "weld", size_of_file(input) / 5,
+                    Route::mapped);
+    check_shrinking(directory, input, refined(5000), "join faces", size_of_file(input) / 2,
+                    Route::mapped);
   }
 }
 
@@ -139,7 +146,8 @@ TEST_CASE("an ASCII PLY that shrinks while it is mapped is an error", "[faults]"
   const std::string binary = directory.file("scan.ply");
   generate("scan", 100'000, binary);
   const std::string ascii = ascii_file(binary, directory.file("ascii.ply"));
-  check_shrinking(directory, ascii, with_cell(0.05), "read vertices", size_of_file(ascii) / 5, Route::mapped);
+  check_shrinking(directory, ascii, with_cell(0.05), "read vertices", size_of_file(ascii) / 5,
+                  Route::mapped);
   check_shrinking(directory, ascii, with_cell(0.05), "cluster", size_of_file(ascii) - 2 * 4096,
                   Route::mapped);
 }
@@ -162,8 +170,8 @@ TEST_CASE("the program survives an input that shrinks", "[faults]") {
   for (const char* name : {"scan.ply", "scan.stl"}) {
     const std::string input = directory.file(name);
     generate("scan", 1'500'000, input);
-    Program program({"simplify", input, "-o", directory.file("out.ply"), "--cell", "0.01", "--threads", "1",
-                     "--progress", "json"},
+    Program program({"simplify", input, "-o", directory.file("out.ply"), "--cell", "0.01",
+                     "--threads", "1", "--progress", "json"},
                     {.err = "|"});
     // It says that it begins to cluster; it is stopped, the file is cut, it goes on.
     std::string told;
@@ -175,7 +183,8 @@ TEST_CASE("the program survives an input that shrinks", "[faults]") {
     ::kill(program.pid(), SIGSTOP);
     REQUIRE(::truncate(input.c_str(), static_cast<off_t>(size_of_file(input) / 2)) == 0);
     ::kill(program.pid(), SIGCONT);
-    for (std::string part = program.read_err(); !part.empty(); part = program.read_err()) told += part;
+    for (std::string part = program.read_err(); !part.empty(); part = program.read_err())
+      told += part;
     const Run run = program.wait();
     INFO(told);
     CHECK(run.signal == 0);

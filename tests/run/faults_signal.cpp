@@ -1,5 +1,5 @@
-// SIGINT and SIGTERM stop within a second wherever the program is, leave no output, nothing beside it and no
-// scratch, and end with 130.
+// SIGINT and SIGTERM stop within a second wherever the program is, leave no output, nothing beside
+// it and no scratch, and end with 130.
 #include "support/simplified.hpp"
 
 #include <chrono>
@@ -37,11 +37,13 @@ void check_random_moments(const Directory& directory, const Words& arguments, in
   for (int i = 0; i < tries; ++i) {
     Program program(arguments, setup);
     program.await_handlers();
-    const double moment = whole.seconds * (i + std::uniform_real_distribution(0.0, 1.0)(random)) / tries;
+    const double moment =
+        whole.seconds * (i + std::uniform_real_distribution(0.0, 1.0)(random)) / tries;
     sleep_for(moment);
     program.signal(i % 2 == 0 ? SIGINT : SIGTERM);
     const Run run = program.wait();
-    INFO(joined(arguments) << "\nstopped after " << moment << " of " << whole.seconds << " s: " << run.err);
+    INFO(joined(arguments) << "\nstopped after " << moment << " of " << whole.seconds
+                           << " s: " << run.err);
     CHECK(run.seconds < 1 * patience);
     if (run.code == 0) {  // too late
       ::unlink(directory.file("out.ply").c_str());
@@ -61,27 +63,27 @@ TEST_CASE("a run that spills is stopped at any moment", "[faults]") {
   const std::string input = directory.file("scan.ply");
   generate("scan", 300'000, input);
   const Words options{"--cell", "0.001", "--threads", "2", "--placement", "quadric"};
-  check_random_moments(
-      directory,
-      Words{"simplify", input, "-o", directory.file("out.ply"), "--memory", smallest_memory(input, options)} +
-          options,
-      14);
+  check_random_moments(directory,
+                       Words{"simplify", input, "-o", directory.file("out.ply"), "--memory",
+                             smallest_memory(input, options)} +
+                           options,
+                       14);
 }
 
 TEST_CASE("a run that samples a compressed stream is stopped at any moment", "[faults]") {
   const Directory directory;
   const std::string input = directory.file("scan.stl");
   generate("scan", 400'000, input);
-  check_random_moments(
-      directory,
-      {"simplify", gzip_file(input), "-o", directory.file("out.ply"), "--faces", "100k", "--refine", "none"},
-      10);
+  check_random_moments(directory,
+                       {"simplify", gzip_file(input), "-o", directory.file("out.ply"), "--faces",
+                        "100k", "--refine", "none"},
+                       10);
 }
 
 TEST_CASE("generating is stopped at any moment", "[faults]") {
   const Directory directory;
-  check_random_moments(directory,
-                       {"generate", "terrain", "--faces", "1500k", "-o", directory.file("out.ply")}, 6);
+  check_random_moments(
+      directory, {"generate", "terrain", "--faces", "1500k", "-o", directory.file("out.ply")}, 6);
 }
 
 TEST_CASE("waiting for a silent pipe is stopped", "[faults]") {
@@ -89,13 +91,15 @@ TEST_CASE("waiting for a silent pipe is stopped", "[faults]") {
   const std::string input = directory.file("scan.ply");
   generate("scan", 20'000, input);
   const std::string bytes = bytes_of_file(input);
-  for (const std::string& how : {std::string("--cell"), std::string("--grid"), std::string("--faces")}) {
+  for (const std::string& how :
+       {std::string("--cell"), std::string("--grid"), std::string("--faces")}) {
     // Before the first byte, in the header, among the vertices, among the faces.
     for (const std::size_t sent :
          {std::size_t{0}, std::size_t{50}, std::size_t{9'000}, bytes.size() - 1000}) {
       INFO(how << " " << sent << " bytes sent");
-      Program program({"simplify", "-", "-o", directory.file("out.ply"), how, how == "--cell" ? "0.1" : "50"},
-                      {.in = "|"});
+      Program program(
+          {"simplify", "-", "-o", directory.file("out.ply"), how, how == "--cell" ? "0.1" : "50"},
+          {.in = "|"});
       program.write(bytes.substr(0, sent));
       program.await_handlers();
       sleep_for(0.05);
@@ -112,8 +116,8 @@ TEST_CASE("waiting for a reader that sleeps is stopped", "[faults]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   generate("scan", 100'000, input);
-  for (const Words& arguments :
-       {Words{"simplify", input, "-o", "-", "--cell", "0.001"}, Words{"generate", "scan", "-o", "-"}}) {
+  for (const Words& arguments : {Words{"simplify", input, "-o", "-", "--cell", "0.001"},
+                                 Words{"generate", "scan", "-o", "-"}}) {
     Program program(arguments, {.out = "|"});
     CHECK_FALSE(program.read(1).empty());  // it writes
     sleep_for(0.1);                        // the pipe is full
@@ -133,8 +137,9 @@ TEST_CASE("waiting for the other end of a named pipe is stopped", "[faults]") {
   const std::string pipe = directory.file("pipe");
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   const Words before = directory.names();
-  for (const Words& arguments : {Words{"simplify", pipe, "-o", directory.file("out.ply"), "--cell", "0.1"},
-                                 Words{"simplify", input, "-o", pipe, "--cell", "0.1"}}) {
+  for (const Words& arguments :
+       {Words{"simplify", pipe, "-o", directory.file("out.ply"), "--cell", "0.1"},
+        Words{"simplify", input, "-o", pipe, "--cell", "0.1"}}) {
     Program program(arguments);
     program.await_handlers();
     sleep_for(0.1);
@@ -151,9 +156,10 @@ TEST_CASE("every signal that ends a program leaves no part of an output", "[faul
   const std::string input = directory.file("scan.ply");
   generate("scan", 2'000, input);
   const std::string bytes = bytes_of_file(input);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1,
-                           SIGUSR2, SIGIO, SIGPWR}) {
-    Program program({"simplify", "-", "-o", directory.file("out.ply"), "--cell", "0.1"}, {.in = "|"});
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF,
+                           SIGUSR1, SIGUSR2, SIGIO, SIGPWR}) {
+    Program program({"simplify", "-", "-o", directory.file("out.ply"), "--cell", "0.1"},
+                    {.in = "|"});
     program.write(bytes.substr(0, 1000));
     program.await_handlers();
     while (program.running() && directory.names().size() < 2) sleep_for(0.001);

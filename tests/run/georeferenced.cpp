@@ -1,4 +1,5 @@
-// A scan at georeferenced coordinates is as precise as the same scan at the origin, all the way to the file.
+// A scan at georeferenced coordinates is as precise as the same scan at the origin, all the way to
+// the file.
 #include <winnow/compare.hpp>
 #include <winnow/generate.hpp>
 
@@ -19,8 +20,8 @@ namespace {
 
 const Point far{431000, 5412000, 300};
 
-// A scan two metres across with detail of a millimetre, its coordinates rounded to 2^-24 m: so that moving it
-// by a whole number of those is exact.
+// A scan two metres across with detail of a millimetre, its coordinates rounded to 2^-24 m: so that
+// moving it by a whole number of those is exact.
 Polygons fine_scan(const Directory& directory, std::uint64_t faces) {
   const std::string path = directory.file("scan.ply");
   generate("scan", faces, path);
@@ -47,7 +48,8 @@ Polygons moved(Polygons mesh, const Point& by) {
   return mesh;
 }
 
-std::string write_doubles(const Directory& directory, const std::string& name, const Polygons& mesh) {
+std::string write_doubles(const Directory& directory, const std::string& name,
+                          const Polygons& mesh) {
   PlyStyle style;
   style.coordinate = {PlyType::float64, PlyType::float64, PlyType::float64};
   const std::string path = directory.file(name);
@@ -58,12 +60,14 @@ std::string write_doubles(const Directory& directory, const std::string& name, c
 // The output as polygons, moved back by `by`.
 Polygons back(const RefinedFile& out, const Point& by) {
   Polygons mesh;
-  for (const IndexedVertex& vertex : out.mesh.vertices) mesh.vertices.push_back(vertex.position - by);
+  for (const IndexedVertex& vertex : out.mesh.vertices)
+    mesh.vertices.push_back(vertex.position - by);
   for (const FaceVertices& face : out.mesh.faces) mesh.faces.push_back({face[0], face[1], face[2]});
   return mesh;
 }
 
-double error_of_result(const Directory& directory, const std::string& original, const Polygons& result) {
+double error_of_result(const Directory& directory, const std::string& original,
+                       const Polygons& result) {
   const std::string path = write_doubles(directory, "result.ply", result);
   CompareOptions how;
   how.samples = 200'000;
@@ -132,7 +136,8 @@ TEST_CASE("a vertex at the origin of georeferenced coordinates changes next to n
   }
   options = by("error");
   CHECK(refine_file(directory, stray, options).report.output.faces ==
-        Approx(static_cast<double>(refine_file(directory, clean, options).report.output.faces)).epsilon(0.1));
+        Approx(static_cast<double>(refine_file(directory, clean, options).report.output.faces))
+            .epsilon(0.1));
 }
 
 TEST_CASE("a scan moved by anything is simplified with the same error") {

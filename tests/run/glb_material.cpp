@@ -12,17 +12,18 @@ TEST_CASE("the material of a GLB is double-sided if the mesh is open") {
   generate("terrain", 4000, directory.file("open.ply"));
   const std::string output = directory.file("out.glb");
   for (const std::string name : {"closed", "open"}) {
-    for (const Words& command :
-         {Words{"convert"}, Words{"simplify", "--faces", "1000"}, Words{"simplify", "--grid", "20"}}) {
+    for (const Words& command : {Words{"convert"}, Words{"simplify", "--faces", "1000"},
+                                 Words{"simplify", "--grid", "20"}}) {
       for (const Words& packing : {Words{}, Words{"--compress", "meshopt"}}) {
         INFO(name << " " << joined(command + packing));
-        const Run run = winnow_ok(command + packing +
-                                  Words{directory.file(name + ".ply"), "-o", output, "--json", "--force"});
+        const Run run =
+            winnow_ok(command + packing +
+                      Words{directory.file(name + ".ply"), "-o", output, "--json", "--force"});
         const nlohmann::json json = glb_file(bytes_of_file(output)).json;
         REQUIRE(json["materials"].size() == 1);
         // Coarse clustering may open a closed mesh.
-        const bool open =
-            command[0] == "convert" ? name == "open" : !run.json()["topology"]["closed"].get<bool>();
+        const bool open = command[0] == "convert" ? name == "open"
+                                                  : !run.json()["topology"]["closed"].get<bool>();
         CHECK(json["materials"][0].value("doubleSided", false) == open);
         // It says nothing that another output would not, so no note tells of it.
         const Run back =

@@ -17,9 +17,10 @@ struct LongPolygon {
   explicit LongPolygon(std::size_t corners) {
     std::string places, numbers, from_one;
     for (std::size_t i = 0; i < corners; ++i) {
-      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
-      const std::string place =
-          std::to_string(1000 * std::cos(angle)) + " " + std::to_string(1000 * std::sin(angle)) + " 0\n";
+      const double angle =
+          2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
+      const std::string place = std::to_string(1000 * std::cos(angle)) + " " +
+                                std::to_string(1000 * std::sin(angle)) + " 0\n";
       const std::string next = std::to_string(i + 1);
       places += place;
       obj += "v " + place;
@@ -40,8 +41,8 @@ struct LongPolygon {
 std::string sparse_lines(int lines, std::size_t blanks) {
   std::string file = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   for (int i = 0; i < lines; ++i)
-    file +=
-        "f" + std::string(blanks, ' ') + "1 2" + std::string(blanks, '\t') + std::to_string(3 + i % 2) + "\n";
+    file += "f" + std::string(blanks, ' ') + "1 2" + std::string(blanks, '\t') +
+            std::to_string(3 + i % 2) + "\n";
   return file + "f 1 3 4\n";
 }
 
@@ -59,7 +60,8 @@ TEST_CASE("a polygon of 400,000 corners on one line is read in every text format
        {std::pair("a.obj", &polygon.obj), {"a.off", &polygon.off}, {"a.m", &polygon.m}}) {
     const std::string path = directory.file(name);
     write_file(path, *file);
-    for (const Words& from : {Words{path, "--threads", "1"}, {path, "--threads", "5"}, {zstd_file(path)}}) {
+    for (const Words& from :
+         {Words{path, "--threads", "1"}, {path, "--threads", "5"}, {zstd_file(path)}}) {
       INFO(joined(from));
       const Run run =
           winnow_ok(Words{"convert", "-o", directory.file("out.ply"), "--force", "--json"} + from);
@@ -70,7 +72,8 @@ TEST_CASE("a polygon of 400,000 corners on one line is read in every text format
   }
 }
 
-TEST_CASE("a line may be as long as the budget allows, and an error names a budget that is enough") {
+TEST_CASE(
+    "a line may be as long as the budget allows, and an error names a budget that is enough") {
   const Directory directory;
   const std::string path = directory.file("lines.obj");
   write_file(path, sparse_lines(1, 6'000'000));

@@ -20,7 +20,8 @@ Polygons strip(double from) {
   for (int i = 0; i <= 20; ++i) {
     for (const double x : {from, from + 0.1}) mesh.vertices.push_back({x, 0.1 * i, 0.01 * i * i});
   }
-  for (std::int64_t i = 0; i < 20; ++i) mesh.faces.push_back({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
+  for (std::int64_t i = 0; i < 20; ++i)
+    mesh.faces.push_back({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
   return mesh;
 }
 

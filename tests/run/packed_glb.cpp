@@ -55,8 +55,9 @@ TEST_CASE("a packed GLB holds the faces of a plain one, block by block", "[long]
   GenerateOptions away;
   away.offset = {431000, 5412000, 300};
   generate("scan", 150'000, scan, away);
-  for (const Words& command : {Words{"convert", scan}, Words{"simplify", scan, "--ratio", "80%", "--normals"},
-                               Words{"simplify", scan, "--faces", "1000"}}) {
+  for (const Words& command :
+       {Words{"convert", scan}, Words{"simplify", scan, "--ratio", "80%", "--normals"},
+        Words{"simplify", scan, "--faces", "1000"}}) {
     INFO(joined(command));
     const std::string plain = directory.file("plain.glb");
     const std::string packed = directory.file("packed.glb");
@@ -94,7 +95,8 @@ TEST_CASE("packing a GLB stays within the budget", "[budget]") {
   const std::string input = directory.file("scan.ply");
   generate("scan", 3'000'000, input);
   const Words command{"convert", input, "--compress", "meshopt", "--threads", "2"};
-  const Run run = run_winnow(command + Words{"-o", directory.file("out.glb"), "--json", "--memory", "64M"});
+  const Run run =
+      run_winnow(command + Words{"-o", directory.file("out.glb"), "--json", "--memory", "64M"});
   check_peak(run, "64M");
   CHECK(run.json()["spilled_bytes"] > 32 * mebibyte);
 }
@@ -109,7 +111,8 @@ TEST_CASE("triangles without a common vertex are packed, too") {
     ply += x + " 0 0\n" + x + " 1 0\n" + x + " 0 1\n";
   }
   for (int i = 0; i < 120'000; i += 3)
-    ply += "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+    ply +=
+        "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
   write_file(directory.file("in.ply"), ply);
   Context context;
   context.scratch = directory.path();

@@ -60,8 +60,8 @@ TEST_CASE("a border that is not kept loses vertices but hardly moves") {
   for (const Point& p : after) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const std::size_t axis : {0, 1}) {
-      nearest =
-          std::min({nearest, std::abs(p[axis] - before.low[axis]), std::abs(p[axis] - before.high[axis])});
+      nearest = std::min(
+          {nearest, std::abs(p[axis] - before.low[axis]), std::abs(p[axis] - before.high[axis])});
     }
     farthest = std::max(farthest, nearest);
   }

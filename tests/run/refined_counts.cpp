@@ -21,7 +21,8 @@ std::vector<Triangle> tetrahedra(std::size_t count) {
   std::vector<Triangle> faces;
   for (std::size_t i = 0; i < count; ++i) {
     const Point at{random.unit(), random.unit(), random.unit()};
-    const std::array<Point, 4> p{at, at + Point{0.02, 0, 0}, at + Point{0, 0.02, 0}, at + Point{0, 0, 0.02}};
+    const std::array<Point, 4> p{at, at + Point{0.02, 0, 0}, at + Point{0, 0.02, 0},
+                                 at + Point{0, 0, 0.02}};
     for (const Triangle& face :
          {Triangle{p[0], p[2], p[1]}, {p[0], p[1], p[3]}, {p[1], p[2], p[3]}, {p[2], p[0], p[3]}})
       faces.push_back(face);
@@ -65,7 +66,8 @@ TEST_CASE("a closed mesh without handles becomes a tetrahedron, one with handles
   CHECK(cranium.report.notes.size() == 2);  // the area that went, and why the count was missed
   const auto characteristic = [](const PlainMesh& mesh) {
     // Closed: three edges for every two faces.
-    return static_cast<std::int64_t>(mesh.vertices.size()) - static_cast<std::int64_t>(mesh.faces.size() / 2);
+    return static_cast<std::int64_t>(mesh.vertices.size()) -
+           static_cast<std::int64_t>(mesh.faces.size() / 2);
   };
   TestJob test;
   CHECK(characteristic(cranium.mesh) == characteristic(plain(welded(test.job, whale()))));
@@ -117,7 +119,8 @@ TEST_CASE("a ratio is one of triangles, of a file of other polygons too") {
     Context context;
     context.scratch = directory.path();
     const std::string both = directory.file("both.ply");
-    CHECK(simplify(context, std::vector{path, path}, both, options).target_faces == 2 * side * side);
+    CHECK(simplify(context, std::vector{path, path}, both, options).target_faces ==
+          2 * side * side);
     std::remove(both.c_str());
   }
 }
@@ -129,7 +132,8 @@ TEST_CASE("clustering first changes nothing about the count") {
     options.detail = detail;
     const RefinedFile out = refine_file(directory, whale(), options);
     CAPTURE(detail);
-    // Where cells are larger than the skull's walls are thick, all faces are refined, and a note says so.
+    // Where cells are larger than the skull's walls are thick, all faces are refined, and a note
+    // says so.
     CHECK((out.report.cell_size > 0) == out.report.notes.empty());
     CHECK((out.report.cell_size > 0 || detail < 10));
     CHECK(out.report.output.faces == 3000);
@@ -152,7 +156,8 @@ TEST_CASE("below what kept pieces allow the fewest faces are left and it is said
   CHECK(kept.report.missed_by == std::vector<std::string>{"pieces"});
   CHECK(kept.report.lost.pieces == 0);
   REQUIRE(kept.report.notes.size() == 1);
-  CHECK(kept.report.notes[0].find("200 faces are left instead of 10: --keep-pieces") != std::string::npos);
+  CHECK(kept.report.notes[0].find("200 faces are left instead of 10: --keep-pieces") !=
+        std::string::npos);
 }
 
 TEST_CASE("more faces than there are leaves all of them, with normals and without lone vertices") {
@@ -167,7 +172,8 @@ TEST_CASE("more faces than there are leaves all of them, with normals and withou
   // As a PLY, with vertices that no face uses: those go.
   const std::string ply = directory.file("lone.ply");
   write_file(ply,
-             "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+             "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float "
+             "y\nproperty float z\n"
              "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
              "9 9 9\n0 0 0\n1 0 0\n0 1 0\n7 7 7\n3 1 2 3\n");
   const RefinedFile lone = refine_file(directory, ply, options);
@@ -182,7 +188,8 @@ TEST_CASE("more faces than there are leaves all of them, with normals and withou
 TEST_CASE("a soup of any faces is refined without new faults") {
   Random random(901);
   const Directory directory;
-  // Corners on a coarse lattice: edges with many faces, fans that meet in a point, faces in one another.
+  // Corners on a coarse lattice: edges with many faces, fans that meet in a point, faces in one
+  // another.
   std::vector<Triangle> faces = soup(random, 8000, 0.4);
   for (Triangle& face : faces) {
     for (Point& corner : face) {
@@ -218,7 +225,8 @@ TEST_CASE("within an error the faces without neighbours go that are smaller than
     };
     const auto left = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), stays));
     // One is left in any case.
-    CHECK(refine_file(directory, input, options).mesh.faces.size() == std::max<std::size_t>(1, left));
+    CHECK(refine_file(directory, input, options).mesh.faces.size() ==
+          std::max<std::size_t>(1, left));
   }
 }
 

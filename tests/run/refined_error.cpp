@@ -1,4 +1,5 @@
-// With --error the result is as near to the original as was asked for, and larger errors leave fewer faces.
+// With --error the result is as near to the original as was asked for, and larger errors leave
+// fewer faces.
 #include "support/program.hpp"
 #include "support/refined_file.hpp"
 
@@ -14,7 +15,8 @@ void check_errors(const std::string& input) {
   {
     TestJob test;
     Box box;
-    for (const IndexedVertex& vertex : plain(welded(test.job, input)).vertices) box.add(vertex.position);
+    for (const IndexedVertex& vertex : plain(welded(test.job, input)).vertices)
+      box.add(vertex.position);
     diagonal = box.diagonal();
   }
   std::uint64_t faces = UINT64_MAX;

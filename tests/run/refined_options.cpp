@@ -1,4 +1,5 @@
-// Options of refinement that make no sense, or none together, are usage errors before anything is read.
+// Options of refinement that make no sense, or none together, are usage errors before anything is
+// read.
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
@@ -43,12 +44,14 @@ TEST_CASE("options of refinement that cannot be are refused by name") {
   check_usage("--grid", [](SimplifyOptions& o) { o.grid = 10, o.refine = Refine::quadric; });
   for (const double detail : {1.0, 0.5, 0.0, -3.0, nan})
     check_usage("--detail", [&](SimplifyOptions& o) { o.faces = 100, o.detail = detail; });
-  check_usage("--detail", [](SimplifyOptions& o) { o.faces = 100, o.refine = Refine::none, o.detail = 3; });
+  check_usage("--detail",
+              [](SimplifyOptions& o) { o.faces = 100, o.refine = Refine::none, o.detail = 3; });
   check_usage("--detail", [](SimplifyOptions& o) { o.cell = 1, o.detail = 3; });
   for (const double angle : {0.0, -10.0, 90.5, nan, infinity})
     check_usage("--max-normal-deviation",
                 [&](SimplifyOptions& o) { o.faces = 100, o.max_normal_deviation = angle; });
-  check_usage("--max-normal-deviation", [](SimplifyOptions& o) { o.cell = 1, o.max_normal_deviation = 20; });
+  check_usage("--max-normal-deviation",
+              [](SimplifyOptions& o) { o.cell = 1, o.max_normal_deviation = 20; });
   check_usage("--max-normal-deviation", [](SimplifyOptions& o) {
     o.faces = 100, o.refine = Refine::none, o.max_normal_deviation = 20;
   });

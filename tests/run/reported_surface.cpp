@@ -30,8 +30,9 @@ TEST_CASE("edges and area are reported as info counts them") {
     generate(surface, 40'000, input);
     const nlohmann::json before = winnow_ok({"info", input, "--json"}).json();
     for (const Words& options :
-         {Words{"--faces", "3000"}, Words{"--cell", "0.1"}, Words{"--faces", "2000", "--detail", "3"},
-          Words{"--faces", "3000", "--refine", "none"}, Words{"--error", "0.2%"}}) {
+         {Words{"--faces", "3000"}, Words{"--cell", "0.1"},
+          Words{"--faces", "2000", "--detail", "3"}, Words{"--faces", "3000", "--refine", "none"},
+          Words{"--error", "0.2%"}}) {
       INFO(surface << " " << joined(options));
       const Told one = told(directory, input, options);
       const nlohmann::json& topology = one.report["topology"];
@@ -39,7 +40,8 @@ TEST_CASE("edges and area are reported as info counts them") {
       CHECK(topology["output"]["boundary"] == one.info["edges"]["boundary"]);
       CHECK(topology["output"]["non_manifold"] == one.info["edges"]["non_manifold"]);
       CHECK(one.report["area"]["output"].get<double>() == Approx(one.info["area"].get<double>()));
-      CHECK(one.report["area"]["input"].get<double>() == Approx(before["area"].get<double>()).epsilon(1e-6));
+      CHECK(one.report["area"]["input"].get<double>() ==
+            Approx(before["area"].get<double>()).epsilon(1e-6));
       if (!topology["input"].is_null()) {
         CHECK(topology["input"]["boundary"] == before["edges"]["boundary"]);
         CHECK(topology["input"]["edges"] == before["edges"]["total"]);
@@ -67,7 +69,8 @@ TEST_CASE("the report and the plan say whether and why the input is clustered fi
     INFO(joined(one.options));
     const nlohmann::json report = told(directory, input, one.options).report;
     const nlohmann::json plan =
-        winnow_ok(Words{"simplify", input, "-o", "none.ply", "--dry-run", "--json"} + one.options).json();
+        winnow_ok(Words{"simplify", input, "-o", "none.ply", "--dry-run", "--json"} + one.options)
+            .json();
     for (const nlohmann::json& json : {report, plan}) {
       CHECK(json["clustered"]["first"] == one.first);
       CHECK(json["clustered"]["reason"].get<std::string>().find(one.reason) != std::string::npos);
@@ -101,7 +104,8 @@ TEST_CASE("the reported surface is the same for any threads and memory", "[same_
     const Simplified one = simplified(directory, input, options + Words{"--threads", "1"});
     const Simplified small =
         simplified(directory, input, two + Words{"--memory", smallest_memory(input, two)});
-    for (const char* part : {"topology", "area", "clustered"}) CHECK(one.report[part] == small.report[part]);
+    for (const char* part : {"topology", "area", "clustered"})
+      CHECK(one.report[part] == small.report[part]);
   }
 }
 

@@ -11,9 +11,9 @@ TEST_CASE("the same attributes with any threads budget and way in", "[same_bytes
   write_attributed(input, generated(directory.path(), 200'000), usual_columns());
   const std::string packed = zstd_file(input);
   std::uint64_t spilled = 0;
-  for (const Words& options :
-       {Words{"--grid", "200"}, Words{"--faces", "20001"}, Words{"--faces", "20001", "--detail", "4"},
-        Words{"--error", "0.002", "--attributes", "colors,stamp"}}) {
+  for (const Words& options : {Words{"--grid", "200"}, Words{"--faces", "20001"},
+                               Words{"--faces", "20001", "--detail", "4"},
+                               Words{"--error", "0.002", "--attributes", "colors,stamp"}}) {
     INFO(joined(options));
     const Simplified one = simplified(directory, input, options + Words{"--threads", "1"});
     const std::string smallest = smallest_memory(input, options + Words{"--threads", "4"});
@@ -59,7 +59,8 @@ TEST_CASE("the same attributes of faces that jump over more vertices than memory
   const Words little = options + Words{"--memory", smallest_memory(shuffled, options)};
   // Sorted by their vertices; in their order, with each corner's position and attributes.
   for (const bool strict : {false, true}) {
-    const Simplified small = simplified(directory, shuffled, strict ? little + Words{"--strict"} : little);
+    const Simplified small =
+        simplified(directory, shuffled, strict ? little + Words{"--strict"} : little);
     CHECK(small.report["spilled_bytes"] >= (strict ? 3 * (4 + 12 + 8) : 12) * mesh.faces.size());
     CHECK(small.hash == want.hash);
     CHECK(small.report["attributes"] == want.report["attributes"]);

@@ -6,7 +6,8 @@ namespace winnow::test {
 namespace {
 
 nlohmann::json compared(const Words& arguments, const Setup& setup = {}) {
-  nlohmann::json report = winnow_ok(Words{"compare", "--json", "--samples", "30k"} + arguments, setup).json();
+  nlohmann::json report =
+      winnow_ok(Words{"compare", "--json", "--samples", "30k"} + arguments, setup).json();
   report.erase("seconds");
   report.erase("peak_memory_bytes");
   report.erase("options");
@@ -33,7 +34,8 @@ TEST_CASE("a comparison is the same for any threads and budget", "[same_bytes]")
   }
 }
 
-TEST_CASE("the colored mesh and the picture are the same for any threads and budget", "[same_bytes]") {
+TEST_CASE("the colored mesh and the picture are the same for any threads and budget",
+          "[same_bytes]") {
   const Directory directory;
   const std::string original = directory.file("scan.ply");
   const std::string small = directory.file("small.ply");
@@ -42,7 +44,8 @@ TEST_CASE("the colored mesh and the picture are the same for any threads and bud
   generate("scan", 300'000, original);
   winnow_ok({"simplify", original, "-o", small, "--faces", "3k"});
   const auto hash = [&](const Words& options) {
-    winnow_ok(Words{"compare", original, small, "--colored", colored, "--picture", picture, "--force", "-q"} +
+    winnow_ok(Words{"compare", original, small, "--colored", colored, "--picture", picture,
+                    "--force", "-q"} +
               options);
     return hash_of_file(colored) + hash_of_file(picture);
   };

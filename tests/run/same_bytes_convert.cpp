@@ -22,7 +22,8 @@ void compare(const std::string& format) {
   for (const char* output :
        {"out.ply", "out.stl", "out.obj", "out.off", "out.glb", "out.ply.gz", "out.glb.zst"}) {
     INFO(format << " to " << output);
-    const std::string right = converted(directory, {input, "--threads", "1", "--memory", "8G"}, output);
+    const std::string right =
+        converted(directory, {input, "--threads", "1", "--memory", "8G"}, output);
     CHECK(converted(directory, {input, "--threads", "4"}, output) == right);
     CHECK(converted(directory, {"-", "--threads", "2"}, output, {.in = input}) == right);
     // A little more than the smallest, for the compressor.

@@ -1,4 +1,5 @@
-// Several files are one model: the bytes are those of one file with the same faces in the same order.
+// Several files are one model: the bytes are those of one file with the same faces in the same
+// order.
 #include "support/simplified.hpp"
 #include "support/stl_file.hpp"
 
@@ -54,12 +55,13 @@ TEST_CASE("the same bytes from one file and from several that hold its faces", "
     const Simplified all = simplified_files(directory, parts, options);
     CHECK(all.hash == want.hash);
     CHECK(all.report["input"]["faces"] == want.report["input"]["faces"]);
-    CHECK(simplified_files(directory, parts, options + Words{"--threads", "1", "--memory", "40M"}).hash ==
-          want.hash);
+    CHECK(simplified_files(directory, parts, options + Words{"--threads", "1", "--memory", "40M"})
+              .hash == want.hash);
   }
 }
 
-TEST_CASE("the same bytes from a cropped model and from its faces inside of the box", "[same_bytes]") {
+TEST_CASE("the same bytes from a cropped model and from its faces inside of the box",
+          "[same_bytes]") {
   const Directory directory;
   const std::string whole = directory.file("whole.stl");
   generate("scan", 20'000, whole);
@@ -88,11 +90,14 @@ TEST_CASE("the same bytes from a cropped model and from its faces inside of the 
     const Simplified cropped = simplified(directory, whole, options + crop);
     CHECK(cropped.report["output"]["faces"] == want.report["output"]["faces"]);
     CHECK(cropped.report["input"]["cropped_faces"] ==
-          want.report["input"]["cropped_faces"].get<std::uint64_t>() + (bytes.size() - 84) / 50 - count);
+          want.report["input"]["cropped_faces"].get<std::uint64_t>() + (bytes.size() - 84) / 50 -
+              count);
   }
   const Simplified file = simplified(directory, whole, Words{"--faces", "500"} + crop);
-  CHECK(simplified(directory, "-", Words{"--faces", "500"} + crop, {.in = whole}).hash == file.hash);
-  CHECK(simplified(directory, whole, Words{"--faces", "500", "--memory", "40M", "--threads", "1"} + crop)
+  CHECK(simplified(directory, "-", Words{"--faces", "500"} + crop, {.in = whole}).hash ==
+        file.hash);
+  CHECK(simplified(directory, whole,
+                   Words{"--faces", "500", "--memory", "40M", "--threads", "1"} + crop)
             .hash == file.hash);
 }
 

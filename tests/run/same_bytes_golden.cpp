@@ -1,5 +1,6 @@
-// Outputs have not changed since they were last looked at: golden.txt beside this file. Whoever changes a
-// result on purpose renews it, looks at what changed and why, and commits it with the change:
+// Outputs have not changed since they were last looked at: golden.txt beside this file. Whoever
+// changes a result on purpose renews it, looks at what changed and why, and commits it with the
+// change:
 //   build/release/tests/winnow_tests "renew the golden outputs"
 #include "support/attributes.hpp"
 #include "support/simplified.hpp"
@@ -35,7 +36,8 @@ std::map<std::string, std::string> current() {
   for (const auto& [name, path] : inputs) {
     for (const Words& options :
          {Words{"--grid", "60"}, Words{"--grid", "60", "--placement", "quadric", "--normals"},
-          Words{"--faces", "3000", "--refine", "none"}, Words{"--ratio", "0.5", "--refine", "none"}}) {
+          Words{"--faces", "3000", "--refine", "none"},
+          Words{"--ratio", "0.5", "--refine", "none"}}) {
       const Words placed = joined(options).find("--placement") == std::string::npos
                                ? options + Words{"--placement", "mean"}
                                : options;
@@ -51,20 +53,23 @@ std::map<std::string, std::string> current() {
   // Refined: by every target, cost and way, clustered first and not.
   for (const auto& [name, path] : inputs) {
     for (const Words& options :
-         {Words{"--faces", "1000"}, Words{"--faces", "1000", "--detail", "6"}, Words{"--ratio", "40%"},
-          Words{"--error", "0.3%"}, Words{"--faces", "1000", "--refine", "volume"},
-          Words{"--faces", "1000", "--refine", "importance"}, Words{"--faces", "900", "--boundary", "keep"},
+         {Words{"--faces", "1000"}, Words{"--faces", "1000", "--detail", "6"},
+          Words{"--ratio", "40%"}, Words{"--error", "0.3%"},
+          Words{"--faces", "1000", "--refine", "volume"},
+          Words{"--faces", "1000", "--refine", "importance"},
+          Words{"--faces", "900", "--boundary", "keep"},
           Words{"--faces", "200", "--topology", "free"}})
       found[name + " " + joined(options)] = simplified(directory, path, options).hash;
   }
   for (const char* output : {"out.glb", "out.obj", "out.off", "out.stl"}) {
     found[std::string("whale_cranium.ply.zst --faces 1000 -o ") + output] =
-        simplified(directory, inputs["whale_cranium.ply.zst"], {"--faces", "1000"}, {}, output).hash;
+        simplified(directory, inputs["whale_cranium.ply.zst"], {"--faces", "1000"}, {}, output)
+            .hash;
   }
   const std::string attributed = directory.file("attributed.ply");
   write_attributed(attributed, generated(directory.path(), 20'000), usual_columns());
-  for (const Words& options :
-       {Words{"--faces", "1000"}, Words{"--faces", "500", "--detail", "6"}, Words{"--grid", "30"}}) {
+  for (const Words& options : {Words{"--faces", "1000"}, Words{"--faces", "500", "--detail", "6"},
+                               Words{"--grid", "30"}}) {
     for (const char* output : {"out.ply", "out.glb"})
       found["attributed.ply " + joined(options) + " -o " + output] =
           simplified(directory, attributed, options, {}, output).hash;
@@ -91,7 +96,8 @@ TEST_CASE("outputs have not changed", "[same_bytes]") {
 
 TEST_CASE("renew the golden outputs", "[.]") {
   std::ofstream file(golden_path());
-  file << "# FNV-1a of outputs of winnow simplify; read and renewed by same_bytes_golden.cpp, which says "
+  file << "# FNV-1a of outputs of winnow simplify; read and renewed by same_bytes_golden.cpp, "
+          "which says "
           "how.\n";
   for (const auto& [name, hash] : current()) file << hash << " " << name << "\n";
 }

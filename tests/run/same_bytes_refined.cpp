@@ -1,4 +1,5 @@
-// What changes no byte of a clustered mesh changes none of a refined one: threads, memory, file or pipe.
+// What changes no byte of a clustered mesh changes none of a refined one: threads, memory, file or
+// pipe.
 #include "support/simplified.hpp"
 
 namespace winnow::test {
@@ -8,8 +9,8 @@ namespace {
 void check_same(const Simplified& a, const Simplified& b) {
   CHECK(a.hash == b.hash);
   // What a run counts is a result, too.
-  for (const char* count : {"input", "output", "target", "refine", "cells", "split_cells", "fused_faces",
-                            "cell_size", "runs", "notes"}) {
+  for (const char* count : {"input", "output", "target", "refine", "cells", "split_cells",
+                            "fused_faces", "cell_size", "runs", "notes"}) {
     INFO(count);
     CHECK(a.report[count] == b.report[count]);
   }
@@ -22,10 +23,12 @@ TEST_CASE("the same refined bytes with any threads budget and way in", "[same_by
   const std::string input = directory.file("scan.ply");
   generate("scan", 300'000, input);
   std::uint64_t spilled = 0;
-  // All faces refined, in several tiles; clustered first; down to an error, with quadrics that remember.
-  for (const Words& options : {Words{"--faces", "20001"}, Words{"--faces", "20001", "--detail", "4"},
-                               Words{"--ratio", "10%", "--normals", "--boundary", "keep"},
-                               Words{"--error", "0.002", "--max-normal-deviation", "40"}}) {
+  // All faces refined, in several tiles; clustered first; down to an error, with quadrics that
+  // remember.
+  for (const Words& options :
+       {Words{"--faces", "20001"}, Words{"--faces", "20001", "--detail", "4"},
+        Words{"--ratio", "10%", "--normals", "--boundary", "keep"},
+        Words{"--error", "0.002", "--max-normal-deviation", "40"}}) {
     INFO(joined(options));
     const Simplified one = simplified(directory, input, options + Words{"--threads", "1"});
     CHECK(one.report["output"]["faces"] > 1000);

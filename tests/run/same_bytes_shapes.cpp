@@ -8,7 +8,8 @@ namespace winnow::test {
 namespace {
 
 // Several times with each: what depends on the order of threads need not show at once.
-void check_threads(const Shape& shape, const std::vector<Words>& ways, Numbers numbers = Numbers::floats) {
+void check_threads(const Shape& shape, const std::vector<Words>& ways,
+                   Numbers numbers = Numbers::floats) {
   const Directory directory;
   const std::string input = directory.file("in.ply");
   write_file(input, ply_of(shape, numbers));
@@ -21,7 +22,8 @@ void check_threads(const Shape& shape, const std::vector<Words>& ways, Numbers n
         INFO(threads << " threads");
         const Simplified more = simplified(directory, input, options + Words{"--threads", threads});
         CHECK(more.hash == one.hash);
-        for (const char* part : {"input", "output", "refine", "cells", "fused_faces", "cell_size", "notes"}) {
+        for (const char* part :
+             {"input", "output", "refine", "cells", "fused_faces", "cell_size", "notes"}) {
           INFO(part);
           CHECK(more.report[part] == one.report[part]);
         }

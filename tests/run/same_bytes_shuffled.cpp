@@ -18,20 +18,24 @@ TEST_CASE("the same bytes from faces in a scattered order", "[same_bytes]") {
         INFO(surface << " " << joined(options));
         const Simplified want = simplified(directory, coherent, options);
         CHECK(simplified(directory, shuffled, options + Words{"--threads", "3"}).hash == want.hash);
-        CHECK(simplified(directory, shuffled, options + Words{"--memory", smallest_memory(shuffled, options)})
+        CHECK(simplified(directory, shuffled,
+                         options + Words{"--memory", smallest_memory(shuffled, options)})
                   .hash == want.hash);
       }
     }
     // Box and sample come from the vertices of a PLY.
-    for (const Words& options : {Words{"--grid", "100"}, Words{"--faces", "10k", "--refine", "none"},
-                                 Words{"--ratio", "30%", "--refine", "none"}}) {
+    for (const Words& options :
+         {Words{"--grid", "100"}, Words{"--faces", "10k", "--refine", "none"},
+          Words{"--ratio", "30%", "--refine", "none"}}) {
       INFO(surface << " " << joined(options));
-      CHECK(simplified(directory, shuffled, options).hash == simplified(directory, coherent, options).hash);
+      CHECK(simplified(directory, shuffled, options).hash ==
+            simplified(directory, coherent, options).hash);
     }
   }
 }
 
-TEST_CASE("the same bytes from faces that jump over more vertices than memory has room for", "[same_bytes]") {
+TEST_CASE("the same bytes from faces that jump over more vertices than memory has room for",
+          "[same_bytes]") {
   const Directory directory;
   const std::string coherent = directory.file("scan.ply");
   const std::string shuffled = directory.file("shuffled.ply");
@@ -56,7 +60,8 @@ TEST_CASE("the same bytes from faces that jump over more vertices than memory ha
     CHECK(simplified_by_pipe(directory, shuffled, little(options)).hash == want.hash);
   }
   const Words whole{"--faces", "1.2M", "--detail", "full"};
-  CHECK(simplified(directory, shuffled, little(whole)).hash == simplified(directory, coherent, whole).hash);
+  CHECK(simplified(directory, shuffled, little(whole)).hash ==
+        simplified(directory, coherent, whole).hash);
   // The order of the faces is kept, too.
   const std::string large = directory.file("large.stl");
   const std::string small = directory.file("small.stl");

@@ -31,8 +31,8 @@ void compare_routes(const std::string& surface, const std::string& format) {
     const Simplified piped = simplified_by_pipe(directory, input, options);
     CHECK(piped.hash == file.hash);
     CHECK(simplified_by_pipe(directory, gzip, options).hash == file.hash);
-    for (const char* count : {"input", "output", "cells", "turned_faces", "fused_faces", "clamped_faces",
-                              "cell_size", "runs", "notes"}) {
+    for (const char* count : {"input", "output", "cells", "turned_faces", "fused_faces",
+                              "clamped_faces", "cell_size", "runs", "notes"}) {
       INFO(count);
       CHECK(without_names(piped.report[count]) == without_names(file.report[count]));
     }
@@ -54,8 +54,8 @@ TEST_CASE("a pipe whose vertices do not fit into memory gives the same bytes", "
   generate("scan", 1'600'000, input);
   const Words options{"--cell", "0.02", "--threads", "1"};
   const Simplified file = simplified(directory, input, options);
-  const Simplified piped =
-      simplified_by_pipe(directory, input, options + Words{"--memory", smallest_memory(input, options)});
+  const Simplified piped = simplified_by_pipe(
+      directory, input, options + Words{"--memory", smallest_memory(input, options)});
   CHECK(file.report["spilled_bytes"] == 0);
   CHECK(piped.report["spilled_bytes"] > 0);
   CHECK(piped.hash == file.hash);

@@ -10,9 +10,9 @@ void compare_threads(const std::string& format) {
   for (const char* surface : {"scan", "terrain", "part"}) {
     const std::string input = directory.file(surface + ("." + format));
     generate(surface, 40'000, input);
-    for (const Words& how :
-         {Words{"--cell", "0.02"}, Words{"--grid", "70"}, Words{"--faces", "5000", "--refine", "none"},
-          Words{"--ratio", "20%", "--refine", "none"}}) {
+    for (const Words& how : {Words{"--cell", "0.02"}, Words{"--grid", "70"},
+                             Words{"--faces", "5000", "--refine", "none"},
+                             Words{"--ratio", "20%", "--refine", "none"}}) {
       for (const char* placement : {"mean", "quadric"}) {
         const Words options = how + Words{"--placement", placement};
         INFO(surface << "." << format << " " << joined(options));
@@ -20,7 +20,8 @@ void compare_threads(const std::string& format) {
         CHECK(one.report["output"]["faces"] > 100);
         for (const char* threads : {"2", "4"}) {
           INFO(threads << " threads");
-          CHECK(simplified(directory, input, options + Words{"--threads", threads}).hash == one.hash);
+          CHECK(simplified(directory, input, options + Words{"--threads", threads}).hash ==
+                one.hash);
         }
       }
     }
@@ -40,10 +41,12 @@ TEST_CASE("the same STL with 1 2 and 4 threads", "[same_bytes]") {
   const Directory directory;
   const std::string input = directory.file("part.ply");
   generate("part", 40'000, input);
-  const Simplified one = simplified(directory, input, {"--grid", "70", "--threads", "1"}, {}, "out.stl");
+  const Simplified one =
+      simplified(directory, input, {"--grid", "70", "--threads", "1"}, {}, "out.stl");
   for (const char* threads : {"2", "4"}) {
-    CHECK(simplified(directory, input, {"--grid", "70", "--threads", threads}, {}, "out.stl").hash ==
-          one.hash);
+    CHECK(
+        simplified(directory, input, {"--grid", "70", "--threads", threads}, {}, "out.stl").hash ==
+        one.hash);
   }
 }
 

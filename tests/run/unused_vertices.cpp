@@ -16,7 +16,8 @@ struct Files {
     Polygons mesh;
     for (std::size_t i = 0; i < side * side; ++i) {
       const std::size_t row = i / side, column = i % side;
-      mesh.vertices.push_back({static_cast<double>(column), static_cast<double>(row), random.real(0, 2)});
+      mesh.vertices.push_back(
+          {static_cast<double>(column), static_cast<double>(row), random.real(0, 2)});
       if (row == 0 || column == 0) continue;
       const auto here = static_cast<std::int64_t>(i), below = static_cast<std::int64_t>(i - side);
       mesh.faces.push_back({below - 1, below, here});

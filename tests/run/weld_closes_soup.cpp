@@ -27,10 +27,10 @@ std::vector<Triangle> jittered_ball(int n, double jitter) {
     for (const double sign : {-1.0, 1.0}) {
       for (int i = 0; i < n; ++i) {
         for (int k = 0; k < n; ++k) {
-          faces.push_back(
-              {corner(axis, sign, i, k), corner(axis, sign, i + 1, k), corner(axis, sign, i + 1, k + 1)});
-          faces.push_back(
-              {corner(axis, sign, i, k), corner(axis, sign, i + 1, k + 1), corner(axis, sign, i, k + 1)});
+          faces.push_back({corner(axis, sign, i, k), corner(axis, sign, i + 1, k),
+                           corner(axis, sign, i + 1, k + 1)});
+          faces.push_back({corner(axis, sign, i, k), corner(axis, sign, i + 1, k + 1),
+                           corner(axis, sign, i, k + 1)});
         }
       }
     }
@@ -52,7 +52,8 @@ TEST_CASE("a soup whose corners are off by a little is closed again", "[weld]") 
   const std::string input = directory.file("soup.stl");
   write_file(input, binary_stl(faces));
   const std::string output = directory.file("mesh.ply");
-  const nlohmann::json report = winnow_ok(Words{"simplify", input, "-o", output, "--json"} + how).json();
+  const nlohmann::json report =
+      winnow_ok(Words{"simplify", input, "-o", output, "--json"} + how).json();
   CHECK(report["weld"]["distance"] == 1e-5);
   CHECK(report["weld"]["vertices"] > 4 * 5402);
   CHECK(report["weld"]["collapsed_faces"] == 0);
@@ -62,7 +63,8 @@ TEST_CASE("a soup whose corners are off by a little is closed again", "[weld]") 
   CHECK(edges["boundary"] == 0);
   CHECK(edges["non_manifold"] == 0);
   const Simplified one = simplified(directory, input, how);
-  CHECK(simplified(directory, ascii_file(input, directory.file("ascii.stl")), how).hash == one.hash);
+  CHECK(simplified(directory, ascii_file(input, directory.file("ascii.stl")), how).hash ==
+        one.hash);
   CHECK(simplified_by_pipe(directory, input, how).hash == one.hash);
   CHECK(simplified(directory, zstd_file(input), how).hash == one.hash);
 }
@@ -120,18 +122,20 @@ TEST_CASE("faces that lose a corner are counted and are no bad faces", "[weld]")
     faces.push_back({Point{0, 0, 0}, Point{0, 0, 1e-7}, Point{0.5, 0.5, 0.0625 * i}});
   faces.push_back({Point{0, 0, 0}, Point{0, 0, 0}, Point{1, 1, 1}});
   write_file(input, binary_stl(faces));
-  for (const Words& options : {Words{"--faces", "300"}, Words{"--cell", "0.1"}, Words{"--grid", "30"},
-                               Words{"--faces", "300", "--refine", "none"}, Words{"--error", "1%"}}) {
+  for (const Words& options :
+       {Words{"--faces", "300"}, Words{"--cell", "0.1"}, Words{"--grid", "30"},
+        Words{"--faces", "300", "--refine", "none"}, Words{"--error", "1%"}}) {
     INFO(joined(options));
-    const nlohmann::json report = simplified(directory, input, options + Words{"--weld", "1e-6"}).report;
+    const nlohmann::json report =
+        simplified(directory, input, options + Words{"--weld", "1e-6"}).report;
     CHECK(report["weld"]["collapsed_faces"] == 5);
     CHECK(report["weld"]["vertices"] == 1);
     CHECK(report["input"]["faces"] == whole + 6);
     CHECK(report["input"]["cropped_faces"] == 0);
     CHECK(report["input"]["bad_faces"]["degenerate"] == 1);
   }
-  const Run strict = run_winnow(
-      {"simplify", input, "-o", directory.file("none.ply"), "--faces", "300", "--weld", "1e-6", "--strict"});
+  const Run strict = run_winnow({"simplify", input, "-o", directory.file("none.ply"), "--faces",
+                                 "300", "--weld", "1e-6", "--strict"});
   CHECK(strict.code == 3);
   CHECK(strict.err.find("face " + std::to_string(whole + 5)) != std::string::npos);
 }

@@ -30,7 +30,8 @@ TEST_CASE("the command line takes a length or a percentage to weld", "[weld]") {
   const std::string input = directory.file("scan.ply");
   generate("scan", 2'000, input);
   for (const char* wrong : {"0", "-1", "1mm", "100%", "nan"}) {
-    const Run run = run_winnow({"simplify", input, "-o", "none.ply", "--faces", "100", "--weld", wrong});
+    const Run run =
+        run_winnow({"simplify", input, "-o", "none.ply", "--faces", "100", "--weld", wrong});
     INFO(wrong << ": " << run.err);
     CHECK(run.code == 2);
     CHECK(run.err.find("--weld") != std::string::npos);
@@ -43,8 +44,8 @@ TEST_CASE("the plan names the passes and the memory of --weld", "[weld]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   generate("scan", 2'000, input);
-  const Run run = winnow_ok(
-      {"simplify", input, "-o", "none.ply", "--faces", "100", "--weld", "1%", "--dry-run", "--json"});
+  const Run run = winnow_ok({"simplify", input, "-o", "none.ply", "--faces", "100", "--weld", "1%",
+                             "--dry-run", "--json"});
   const nlohmann::json plan = run.json();
   CHECK(plan["passes"].dump().find("near each other") != std::string::npos);
   CHECK(plan["memory"].contains("vertices that --weld moved"));

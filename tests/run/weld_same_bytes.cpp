@@ -41,7 +41,8 @@ TEST_CASE("the same welded bytes with any threads budget and way in", "[same_byt
   }
 }
 
-TEST_CASE("attributes of joined vertices are averaged the same way everywhere", "[same_bytes][weld]") {
+TEST_CASE("attributes of joined vertices are averaged the same way everywhere",
+          "[same_bytes][weld]") {
   const Directory directory;
   const std::string input = directory.file("columns.ply");
   write_attributed(input, generated(directory.path(), 20'000), usual_columns());

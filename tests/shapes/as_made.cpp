@@ -68,7 +68,8 @@ TEST_CASE("edges have the faces that they should", "[shapes]") {
 
 TEST_CASE("the parts of a shape are where they should be", "[shapes]") {
   CHECK(faces_near(shapes::ball_on_ground(5, 3, 100), shapes::ball_on_ground_middle, 0.51) == 300);
-  CHECK(faces_near(turned(shapes::room(3, 4), 0.4), turned(shapes::room_bust_middle, 0.4), 0.21) == 192);
+  CHECK(faces_near(turned(shapes::room(3, 4), 0.4), turned(shapes::room_bust_middle, 0.4), 0.21) ==
+        192);
   // A square inside of another, 0.1 away on all sides: its corners are nearer than those of the
   // other.
   const std::vector<Segment> inner = border_of(shapes::polygon_square(0));

@@ -1,4 +1,5 @@
-// Clustering comes first where there are many faces. It keeps what the surface is, as full detail does.
+// Clustering comes first where there are many faces. It keeps what the surface is, as full detail
+// does.
 #include "support/refined_shape.hpp"
 
 #include <cmath>
@@ -85,7 +86,8 @@ TEST_CASE("boundaries hardly shrink where faces are clustered first", "[shapes]"
     check_same_size(both);
     // One boundary, as long as before.
     double border = 0;
-    for (const Segment& edge : border_of(both.clustered.output)) border += length(edge[1] - edge[0]);
+    for (const Segment& edge : border_of(both.clustered.output))
+      border += length(edge[1] - edge[0]);
     double full = 0;
     for (const Segment& edge : border_of(both.full.output)) full += length(edge[1] - edge[0]);
     CHECK(border == Approx(full).epsilon(0.02));

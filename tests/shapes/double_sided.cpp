@@ -56,7 +56,8 @@ TEST_CASE("of a sheet given in both senses one is left or both", "[shapes]") {
   const Shape other = inside_out(shape);
   // Each face is followed by its opposite.
   for (std::size_t i = 0; i < pairs; ++i)
-    shape.faces.insert(shape.faces.begin() + static_cast<std::ptrdiff_t>(2 * i + 1), other.faces[i]);
+    shape.faces.insert(shape.faces.begin() + static_cast<std::ptrdiff_t>(2 * i + 1),
+                       other.faces[i]);
   for_each_pose([&](const Pose& pose) {
     for (const std::uint64_t faces : {pairs, std::size_t{200}}) {
       const RefinedShape out = refine_shape(shape, pose, to_count(faces));

@@ -14,7 +14,8 @@ void check_on_sides(const Shape& shape, const Box& box, const Point& middle, dou
   for (const Point& p : shape.vertices) {
     if (length(p - middle) <= radius) continue;
     bool on_side = false;
-    for (std::size_t k = 0; k < 3; ++k) on_side = on_side || p[k] == box.low[k] || p[k] == box.high[k];
+    for (std::size_t k = 0; k < 3; ++k)
+      on_side = on_side || p[k] == box.low[k] || p[k] == box.high[k];
     CAPTURE(p[0], p[1], p[2]);
     CHECK(on_side);
   }
@@ -102,14 +103,15 @@ TEST_CASE("a straight pipe keeps its volume", "[shapes]") {
     double length;
     std::uint64_t faces;
   };
-  for (const Pipe& pipe : {Pipe{12, 400, 1000, 200}, Pipe{12, 400, 1000, 44}, Pipe{24, 200, 1000, 200},
-                           Pipe{24, 2000, 100'000, 1000}}) {
+  for (const Pipe& pipe : {Pipe{12, 400, 1000, 200}, Pipe{12, 400, 1000, 44},
+                           Pipe{24, 200, 1000, 200}, Pipe{24, 2000, 100'000, 1000}}) {
     CAPTURE(pipe.sides, pipe.rings, pipe.length, pipe.faces);
     const Shape shape = shapes::pipe(pipe.sides, pipe.rings, pipe.length);
     const std::optional<double> exact = volume(shape);
     REQUIRE(exact);
     for_each_pose([&](const Pose& pose) {
-      const RefinedShape out = refine_shape(shape, pose, to_count(std::max(pipe.faces, 4 * pipe.sides - 4)));
+      const RefinedShape out =
+          refine_shape(shape, pose, to_count(std::max(pipe.faces, 4 * pipe.sides - 4)));
       CHECK(out.output.faces.size() <= std::max(pipe.faces, 4 * pipe.sides - 4));
       CHECK(is_closed(out));
       const std::optional<double> left = volume(out.output);

@@ -15,8 +15,9 @@ struct Found {
   AttributedMesh attributed;
 
   [[nodiscard]] bool notes(const std::string& part) const {
-    return std::any_of(report.notes.begin(), report.notes.end(),
-                       [&](const std::string& note) { return note.find(part) != std::string::npos; });
+    return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
+      return note.find(part) != std::string::npos;
+    });
   }
 };
 
@@ -24,7 +25,8 @@ std::string found_file(const std::string& name) {
   return large_mesh("F_faults/" + name);
 }
 
-Found simplify_found(const std::vector<std::string>& paths, SimplifyOptions options, unsigned threads = 2) {
+Found simplify_found(const std::vector<std::string>& paths, SimplifyOptions options,
+                     unsigned threads = 2) {
   const Directory directory;
   const std::string output = directory.file("out.ply");
   Context context;

@@ -55,7 +55,8 @@ TEST_CASE("a cube with faces of no area along its edges becomes twelve faces", "
 
 TEST_CASE("a square with a face of no area at its border becomes two faces", "[shapes]") {
   for_each_pose([](const Pose& pose) {
-    const RefinedShape out = refine_shape(shapes::zero_area_border_square(), pose, to_relative_error(0.001));
+    const RefinedShape out =
+        refine_shape(shapes::zero_area_border_square(), pose, to_relative_error(0.001));
     CHECK(out.output.faces.size() == 2);
     CHECK(std::abs(area(out.output) - 1) < 1e-6);
   });

@@ -26,7 +26,8 @@ Shape sieve(std::size_t n, std::size_t fine) {
     const double x = step * static_cast<double>(i);
     const double y = step * static_cast<double>(j);
     if (added)
-      shape.vertices.push_back({x, y, 0.4 * static_cast<double>(k) + 0.1 * std::sin(x) * std::cos(y)});
+      shape.vertices.push_back(
+          {x, y, 0.4 * static_cast<double>(k) + 0.1 * std::sin(x) * std::cos(y)});
     return at->second;
   };
   const auto square = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -101,7 +102,8 @@ TEST_CASE("a count that leaves room for all holes closes none", "[shapes]") {
   CHECK(euler_of(out.output) == euler_of(out.input));
 }
 
-TEST_CASE("kept boundaries and kept pieces are named where they keep the count from being met", "[shapes]") {
+TEST_CASE("kept boundaries and kept pieces are named where they keep the count from being met",
+          "[shapes]") {
   SimplifyOptions options = to_count(50);
   options.borders = Borders::keep;
   options.topology = GENERATE(Topology::keep, Topology::free);

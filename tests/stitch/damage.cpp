@@ -26,7 +26,8 @@ struct Sorted {
 Sorted looked_at(const std::vector<FaceVertices>& faces) {
   std::map<std::uint32_t, std::vector<std::array<std::uint32_t, 2>>> sides;
   for (const FaceVertices& face : faces) {
-    for (std::size_t i = 0; i < 3; ++i) sides[face[i]].push_back({face[(i + 1) % 3], face[(i + 2) % 3]});
+    for (std::size_t i = 0; i < 3; ++i)
+      sides[face[i]].push_back({face[(i + 1) % 3], face[(i + 2) % 3]});
   }
   Sorted sorted;
   for (const auto& [vertex, around] : sides) {
@@ -75,7 +76,8 @@ void check_damage(Job& job, ClusteredMesh mesh) {
   CHECK(std::vector(right.at_boundaries.begin(), right.at_boundaries.end()) == found.at_boundaries);
   const std::size_t told = found.vertices.size() + found.at_boundaries.size();
   CHECK(find_damage(job, whole, told, 0, std::uint64_t{1} << 26).has_value());
-  if (told > 0) CHECK_FALSE(find_damage(job, whole, told - 1, 0, std::uint64_t{1} << 26).has_value());
+  if (told > 0)
+    CHECK_FALSE(find_damage(job, whole, told - 1, 0, std::uint64_t{1} << 26).has_value());
 }
 
 }  // namespace
@@ -88,7 +90,8 @@ TEST_CASE("damage is found at random faces") {
     std::vector<Triangle> triangles;
     std::vector<Point> positions(64);
     for (Point& p : positions) p = {random.unit(), random.unit(), random.unit()};
-    for (const auto& [a, b, c] : faces) triangles.push_back({positions[a], positions[b], positions[c]});
+    for (const auto& [a, b, c] : faces)
+      triangles.push_back({positions[a], positions[b], positions[c]});
     TestJob test;
     check_damage(test.job, welded(test.job, triangles));
   }

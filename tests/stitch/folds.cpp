@@ -1,4 +1,5 @@
-// Faces that clustering laid on each other: folds go and leave a surface, walls that met are damage.
+// Faces that clustering laid on each other: folds go and leave a surface, walls that met are
+// damage.
 #include "stitch/damage.hpp"
 #include "support/clustering.hpp"
 #include "support/refining.hpp"
@@ -98,7 +99,8 @@ TEST_CASE("a piece that is one fold does not go") {
   // Two faces, back to back, in three cells.
   const Triangle face{Point{0.5, 0.5, 0.5}, Point{1.5, 0.5, 0.5}, Point{0.5, 1.5, 0.5}};
   const Triangle back{face[0], face[2], face[1]};
-  const Looked looked = look_at({face, back, {Point{9, 9, 9}, Point{9.5, 9, 9}, Point{9, 9.5, 9}}}, 1);
+  const Looked looked =
+      look_at({face, back, {Point{9, 9, 9}, Point{9.5, 9, 9}, Point{9, 9.5, 9}}}, 1);
   CHECK(looked.fallen == 1);
   CHECK(looked.damage.folds.empty());
   CHECK(looked.damage.vertices.size() == 3);

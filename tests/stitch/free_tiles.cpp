@@ -31,12 +31,14 @@ struct Left {
   RefineReport report;
 };
 
-Left refined_rings(const std::vector<Triangle>& faces, const RefineSettings& settings, unsigned threads,
-                   bool small) {
+Left refined_rings(const std::vector<Triangle>& faces, const RefineSettings& settings,
+                   unsigned threads, bool small) {
   TestJob test({.threads = threads});
   Left out;
-  const RefineMemory memory = small ? RefineMemory{1, 1 << 14, 1 << 16, 1 << 17} : divided(test.job);
-  out.mesh = plain(refine(test.job, {welded(test.job, faces), nullptr}, settings, memory, out.report));
+  const RefineMemory memory =
+      small ? RefineMemory{1, 1 << 14, 1 << 16, 1 << 17} : divided(test.job);
+  out.mesh =
+      plain(refine(test.job, {welded(test.job, faces), nullptr}, settings, memory, out.report));
   return out;
 }
 

@@ -1,4 +1,5 @@
-// Many small tiles: the count is met, the surface stays whole, and nothing but the tiles' size shows.
+// Many small tiles: the count is met, the surface stays whole, and nothing but the tiles' size
+// shows.
 #include "support/files.hpp"
 #include "support/program.hpp"
 #include "support/refining.hpp"
@@ -61,7 +62,8 @@ TEST_CASE("neither threads nor memory change what tiles become", "[same_bytes]")
   for (const std::string& path : {whale(), mountains()}) {
     for (const bool with_error : {false, true}) {
       RefineSettings settings = down_to(4001, 500);
-      if (with_error) settings.decimation.error = 1e9;  // the cost that remembers: states pass between rounds
+      if (with_error)
+        settings.decimation.error = 1e9;  // the cost that remembers: states pass between rounds
       const Refined one = refined(path, settings, {.threads = 1});
       CHECK(one.mesh.faces.size() <= 4001);
       CHECK(one.mesh.faces.size() >= 3999);

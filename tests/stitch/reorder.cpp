@@ -87,7 +87,8 @@ TEST_CASE("a mesh in the order of a shifted lattice is the same surface") {
       whole.state = states_of(test.job, before);
       whole.mesh.attributes = attributes_of(test.job, before);
 
-      RefinedMesh there = reorder(test.job, std::move(whole), false, sizeof(Point), 2, memory, memory);
+      RefinedMesh there =
+          reorder(test.job, std::move(whole), false, sizeof(Point), 2, memory, memory);
       const PlainMesh shifted = plain(there.mesh);
       check_order(shifted);
       check_states(there, shifted);
@@ -100,7 +101,8 @@ TEST_CASE("a mesh in the order of a shifted lattice is the same surface") {
         same += shifted.vertices[v].position == before.vertices[v].position;
       CHECK(same < before.vertices.size() / 10);
 
-      const RefinedMesh back = reorder(test.job, std::move(there), true, sizeof(Point), 2, memory, memory);
+      const RefinedMesh back =
+          reorder(test.job, std::move(there), true, sizeof(Point), 2, memory, memory);
       // Only faces of one lowest vertex had another order.
       std::sort(before.faces.begin(), before.faces.end());
       CHECK(difference(plain(back.mesh), before) == "");

@@ -1,4 +1,5 @@
-// The borders of tiles do not show: along them faces are as dense, and as near to the original, as elsewhere.
+// The borders of tiles do not show: along them faces are as dense, and as near to the original, as
+// elsewhere.
 #include "measure/surface_tree.hpp"
 #include "support/files.hpp"
 #include "support/program.hpp"
@@ -21,8 +22,8 @@ std::vector<NumberedFace> numbered_faces(const PlainMesh& mesh) {
 }
 
 // Faces within so many rings of the borders between the tiles of the first round.
-std::vector<bool> strip_of(const ClusteredMesh& whole, const PlainMesh& mesh, std::uint64_t tile_faces,
-                           int rings) {
+std::vector<bool> strip_of(const ClusteredMesh& whole, const PlainMesh& mesh,
+                           std::uint64_t tile_faces, int rings) {
   const Tiling tiling(whole, tile_faces);
   REQUIRE(tiling.tiles() >= 10);
   std::vector<bool> near(mesh.vertices.size(), false);
@@ -83,7 +84,8 @@ Measured distances_by_place(const PlainMesh& original, const std::vector<bool>& 
 }  // namespace
 
 TEST_CASE("along the borders of tiles faces are as dense and as near as elsewhere", "[long]") {
-  // Large enough that each of both parts has thousands of faces, so that chance stays near one in a hundred.
+  // Large enough that each of both parts has thousands of faces, so that chance stays near one in a
+  // hundred.
   const Directory directory;
   const std::string path = directory.file("scan.ply");
   generate("scan", 400'000, path);

@@ -39,7 +39,8 @@ void check_tiles(const ClusteredMesh& mesh, std::uint64_t most) {
       REQUIRE(faces <= most);
     }
     // Vertices with one key are together.
-    if (end < lists.vertices.size()) REQUIRE(lists.vertices[end - 1].key != lists.vertices[end].key);
+    if (end < lists.vertices.size())
+      REQUIRE(lists.vertices[end - 1].key != lists.vertices[end].key);
     small += faces < most / 8;
   }
   // Most tiles are worth having: neighbours are joined.

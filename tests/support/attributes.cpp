@@ -68,8 +68,8 @@ AttributedMesh read_attributed(const std::string& path) {
   return mesh;
 }
 
-void write_attributed(const std::string& path, const AttributedMesh& mesh, const std::vector<Column>& columns,
-                      PlyForm form) {
+void write_attributed(const std::string& path, const AttributedMesh& mesh,
+                      const std::vector<Column>& columns, PlyForm form) {
   std::ofstream out(path, std::ios::binary);
   constexpr std::array forms{"ascii", "binary_little_endian", "binary_big_endian"};
   const bool text = form == PlyForm::ascii;
@@ -77,7 +77,8 @@ void write_attributed(const std::string& path, const AttributedMesh& mesh, const
       << mesh.positions.size() << "\nproperty float x\nproperty float y\nproperty float z\n";
   for (const Column& column : columns)
     out << "property " << name_of(column.type) << " " << column.name << "\n";
-  out << "element face " << mesh.faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  out << "element face " << mesh.faces.size()
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
   for (const Point& position : mesh.positions) {
     for (const double x : position) out << stored(x, ScalarType::float32, form);
     for (const Column& column : columns) out << stored(column.value(position), column.type, form);
@@ -100,7 +101,9 @@ AttributedMesh generated(const std::string& directory, std::uint64_t faces) {
 
 std::vector<Column> usual_columns() {
   const auto wave = [](double a, double b) {
-    return [a, b](const Point& p) { return 0.5 + 0.5 * std::sin(a * p[0] + b * p[1] + (a - b) * p[2]); };
+    return [a, b](const Point& p) {
+      return 0.5 + 0.5 * std::sin(a * p[0] + b * p[1] + (a - b) * p[2]);
+    };
   };
   const auto times = [](double factor, const auto& value) {
     return [factor, value](const Point& p) { return factor * value(p); };
@@ -119,8 +122,8 @@ double mean_over_surface(const AttributedMesh& mesh, const std::string& column,
   double sum = 0;
   double total = 0;
   for (const auto& face : mesh.faces) {
-    const double area =
-        length(doubled_area({mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]}));
+    const double area = length(
+        doubled_area({mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]}));
     total += area;
     for (const std::uint32_t corner : face) sum += area / 3 * mean(numbers[corner]);
   }

@@ -1,5 +1,5 @@
-// PLY files whose vertices carry more than a position, made from what `winnow generate` writes, and read
-// again.
+// PLY files whose vertices carry more than a position, made from what `winnow generate` writes, and
+// read again.
 #pragma once
 
 #include "base/scalar_type.hpp"
@@ -18,7 +18,8 @@ namespace winnow::test {
 struct Column {
   std::string name;
   ScalarType type;
-  std::function<double(const Point&)> value;  // of a vertex at this position; then rounded to the type
+  std::function<double(const Point&)>
+      value;  // of a vertex at this position; then rounded to the type
 };
 
 struct AttributedMesh {
@@ -32,8 +33,8 @@ struct AttributedMesh {
 AttributedMesh read_attributed(const std::string& path);
 
 // The vertices and faces of `mesh` with these columns behind the coordinates, which are floats.
-void write_attributed(const std::string& path, const AttributedMesh& mesh, const std::vector<Column>& columns,
-                      PlyForm form = PlyForm::little_endian);
+void write_attributed(const std::string& path, const AttributedMesh& mesh,
+                      const std::vector<Column>& columns, PlyForm form = PlyForm::little_endian);
 
 // A scan of `winnow generate` of about so many faces; returns the mesh without columns.
 AttributedMesh generated(const std::string& directory, std::uint64_t faces);

@@ -47,7 +47,8 @@ inline Run check_budget(const Directory& directory, const std::string& input, co
   if (memory == "smallest") memory = smallest_memory(input, options);
   INFO(input << " " << joined(options) << " --memory " << memory);
   const std::string output = directory.file("out.ply");
-  Run run = run_winnow(Words{"simplify", input, "-o", output, "--json", "--memory", memory} + options);
+  Run run =
+      run_winnow(Words{"simplify", input, "-o", output, "--json", "--memory", memory} + options);
   check_peak(run, memory);
   ::unlink(output.c_str());
   return run;

@@ -14,8 +14,8 @@
 
 namespace winnow::test {
 
-// Simplifies until the `time`th progress line that names `stage`, and is stopped there. Two threads; the
-// directory "kept" in `directory` is what is left.
+// Simplifies until the `time`th progress line that names `stage`, and is stopped there. Two
+// threads; the directory "kept" in `directory` is what is left.
 inline Checkpoint stopped_at(const Directory& directory, const std::vector<std::string>& inputs,
                              const std::string& output, const SimplifyOptions& options,
                              const std::string& stage, int time = 1) {

@@ -41,10 +41,10 @@ std::vector<Batch> batches_of(const std::vector<Triangle>& faces, const ClusterS
 bool same(const IndexedVertex& a, const IndexedVertex& b) {
   bool same = a.key == b.key;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    same = same &&
-           std::bit_cast<std::uint64_t>(a.position[axis]) == std::bit_cast<std::uint64_t>(b.position[axis]);
-    same =
-        same && std::bit_cast<std::uint32_t>(a.normal[axis]) == std::bit_cast<std::uint32_t>(b.normal[axis]);
+    same = same && std::bit_cast<std::uint64_t>(a.position[axis]) ==
+                       std::bit_cast<std::uint64_t>(b.position[axis]);
+    same = same && std::bit_cast<std::uint32_t>(a.normal[axis]) ==
+                       std::bit_cast<std::uint32_t>(b.normal[axis]);
   }
   return same;
 }
@@ -89,8 +89,10 @@ auto clustered_by(Job& job, const std::vector<Triangle>& faces, const ClusterSet
 
 }  // namespace
 
-ClusteredMesh clustered(Job& job, const std::vector<Triangle>& faces, const ClusterSettings& settings) {
-  return clustered_by(job, faces, settings, {}, [](Clusterer& clusterer) { return clusterer.finish(); });
+ClusteredMesh clustered(Job& job, const std::vector<Triangle>& faces,
+                        const ClusterSettings& settings) {
+  return clustered_by(job, faces, settings, {},
+                      [](Clusterer& clusterer) { return clusterer.finish(); });
 }
 
 PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& settings,
@@ -117,7 +119,8 @@ std::string difference(const PlainMesh& a, const PlainMesh& b) {
   return "";
 }
 
-ClusterSettings settings_over(const std::vector<Triangle>& faces, double cell, Placement placement) {
+ClusterSettings settings_over(const std::vector<Triangle>& faces, double cell,
+                              Placement placement) {
   return {Grid::over(box_of(faces), cell), placement, true};
 }
 

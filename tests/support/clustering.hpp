@@ -36,7 +36,8 @@ struct ClusterStyle {
 PlainMesh plain(const ClusteredMesh& mesh);
 
 // As it leaves the clusterer.
-ClusteredMesh clustered(Job& job, const std::vector<Triangle>& faces, const ClusterSettings& settings);
+ClusteredMesh clustered(Job& job, const std::vector<Triangle>& faces,
+                        const ClusterSettings& settings);
 
 PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& settings,
                   const ClusterStyle& style = {});

@@ -17,9 +17,11 @@ struct EncodedExample {
   std::vector<MeshFace> faces;
 };
 
-// Positions in a cube of this size around `middle`, of the type that they are going to be written in.
-inline EncodedExample example_mesh(Random& random, std::size_t vertices, std::size_t faces, bool normals,
-                                   bool doubles, const Point& middle = {}, double half = 100) {
+// Positions in a cube of this size around `middle`, of the type that they are going to be written
+// in.
+inline EncodedExample example_mesh(Random& random, std::size_t vertices, std::size_t faces,
+                                   bool normals, bool doubles, const Point& middle = {},
+                                   double half = 100) {
   EncodedExample out;
   out.shape = {vertices, faces, normals, doubles, "made for a test"};
   out.vertices.resize(vertices);
@@ -51,7 +53,8 @@ inline std::string encoded(const MeshEncoder& encoder, const EncodedExample& mes
     std::vector<winnow::Corners> corners;
     const auto faces = std::span(mesh.faces).subspan(at, part);
     for (const MeshFace& face : faces) {
-      corners.push_back({mesh.vertices[face.vertex[0]].position, mesh.vertices[face.vertex[1]].position,
+      corners.push_back({mesh.vertices[face.vertex[0]].position,
+                         mesh.vertices[face.vertex[1]].position,
                          mesh.vertices[face.vertex[2]].position});
     }
     encoder.faces(mesh.shape, at, faces, corners, bytes);

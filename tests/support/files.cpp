@@ -23,9 +23,11 @@ namespace fs = std::filesystem;
 
 Directory::Directory() {
   const char* temporary = std::getenv("TMPDIR");
-  std::string name = std::string(temporary != nullptr && *temporary != '\0' ? temporary : "/var/tmp") +
-                     "/winnow-test-XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory like " + name);
+  std::string name =
+      std::string(temporary != nullptr && *temporary != '\0' ? temporary : "/var/tmp") +
+      "/winnow-test-XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr)
+    throw std::runtime_error("no temporary directory like " + name);
   path_ = name;
 }
 
@@ -36,7 +38,8 @@ Directory::~Directory() {
 
 std::vector<std::string> Directory::names() const {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+  for (const auto& entry : fs::directory_iterator(path_))
+    names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -88,7 +91,8 @@ std::string gzip_file(const std::string& path) {
 }
 
 std::string zstd_file(const std::string& path) {
-  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                     ZSTD_freeCCtx);
   std::ifstream in(path, std::ios::binary);
   std::ofstream out(path + ".zst", std::ios::binary);
   std::vector<char> plain(1 << 17);
@@ -113,7 +117,8 @@ namespace {
 template <typename Number>
 void put(std::string& text, Number value, char behind) {
   std::array<char, 64> digits{};
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+  text.append(digits.data(),
+              std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
   text += behind;
 }
 
@@ -229,9 +234,11 @@ std::string glb_file(const std::string& path, const std::string& glb_path) {
   std::string json =
       R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + number(12 * (vertices + faces)) +
       R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + number(12 * vertices) +
-      R"(},{"buffer":0,"byteOffset":)" + number(12 * vertices) + R"(,"byteLength":)" + number(12 * faces) +
-      R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" + number(vertices) +
-      R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" + number(3 * faces) +
+      R"(},{"buffer":0,"byteOffset":)" + number(12 * vertices) + R"(,"byteLength":)" +
+      number(12 * faces) +
+      R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" +
+      number(vertices) + R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" +
+      number(3 * faces) +
       R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
       R"("nodes":[{"mesh":0}]})";
   json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -248,7 +255,8 @@ std::string glb_file(const std::string& path, const std::string& glb_path) {
   out.write("BIN\0", 4);
   std::array<char, 12> record{};
   for (std::uint64_t i = 0; i < vertices + faces; ++i) {
-    if (i >= vertices && in.get() != 3) throw std::runtime_error("not a triangle of winnow generate");
+    if (i >= vertices && in.get() != 3)
+      throw std::runtime_error("not a triangle of winnow generate");
     in.read(record.data(), record.size());
     out.write(record.data(), record.size());
   }
@@ -265,8 +273,8 @@ std::string faces_first_file(const std::string& path, const std::string& other_p
   const std::size_t face = whole.find("element face ");
   const std::size_t vertex_bytes = 12 * std::stoull(whole.substr(vertex + 15));
   write_file(other_path, whole.substr(0, vertex) + whole.substr(face, body - end.size() - face) +
-                             whole.substr(vertex, face - vertex) + end + whole.substr(body + vertex_bytes) +
-                             whole.substr(body, vertex_bytes));
+                             whole.substr(vertex, face - vertex) + end +
+                             whole.substr(body + vertex_bytes) + whole.substr(body, vertex_bytes));
   return other_path;
 }
 

@@ -1,4 +1,5 @@
-// A GLB of one mesh, taken apart by the rules of the glTF 2.0 specification and of EXT_meshopt_compression.
+// A GLB of one mesh, taken apart by the rules of the glTF 2.0 specification and of
+// EXT_meshopt_compression.
 #pragma once
 
 #include "base/vector.hpp"
@@ -35,7 +36,8 @@ inline std::uint32_t number_at(const std::string& file, std::size_t at) {
 }
 
 // The plain bytes of a view.
-inline std::string bytes_of_view(const nlohmann::json& json, const std::string& binary, std::size_t number) {
+inline std::string bytes_of_view(const nlohmann::json& json, const std::string& binary,
+                                 std::size_t number) {
   const auto& view = json["bufferViews"].at(number);
   const std::size_t begin = view.value("byteOffset", 0);
   const std::size_t length = view["byteLength"];
@@ -57,9 +59,10 @@ inline std::string bytes_of_view(const nlohmann::json& json, const std::string& 
   REQUIRE(count * stride == length);
   const auto* from = reinterpret_cast<const unsigned char*>(binary.data() + at);
   std::string plain(length, '\0');
-  const int failed = packed["mode"] == "TRIANGLES"
-                         ? meshopt_decodeIndexBuffer(plain.data(), count, stride, from, packed_length)
-                         : meshopt_decodeVertexBuffer(plain.data(), count, stride, from, packed_length);
+  const int failed =
+      packed["mode"] == "TRIANGLES"
+          ? meshopt_decodeIndexBuffer(plain.data(), count, stride, from, packed_length)
+          : meshopt_decodeVertexBuffer(plain.data(), count, stride, from, packed_length);
   REQUIRE(failed == 0);
   return plain;
 }
@@ -87,7 +90,8 @@ inline double component_at(const char* at, unsigned type, bool normalized) {
 
 // The elements of an accessor, which must lie within their view, each part at a whole word.
 template <std::size_t Components>
-std::vector<std::array<double, Components>> elements(const nlohmann::json& json, const std::string& binary,
+std::vector<std::array<double, Components>> elements(const nlohmann::json& json,
+                                                     const std::string& binary,
                                                      std::size_t accessor,
                                                      const std::vector<unsigned>& allowed) {
   const auto& from = json["accessors"].at(accessor);
@@ -95,7 +99,8 @@ std::vector<std::array<double, Components>> elements(const nlohmann::json& json,
   const std::string bytes = bytes_of_view(json, binary, number);
   const unsigned type = from["componentType"];
   CHECK(std::find(allowed.begin(), allowed.end(), type) != allowed.end());
-  CHECK(from["type"] == (Components == 1 ? std::string("SCALAR") : "VEC" + std::to_string(Components)));
+  CHECK(from["type"] ==
+        (Components == 1 ? std::string("SCALAR") : "VEC" + std::to_string(Components)));
   const std::size_t size = type <= 5121 ? 1 : type == 5123 ? 2 : 4;
   const std::size_t stride = json["bufferViews"][number].value("byteStride", Components * size);
   const std::size_t offset = from.value("byteOffset", 0);
@@ -106,14 +111,15 @@ std::vector<std::array<double, Components>> elements(const nlohmann::json& json,
   std::vector<std::array<double, Components>> out(count);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < Components; ++k) {
-      out[i][k] =
-          component_at(bytes.data() + offset + i * stride + k * size, type, from.value("normalized", false));
+      out[i][k] = component_at(bytes.data() + offset + i * stride + k * size, type,
+                               from.value("normalized", false));
     }
   }
   return out;
 }
 
-inline void add_primitive(GlbFile& glb, const nlohmann::json& primitive, const std::string& binary) {
+inline void add_primitive(GlbFile& glb, const nlohmann::json& primitive,
+                          const std::string& binary) {
   constexpr unsigned int8 = 5120, uint8 = 5121, uint16 = 5123, uint32 = 5125, float32 = 5126;
   const auto& attributes = primitive["attributes"];
   const bool quantized = glb.json.dump().find("KHR_mesh_quantization") != std::string::npos;
@@ -145,7 +151,8 @@ inline void add_primitive(GlbFile& glb, const nlohmann::json& primitive, const s
   };
   for (const auto& p : positions) add(p, glb.positions);
   if (attributes.contains("NORMAL")) {
-    const auto normals = elements<3>(glb.json, binary, attributes["NORMAL"], {quantized ? int8 : float32});
+    const auto normals =
+        elements<3>(glb.json, binary, attributes["NORMAL"], {quantized ? int8 : float32});
     CHECK(normals.size() == positions.size());
     for (const auto& n : normals) add(n, glb.normals);
   }

@@ -56,14 +56,15 @@ class GltfBuilder {
       if (type == 5123) put_number(bytes, static_cast<std::uint16_t>(value));
       if (type == 5125) put_number(bytes, static_cast<std::uint32_t>(value));
     }
-    return add(
-        "accessors",
-        {{"bufferView", view(bytes)}, {"componentType", type}, {"count", values.size()}, {"type", "SCALAR"}});
+    return add("accessors", {{"bufferView", view(bytes)},
+                             {"componentType", type},
+                             {"count", values.size()},
+                             {"type", "SCALAR"}});
   }
 
   // A view that decodes to `count` elements of `stride` bytes. `filter`: empty for none.
-  std::size_t packed_view(const std::vector<unsigned char>& packed, const char* mode, std::size_t count,
-                          std::size_t stride, const std::string& filter = "") {
+  std::size_t packed_view(const std::vector<unsigned char>& packed, const char* mode,
+                          std::size_t count, std::size_t stride, const std::string& filter = "") {
     const std::size_t number = view({packed.begin(), packed.end()});
     Json& one = json["bufferViews"][number];
     Json how{{"buffer", 0},
@@ -119,14 +120,16 @@ class GltfBuilder {
   // As JSON alone: the buffer is the file `uri`, or, where that is empty, in it.
   [[nodiscard]] std::string gltf(const std::string& uri = "") const {
     Json whole = json;
-    whole["buffers"] = {{{"byteLength", buffer.size()},
-                         {"uri", uri.empty() ? "data:application/octet-stream;base64," + base64() : uri}}};
+    whole["buffers"] = {
+        {{"byteLength", buffer.size()},
+         {"uri", uri.empty() ? "data:application/octet-stream;base64," + base64() : uri}}};
     return whole.dump(1);
   }
 
  private:
   [[nodiscard]] std::string base64() const {
-    constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    constexpr const char* digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
     for (std::size_t i = 0; i < buffer.size(); i += 3) {
       std::uint32_t bits = 0;

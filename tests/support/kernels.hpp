@@ -17,8 +17,9 @@ inline auto runnable_kernels() {
 }
 
 // What the kernel makes of at most kernel_capacity faces.
-inline std::unique_ptr<CornerSums> kernel_sums(CornerKernel kernel, const std::vector<Triangle>& faces,
-                                               const Grid& grid, bool single = false) {
+inline std::unique_ptr<CornerSums> kernel_sums(CornerKernel kernel,
+                                               const std::vector<Triangle>& faces, const Grid& grid,
+                                               bool single = false) {
   const auto batch = std::make_unique<FaceBatch>();
   KernelInput input{};
   for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -63,8 +63,9 @@ class Writer {
       for (const Property& property : element.properties) {
         remark();
         const std::string type = type_name(property.type, style_.new_names) + " " + property.name;
-        line(property.list ? "property list " + type_name(property.count, style_.new_names) + " " + type
-                           : "property " + type);
+        line(property.list
+                 ? "property list " + type_name(property.count, style_.new_names) + " " + type
+                 : "property " + type);
       }
     }
     line("end_header");
@@ -79,8 +80,9 @@ class Writer {
 
   void remark() {
     if (style_.ornaments == nullptr || !style_.ornaments->chance(0.3)) return;
-    line(style_.ornaments->one_of<std::string>({"comment", "comment element face 7", "obj_info end_header",
-                                                "obj_info num_cols 512", "comment property float x", ""}));
+    line(style_.ornaments->one_of<std::string>({"comment", "comment element face 7",
+                                                "obj_info end_header", "obj_info num_cols 512",
+                                                "comment property float x", ""}));
   }
 
   void put_record(const Element& element, std::size_t record) {
@@ -103,7 +105,8 @@ class Writer {
         return;
       }
       std::memcpy(buffer.data(), &number, sizeof number);
-      if (style_.form == PlyForm::big_endian) std::reverse(buffer.data(), buffer.data() + sizeof number);
+      if (style_.form == PlyForm::big_endian)
+        std::reverse(buffer.data(), buffer.data() + sizeof number);
       text_.append(buffer.data(), sizeof number);
     });
   }
@@ -148,15 +151,18 @@ Element random_element(Random& random, const std::string& name) {
 }
 
 double largest_of(PlyType type) {
-  constexpr std::array<double, 8> largest{127, 255, 32767, 65535, 2147483647, 4294967295, 16777216, 9e15};
+  constexpr std::array<double, 8> largest{127,        255,        32767,    65535,
+                                          2147483647, 4294967295, 16777216, 9e15};
   return largest.at(static_cast<std::size_t>(type));
 }
 
 }  // namespace
 
 std::string type_name(PlyType type, bool new_names) {
-  constexpr std::array old_ones{"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
-  constexpr std::array new_ones{"int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
+  constexpr std::array old_ones{"char", "uchar", "short", "ushort",
+                                "int",  "uint",  "float", "double"};
+  constexpr std::array new_ones{"int8",  "uint8",  "int16",   "uint16",
+                                "int32", "uint32", "float32", "float64"};
   return new_names ? new_ones.at(static_cast<std::size_t>(type))
                    : old_ones.at(static_cast<std::size_t>(type));
 }
@@ -173,7 +179,8 @@ std::string ply_file(const Polygons& mesh, const PlyStyle& style) {
   }
   Element face{style.faces, mesh.faces.size(), {}};
   face.properties.push_back({style.list, style.index, true, style.count, [&mesh](std::size_t i) {
-                               return std::vector<double>(mesh.faces[i].begin(), mesh.faces[i].end());
+                               return std::vector<double>(mesh.faces[i].begin(),
+                                                          mesh.faces[i].end());
                              }});
   std::vector<Element> elements{vertex, face};
   if (style.faces_first) std::swap(elements[0], elements[1]);
@@ -182,7 +189,8 @@ std::string ply_file(const Polygons& mesh, const PlyStyle& style) {
     for (Element& element : elements) ornament(random, element);
     for (const char* name : {"edge", "camera", "vertexes", "user_data"}) {
       if (!random.chance(0.3)) continue;
-      const auto place = elements.begin() + static_cast<std::ptrdiff_t>(random.below(elements.size() + 1));
+      const auto place =
+          elements.begin() + static_cast<std::ptrdiff_t>(random.below(elements.size() + 1));
       elements.insert(place, random_element(random, name));
     }
   }
@@ -206,9 +214,9 @@ PlyStyle random_ply_style(Random& random, const Polygons& mesh) {
   const PlyType usual =
       random.one_of<PlyType>({PlyType::float32, PlyType::float64, PlyType::int16, PlyType::int32});
   for (PlyType& type : style.coordinate)
-    type = random.chance(0.9)
-               ? usual
-               : random.one_of<PlyType>({PlyType::int8, PlyType::int16, PlyType::float32, PlyType::float64});
+    type = random.chance(0.9) ? usual
+                              : random.one_of<PlyType>({PlyType::int8, PlyType::int16,
+                                                        PlyType::float32, PlyType::float64});
   style.list = random.chance(0.5) ? "vertex_index" : "vertex_indices";
   style.line_end = random.one_of<std::string>({"\n", "\n", "\r\n", "\r"});
   style.new_names = random.chance(0.5);

@@ -49,7 +49,8 @@ std::string difference(const std::vector<Point>& a, const std::vector<Point>& b)
 }
 
 std::string difference(const std::vector<SeenFace>& a, const std::vector<SeenFace>& b) {
-  if (a.size() != b.size()) return std::to_string(a.size()) + " faces instead of " + std::to_string(b.size());
+  if (a.size() != b.size())
+    return std::to_string(a.size()) + " faces instead of " + std::to_string(b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     const std::string where = "face " + std::to_string(i) + ": ";
     if (a[i].status != b[i].status) {

@@ -1,4 +1,5 @@
-// Meshes that tests write and readers read: polygons over vertices, and the triangles they should become.
+// Meshes that tests write and readers read: polygons over vertices, and the triangles they should
+// become.
 #pragma once
 
 #include "read/face_batch.hpp"
@@ -24,7 +25,8 @@ struct SeenFace {
   std::array<Point, 3> corner{};
 };
 
-inline const Polygons unit_square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+inline const Polygons unit_square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                  {{0, 1, 2}, {0, 2, 3}}};
 
 // Empty where both are the same, to the bit (any two NaN are).
 std::string difference(const std::vector<SeenFace>& a, const std::vector<SeenFace>& b);
@@ -33,7 +35,8 @@ std::string difference(const std::vector<Point>& a, const std::vector<Point>& b)
 // Fans, by the definition.
 std::vector<SeenFace> as_triangles(const Polygons& mesh);
 
-// Strips, with -1 where a new one begins: every second triangle is mirrored, and none repeats an index.
+// Strips, with -1 where a new one begins: every second triangle is mirrored, and none repeats an
+// index.
 std::vector<SeenFace> as_strips(const Polygons& mesh);
 
 // Vertices anywhere in a box of this half side; polygons of 3 to `most` corners.

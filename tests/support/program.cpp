@@ -45,7 +45,8 @@ std::string content(int fd) {
   std::string text(static_cast<std::size_t>(::lseek(fd, 0, SEEK_END)), '\0');
   std::size_t filled = 0;
   while (filled < text.size()) {
-    const ssize_t got = ::pread(fd, text.data() + filled, text.size() - filled, static_cast<off_t>(filled));
+    const ssize_t got =
+        ::pread(fd, text.data() + filled, text.size() - filled, static_cast<off_t>(filled));
     if (got <= 0) break;
     filled += static_cast<std::size_t>(got);
   }
@@ -110,7 +111,8 @@ std::string read_some(int fd, std::size_t most) {
 // In the child, between fork and exec.
 [[noreturn]] void become(const Setup& setup, const std::array<int, 3>& streams,
                          std::vector<char*>& arguments) {
-  for (int target = 0; target < 3; ++target) ::dup2(streams[static_cast<std::size_t>(target)], target);
+  for (int target = 0; target < 3; ++target)
+    ::dup2(streams[static_cast<std::size_t>(target)], target);
   for (const int fd : setup.closed) ::close(fd);
   if (!setup.directory.empty() && ::chdir(setup.directory.c_str()) != 0) ::_exit(99);
   if (setup.largest_file != 0) {
@@ -279,7 +281,9 @@ Run winnow_ok(const std::vector<std::string>& arguments, const Setup& setup) {
 
 void generate(const std::string& surface, std::uint64_t faces, const std::string& path,
               GenerateOptions options) {
-  options.surface = surface == "scan" ? Surface::scan : surface == "part" ? Surface::part : Surface::terrain;
+  options.surface = surface == "scan"   ? Surface::scan
+                    : surface == "part" ? Surface::part
+                                        : Surface::terrain;
   options.faces = faces;
   Context context;
   winnow::generate(context, path, options);

@@ -17,9 +17,10 @@ namespace winnow::test {
 // How a child is started.
 struct Setup {
   std::string in = "/dev/null";  // standard input: a file, or "|": a pipe, see Program::write()
-  std::string out{};  // standard output: a file, "|": a pipe, see Program::read(); empty: kept in Run::out
-  std::string err{};  // standard error: a file, or "|": a pipe; empty: kept in Run::err
-  std::string directory{};         // where it runs; empty: here
+  std::string
+      out{};  // standard output: a file, "|": a pipe, see Program::read(); empty: kept in Run::out
+  std::string err{};        // standard error: a file, or "|": a pipe; empty: kept in Run::err
+  std::string directory{};  // where it runs; empty: here
   std::uint64_t largest_file = 0;  // RLIMIT_FSIZE, in bytes; 0: none
   std::vector<int> closed{};       // descriptors that it finds closed
   std::string fault{};             // a system call that fails: see preload/faults.cpp; empty: none

@@ -17,7 +17,9 @@ class Random {
 
   std::uint64_t bits() { return engine_(); }
   std::uint64_t below(std::uint64_t bound) { return scaled_hash(engine_(), bound); }
-  std::uint64_t between(std::uint64_t low, std::uint64_t high) { return low + below(high - low + 1); }
+  std::uint64_t between(std::uint64_t low, std::uint64_t high) {
+    return low + below(high - low + 1);
+  }
   bool chance(double p) { return unit() < p; }
   double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }  // from 0 to below 1
   double real(double low, double high) { return low + (high - low) * unit(); }
@@ -43,8 +45,8 @@ class Random {
   std::vector<std::size_t> parts(std::size_t total, std::size_t most) {
     std::vector<std::size_t> sizes;
     for (std::size_t left = total; left > 0; left -= sizes.back()) {
-      sizes.push_back(
-          std::min<std::size_t>(left, between(1, chance(0.2) ? std::min<std::size_t>(most, 3) : most)));
+      sizes.push_back(std::min<std::size_t>(
+          left, between(1, chance(0.2) ? std::min<std::size_t>(most, 3) : most)));
     }
     return sizes;
   }

@@ -21,13 +21,15 @@ class Collected {
   void add(std::uint64_t first, std::vector<Item> items) {
     const std::scoped_lock lock(mutex_);
     if (items.empty()) throw std::logic_error("an empty batch");
-    if (!parts_.emplace(first, std::move(items)).second) throw std::logic_error("two batches of one number");
+    if (!parts_.emplace(first, std::move(items)).second)
+      throw std::logic_error("two batches of one number");
   }
 
   std::vector<Item> in_order() {
     std::vector<Item> all;
     for (auto& [first, items] : parts_) {
-      if (first != all.size()) throw std::logic_error("a gap before number " + std::to_string(first));
+      if (first != all.size())
+        throw std::logic_error("a gap before number " + std::to_string(first));
       all.insert(all.end(), items.begin(), items.end());
     }
     return all;
@@ -46,7 +48,8 @@ std::vector<SeenFace> read_faces(Job& job, MeshReader& reader) {
     std::vector<SeenFace> faces;
     bool all_good = true;
     for (std::size_t i = 0; i < batch.count; ++i) {
-      faces.push_back({batch.status[i], {batch.corner(0, i), batch.corner(1, i), batch.corner(2, i)}});
+      faces.push_back(
+          {batch.status[i], {batch.corner(0, i), batch.corner(1, i), batch.corner(2, i)}});
       all_good = all_good && batch.status[i] == FaceStatus::good;
     }
     if (all_good != batch.all_good) throw std::logic_error("all_good is wrong");
@@ -94,7 +97,8 @@ void check_later_passes(Job& job, MeshReader& reader, const ReaderMemory& memory
   CHECK(job.scratch.written() == written);
 }
 
-std::vector<SeenFace> faces_of(Job& job, std::unique_ptr<ByteSource> source, const ReadStyle& style) {
+std::vector<SeenFace> faces_of(Job& job, std::unique_ptr<ByteSource> source,
+                               const ReadStyle& style) {
   const auto reader = open_reader(job, std::move(source), style.format, style.access, style.memory);
   return read_faces(job, *reader);
 }
@@ -106,15 +110,17 @@ std::vector<SeenFace> faces_of(const std::string& content, const ReadStyle& styl
 
 std::vector<SeenFace> faces_of_pipe(const std::string& content, const ReadStyle& style) {
   TestJob test;
-  return faces_of(test.job, std::make_unique<MemorySource>(content, MemorySource::Kind::pipe), style);
+  return faces_of(test.job, std::make_unique<MemorySource>(content, MemorySource::Kind::pipe),
+                  style);
 }
 
-Carried carried_by(std::unique_ptr<ByteSource> source, std::uint64_t memory, std::uint64_t vertex_memory) {
+Carried carried_by(std::unique_ptr<ByteSource> source, std::uint64_t memory,
+                   std::uint64_t vertex_memory) {
   TestJob test({.memory = memory});
   AttributeWish wish;
   wish.names.reset();
-  const auto reader =
-      open_reader(test.job, std::move(source), Format::automatic, Access::once, {vertex_memory, 8192}, wish);
+  const auto reader = open_reader(test.job, std::move(source), Format::automatic, Access::once,
+                                  {vertex_memory, 8192}, wish);
   Carried carried{{}, {}, reader->facts()};
   const std::vector<Attribute>& attributes = carried.facts.choice.carried;
   std::vector<std::vector<double>> columns(attributes.size());

@@ -17,7 +17,8 @@ ClusteredMesh weld_source(Job& job, std::unique_ptr<ByteSource> source, ClusterC
       open_reader(job, std::move(source), Format::automatic, Access::repeatedly, {part, 8192});
   return in_arena(job, [&] {
     const WeldSettings settings{{}, !reader->facts().double_positions};
-    return weld(job, *reader, settings, {part, part, part, {}, 0}, reader->facts().faces.value_or(0), counts);
+    return weld(job, *reader, settings, {part, part, part, {}, 0},
+                reader->facts().faces.value_or(0), counts);
   });
 }
 
@@ -72,7 +73,8 @@ Defects defects_of(const std::vector<FaceVertices>& faces) {
   std::sort(sides.begin(), sides.end());
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i;
-    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
+    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high)
+      ++end;
     defects.borders += end - i == 1;
     defects.crowded += end - i > 2;
     defects.discords += end - i == 2 && sides[i].along == sides[i + 1].along;
@@ -113,8 +115,8 @@ Refined refined(const std::string& path, const RefineSettings& settings, const J
   return in_arena(test.job, [&] {
     RefinedMesh whole{welded(test.job, path), nullptr};
     Refined out;
-    const ClusteredMesh mesh =
-        refine(test.job, std::move(whole), settings, memory.value_or(divided(test.job)), out.report);
+    const ClusteredMesh mesh = refine(test.job, std::move(whole), settings,
+                                      memory.value_or(divided(test.job)), out.report);
     out.mesh = plain(mesh);
     out.mesh.spilled = test.job.scratch.written();
     return out;

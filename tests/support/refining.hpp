@@ -49,7 +49,7 @@ struct Refined {
   RefineReport report;
 };
 RefineMemory divided(const Job& job);
-Refined refined(const std::string& path, const RefineSettings& settings, const JobSettings& job = {},
-                const std::optional<RefineMemory>& memory = {});
+Refined refined(const std::string& path, const RefineSettings& settings,
+                const JobSettings& job = {}, const std::optional<RefineMemory>& memory = {});
 
 }  // namespace winnow::test

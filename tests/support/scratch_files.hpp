@@ -19,7 +19,8 @@ inline std::set<int> descriptors() {
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
     open.insert(std::stoi(entry.path().filename()));
   }
-  std::erase_if(open, [](int fd) { return ::fcntl(fd, F_GETFD) == -1; });  // that of the list itself
+  std::erase_if(open,
+                [](int fd) { return ::fcntl(fd, F_GETFD) == -1; });  // that of the list itself
   return open;
 }
 
@@ -52,7 +53,8 @@ class OpenedFile {
 
   void clear(std::uint64_t byte, std::size_t count) const {
     const std::string zeros(count, '\0');
-    REQUIRE(::pwrite(fd_, zeros.data(), count, static_cast<off_t>(byte)) == static_cast<ssize_t>(count));
+    REQUIRE(::pwrite(fd_, zeros.data(), count, static_cast<off_t>(byte)) ==
+            static_cast<ssize_t>(count));
   }
 
   void cut(std::uint64_t size) const { REQUIRE(::ftruncate(fd_, static_cast<off_t>(size)) == 0); }

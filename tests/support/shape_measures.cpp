@@ -89,7 +89,8 @@ std::vector<Segment> border_of(const Shape& shape) {
   return border;
 }
 
-double border_distance(const std::vector<Segment>& from, const std::vector<Segment>& to, std::size_t inner) {
+double border_distance(const std::vector<Segment>& from, const std::vector<Segment>& to,
+                       std::size_t inner) {
   double largest = 0;
   for (const Segment& edge : from) {
     for (std::size_t i = 0; i <= inner; ++i) {

@@ -25,6 +25,7 @@ using Segment = std::array<Point, 2>;
 std::vector<Segment> border_of(const Shape& shape);
 // The largest distance of a point of the one border from the other: of vertices, and of `inner`
 // points an edge.
-double border_distance(const std::vector<Segment>& from, const std::vector<Segment>& to, std::size_t inner);
+double border_distance(const std::vector<Segment>& from, const std::vector<Segment>& to,
+                       std::size_t inner);
 
 }  // namespace winnow::test

@@ -81,7 +81,8 @@ Shape box(std::size_t n, const Point& low, const Point& high) {
                        p[axis] = end ? 1 : 0;
                        p[along] = u;
                        p[across] = v;
-                       for (std::size_t k = 0; k < 3; ++k) p[k] = low[k] + p[k] * (high[k] - low[k]);
+                       for (std::size_t k = 0; k < 3; ++k)
+                         p[k] = low[k] + p[k] * (high[k] - low[k]);
                        return p;
                      }));
     }
@@ -288,7 +289,8 @@ Shape cube_with_caps(std::size_t n) {
     // edge.
     const std::size_t first = shape.vertices.size();
     for (std::size_t i = 1; i <= n; ++i)
-      shape.vertices.push_back(shape.vertices[a] + share(i, n + 1) * (shape.vertices[b] - shape.vertices[a]));
+      shape.vertices.push_back(shape.vertices[a] +
+                               share(i, n + 1) * (shape.vertices[b] - shape.vertices[a]));
     for (std::size_t i = 0; i <= n; ++i) {
       const std::size_t from = i == 0 ? a : first + i - 1;
       const std::size_t to = i == n ? b : first + i;
@@ -300,7 +302,8 @@ Shape cube_with_caps(std::size_t n) {
 }
 
 Shape zero_area_border_square() {
-  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}}};
+  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0, 0}},
+          {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}}};
 }
 
 Shape polygon_square(std::size_t points) {
@@ -380,7 +383,8 @@ Shape inside_out(Shape shape) {
 Shape joined(Shape shape, const Shape& other) {
   const auto first = static_cast<std::uint32_t>(shape.vertices.size());
   shape.vertices.insert(shape.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const auto& [a, b, c] : other.faces) shape.faces.push_back({first + a, first + b, first + c});
+  for (const auto& [a, b, c] : other.faces)
+    shape.faces.push_back({first + a, first + b, first + c});
   return shape;
 }
 

@@ -45,10 +45,12 @@ inline Simplified simplified_by(const Run& run, const std::string& output) {
 }
 
 // `winnow simplify input -o out.<format>` in `directory`; the output is removed again.
-inline Simplified simplified(const Directory& directory, const std::string& input, const Words& options,
-                             const Setup& setup = {}, const std::string& output = "out.ply") {
+inline Simplified simplified(const Directory& directory, const std::string& input,
+                             const Words& options, const Setup& setup = {},
+                             const std::string& output = "out.ply") {
   const std::string path = directory.file(output);
-  return simplified_by(winnow_ok(Words{"simplify", input, "-o", path, "--json"} + options, setup), path);
+  return simplified_by(winnow_ok(Words{"simplify", input, "-o", path, "--json"} + options, setup),
+                       path);
 }
 
 // The same through a pipe.
@@ -76,7 +78,8 @@ inline std::string named_memory(const Run& run) {
 
 // The smallest --memory that works for a command, by the message that a smaller one gets.
 inline std::string smallest_memory_of(const Words& command, const std::string& too_small = "1M") {
-  return named_memory(run_winnow(command + Words{"-o", "never-written.ply", "--memory", too_small}));
+  return named_memory(
+      run_winnow(command + Words{"-o", "never-written.ply", "--memory", too_small}));
 }
 inline std::string smallest_memory(const std::string& input, const Words& options,
                                    const std::string& too_small = "1M") {

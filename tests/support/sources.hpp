@@ -90,7 +90,8 @@ class FedPipe {
     std::size_t piece = 0;
     for (std::size_t at = 0; at < bytes_.size();) {
       const std::size_t wanted = piece < pieces_.size() ? pieces_[piece++] : bytes_.size();
-      const ssize_t done = ::write(ends_[1], bytes_.data() + at, std::min(wanted, bytes_.size() - at));
+      const ssize_t done =
+          ::write(ends_[1], bytes_.data() + at, std::min(wanted, bytes_.size() - at));
       if (done < 0) break;
       at += static_cast<std::size_t>(done);
     }

@@ -19,13 +19,15 @@ struct BinaryStlStyle {
   std::uint16_t attribute = 0x3eef;  // of each face
 };
 
-inline std::string binary_stl(const std::vector<Triangle>& faces, const BinaryStlStyle& style = {}) {
+inline std::string binary_stl(const std::vector<Triangle>& faces,
+                              const BinaryStlStyle& style = {}) {
   std::string text = style.header;
   text.resize(80, ' ');
   const auto put = [&text](auto number) {
     text.append(reinterpret_cast<const char*>(&number), sizeof number);
   };
-  put(static_cast<std::uint32_t>(style.count < 0 ? static_cast<std::int64_t>(faces.size()) : style.count));
+  put(static_cast<std::uint32_t>(style.count < 0 ? static_cast<std::int64_t>(faces.size())
+                                                 : style.count));
   for (const Triangle& face : faces) {
     for (int i = 0; i < 3; ++i) put(0.0F);
     for (const Point& corner : face) {
@@ -46,8 +48,9 @@ struct AsciiStlStyle {
 
 inline std::string float_text(double value) {
   std::array<char, 64> buffer{};
-  return {buffer.data(),
-          std::to_chars(buffer.data(), buffer.data() + buffer.size(), static_cast<float>(value)).ptr};
+  return {
+      buffer.data(),
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), static_cast<float>(value)).ptr};
 }
 
 inline std::string ascii_stl(const std::vector<Triangle>& faces, const AsciiStlStyle& style = {}) {
@@ -61,7 +64,8 @@ inline std::string ascii_stl(const std::vector<Triangle>& faces, const AsciiStlS
   const std::string& end = style.line_end;
   text += word("solid ") + style.name + end;
   for (const Triangle& face : faces) {
-    text += style.indent + word("facet normal") + " 0 0 1" + end + style.indent + word("outer loop") + end;
+    text += style.indent + word("facet normal") + " 0 0 1" + end + style.indent +
+            word("outer loop") + end;
     for (const Point& p : face) {
       text += style.indent + word("vertex ") + float_text(p[0]) + " " + float_text(p[1]) + " " +
               float_text(p[2]) + end;
@@ -73,7 +77,8 @@ inline std::string ascii_stl(const std::vector<Triangle>& faces, const AsciiStlS
 }
 
 // Corners that a float holds.
-inline std::vector<Triangle> random_triangles(Random& random, std::size_t count, double half = 100) {
+inline std::vector<Triangle> random_triangles(Random& random, std::size_t count,
+                                              double half = 100) {
   std::vector<Triangle> faces(count);
   for (Triangle& face : faces) {
     for (Point& corner : face) {

@@ -21,7 +21,8 @@ inline Point area_vector(const Triangle& t) {
 inline std::vector<Triangle> ball(std::size_t n, double bump = 0) {
   const auto at = [&](std::size_t row, std::size_t column) -> Point {
     const double v = std::numbers::pi * static_cast<double>(row) / static_cast<double>(n);
-    const double u = std::numbers::pi * static_cast<double>(column % (2 * n)) / static_cast<double>(n);
+    const double u =
+        std::numbers::pi * static_cast<double>(column % (2 * n)) / static_cast<double>(n);
     const bool pole = row == 0 || row == n;
     const double r = pole ? 1 : 1 + bump * std::sin(7 * u) * std::sin(5 * v) * std::sin(v);
     if (pole) return {0, 0, row == 0 ? 1.0 : -1.0};
@@ -105,14 +106,16 @@ inline std::vector<Triangle> soup(Random& random, std::size_t count, double size
   for (Triangle& face : faces) {
     const Point middle{random.unit(), random.unit(), random.unit()};
     for (Point& corner : face) {
-      for (std::size_t axis = 0; axis < 3; ++axis) corner[axis] = middle[axis] + size * (random.unit() - 0.5);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        corner[axis] = middle[axis] + size * (random.unit() - 0.5);
     }
   }
   return faces;
 }
 
 // Scaled, then moved.
-inline std::vector<Triangle> placed(std::vector<Triangle> faces, double scale, const Point& offset) {
+inline std::vector<Triangle> placed(std::vector<Triangle> faces, double scale,
+                                    const Point& offset) {
   for (Triangle& face : faces) {
     for (Point& corner : face) corner = scale * corner + offset;
   }

@@ -145,12 +145,14 @@ std::string m_file(const Polygons& mesh, const TextStyle& style) {
   std::size_t face = 0;
   while (vertex < mesh.vertices.size() || face < mesh.faces.size()) {
     text += writer.nothing();
-    const bool vertex_next = vertex < mesh.vertices.size() &&
-                             (random == nullptr || face == mesh.faces.size() || random->chance(0.5));
+    const bool vertex_next =
+        vertex < mesh.vertices.size() &&
+        (random == nullptr || face == mesh.faces.size() || random->chance(0.5));
     if (vertex_next) {
       std::vector<std::string> words = position("", mesh.vertices[vertex]);
       words.insert(words.begin(), {"Vertex", std::to_string(names[vertex])});
-      if (random != nullptr && random->chance(0.3)) words.emplace_back("{normal=(0 0 1) rgb=(1 0 0)}");
+      if (random != nullptr && random->chance(0.3))
+        words.emplace_back("{normal=(0 0 1) rgb=(1 0 0)}");
       ++vertex;
       text += writer.line(words);
     } else {

@@ -17,7 +17,8 @@ struct TextStyle {
 
 // Positions in the fewest digits that give the same double back. A corner -1 names no vertex.
 std::string obj_file(const Polygons& mesh, const TextStyle& style);
-std::string off_file(const Polygons& mesh, const TextStyle& style, const std::string& keyword = "OFF");
+std::string off_file(const Polygons& mesh, const TextStyle& style,
+                     const std::string& keyword = "OFF");
 // With `random` vertices have scattered numbers, stand in any order, and faces stand between them.
 std::string m_file(const Polygons& mesh, const TextStyle& style);
 

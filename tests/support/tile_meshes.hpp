@@ -26,7 +26,8 @@ inline std::ostream& operator<<(std::ostream& out, CollapseCost cost) {
 namespace winnow::test {
 
 // Different faces between few vertices.
-inline std::vector<FaceVertices> random_mesh(Random& random, VertexNumber vertices, std::size_t tries) {
+inline std::vector<FaceVertices> random_mesh(Random& random, VertexNumber vertices,
+                                             std::size_t tries) {
   std::set<FaceVertices> seen;
   std::vector<FaceVertices> faces;
   for (std::size_t i = 0; i < tries; ++i) {

@@ -14,7 +14,8 @@ namespace {
 
 // By how its header begins.
 std::string format_of(Format format, const std::string& path, const Encoding& encoding = {}) {
-  const std::string header = make_encoder(format, path, encoding)->header({.vertices = 3, .faces = 1});
+  const std::string header =
+      make_encoder(format, path, encoding)->header({.vertices = 3, .faces = 1});
   for (const auto& [begin, name] :
        std::vector<std::pair<std::string, std::string>>{{"ply\nformat ascii", "ply text"},
                                                         {"ply\n", "ply"},

@@ -60,7 +60,8 @@ TEST_CASE("a quantized position is no farther off than is said") {
 TEST_CASE("a mesh of one place, and a flat one, are quantized, too") {
   Random random(661);
   EncodedExample point = example_mesh(random, 3, 1, false, false, {5, 6, 7}, 0);
-  CHECK(placed(glb_file(encoded(*make_glb_encoder({.quantize = 9}), point, random)), 2) == Point{5, 6, 7});
+  CHECK(placed(glb_file(encoded(*make_glb_encoder({.quantize = 9}), point, random)), 2) ==
+        Point{5, 6, 7});
   EncodedExample flat = example_mesh(random, 40, 60, false, false);
   flat.shape.box = {};
   for (MeshVertex& vertex : flat.vertices) {

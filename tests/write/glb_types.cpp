@@ -19,7 +19,8 @@ GlbFile grey(AttributeKind kind, ScalarType type, const std::vector<double>& num
   EncodedExample mesh;
   mesh.shape.vertices = numbers.size();
   mesh.shape.faces = 1;
-  for (const char* name : {"red", "green", "blue"}) mesh.shape.attributes.push_back({name, type, kind});
+  for (const char* name : {"red", "green", "blue"})
+    mesh.shape.attributes.push_back({name, type, kind});
   std::vector<double> values;
   for (const double number : numbers) values.insert(values.end(), 3, number);
   for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -12,7 +12,8 @@ TEST_CASE("a written .m is the mesh that it is of") {
   for (const bool doubles : {false, true}) {
     for (const std::size_t count : {3, 1000}) {
       CAPTURE(doubles, count);
-      const EncodedExample mesh = example_mesh(random, count, 2 * count, false, doubles, {431000, 0, -3});
+      const EncodedExample mesh =
+          example_mesh(random, count, 2 * count, false, doubles, {431000, 0, -3});
       const std::string file = encoded(*make_m_encoder(), mesh, random);
       CHECK(file.starts_with("Vertex 1 "));
       const std::vector<SeenFace> faces = faces_of(file);

@@ -38,7 +38,8 @@ void check_position(const std::vector<std::string>& words, std::size_t at,
                     const std::array<double, 3>& position, bool doubles) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string& word = words.at(at + axis);
-    CHECK((doubles ? number<double>(word) : static_cast<double>(number<float>(word))) == position[axis]);
+    CHECK((doubles ? number<double>(word) : static_cast<double>(number<float>(word))) ==
+          position[axis]);
   }
 }
 
@@ -86,8 +87,9 @@ void check_off(const EncodedExample& mesh, const std::string& file) {
   }
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const auto& v = mesh.faces[i].vertex;
-    CHECK(lines[2 + vertices + i] ==
-          std::vector<std::string>{"3", std::to_string(v[0]), std::to_string(v[1]), std::to_string(v[2])});
+    CHECK(lines[2 + vertices + i] == std::vector<std::string>{"3", std::to_string(v[0]),
+                                                              std::to_string(v[1]),
+                                                              std::to_string(v[2])});
   }
 }
 

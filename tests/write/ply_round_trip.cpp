@@ -23,14 +23,16 @@ TEST_CASE("a written PLY is read back as it was") {
     for (const auto& [normals, doubles] :
          {std::pair{false, false}, {false, true}, {true, false}, {true, true}}) {
       for (const std::size_t count : {1, 3, 1000}) {
-        const EncodedExample mesh = example_mesh(random, count, 2 * count, normals, doubles, {}, 5e6);
+        const EncodedExample mesh =
+            example_mesh(random, count, 2 * count, normals, doubles, {}, 5e6);
         const std::string file = encoded(*encoder, mesh, random);
         CAPTURE(ascii, normals, doubles, count);
         CHECK(file == encoded(*encoder, mesh, random));
 
         TestJob here;
-        const auto reader = open_reader(here.job, std::make_unique<MemorySource>(file), Format::automatic,
-                                        Access::once, {usual_vertex_memory, 100});
+        const auto reader =
+            open_reader(here.job, std::make_unique<MemorySource>(file), Format::automatic,
+                        Access::once, {usual_vertex_memory, 100});
         CHECK(reader->facts().vertices == count);
         CHECK(reader->facts().faces == 2 * count);
         CHECK(reader->facts().double_positions == doubles);
@@ -53,7 +55,8 @@ TEST_CASE("a written PLY is read back as it was") {
 TEST_CASE("a PLY in text is what its header says, in as few digits as say it") {
   const auto encoder = make_ply_encoder(true);
   const MeshShape shape{1, 1, true, false, ""};
-  CHECK(encoder->header(shape).starts_with("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"));
+  CHECK(encoder->header(shape).starts_with(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"));
   std::vector<std::byte> bytes;
   const MeshVertex vertex{{0.1F, -2, 1e-20F}, {0, 0, 1}};
   encoder->vertices(shape, 0, {&vertex, 1}, bytes);
@@ -68,16 +71,17 @@ TEST_CASE("a PLY is what its header says, byte for byte") {
   CHECK(encoder->header(shape) ==
         "ply\nformat binary_little_endian 1.0\ncomment by winnow\nelement vertex 1\nproperty float "
         "x\nproperty float y\nproperty float z\n"
-        "property float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list uchar int "
+        "property float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list "
+        "uchar int "
         "vertex_indices\nend_header\n");
   std::vector<std::byte> bytes;
   const MeshVertex vertex{{1, -2, 0.5}, {0, 0, 1}};
   encoder->vertices(shape, 0, {&vertex, 1}, bytes);
   const MeshFace face{{0x01020304, 5, 0xfffffffe}};
   encoder->faces(shape, 0, {&face, 1}, {}, bytes);
-  const std::array<unsigned char, 37> right{0, 0, 0x80, 0x3f, 0, 0, 0, 0xc0, 0,    0,    0,    0x3f, 0,
-                                            0, 0, 0,    0,    0, 0, 0, 0,    0,    0x80, 0x3f, 3,    4,
-                                            3, 2, 1,    5,    0, 0, 0, 0xfe, 0xff, 0xff, 0xff};
+  const std::array<unsigned char, 37> right{
+      0, 0, 0x80, 0x3f, 0,    0, 0, 0xc0, 0, 0, 0, 0x3f, 0, 0, 0,    0,    0,    0,   0,
+      0, 0, 0,    0x80, 0x3f, 3, 4, 3,    2, 1, 5, 0,    0, 0, 0xfe, 0xff, 0xff, 0xff};
   REQUIRE(bytes.size() == right.size());
   CHECK(std::memcmp(bytes.data(), right.data(), right.size()) == 0);
 
@@ -88,7 +92,8 @@ TEST_CASE("a PLY is what its header says, byte for byte") {
   CHECK(plain.find("property double z\n") != std::string::npos);
 }
 
-TEST_CASE("indices are of a type that counts all vertices, and no more are taken than 32 bits count") {
+TEST_CASE(
+    "indices are of a type that counts all vertices, and no more are taken than 32 bits count") {
   const auto encoder = make_ply_encoder();
   constexpr std::uint64_t two_to_32 = std::uint64_t{1} << 32;
   for (const auto& [vertices, type] :

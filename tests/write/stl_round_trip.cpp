@@ -24,7 +24,8 @@ std::string encoded(const std::vector<Corners>& corners, Random& random, bool as
   REQUIRE(bytes.empty());  // the format has none
   std::size_t at = 0;
   for (const std::size_t part : random.parts(corners.size(), 100)) {
-    encoder->faces(shape, at, std::vector<MeshFace>(part), std::span(corners).subspan(at, part), bytes);
+    encoder->faces(shape, at, std::vector<MeshFace>(part), std::span(corners).subspan(at, part),
+                   bytes);
     at += part;
   }
   return text + text_of(bytes) + encoder->footer(shape);
@@ -42,8 +43,8 @@ TEST_CASE("a written STL is read back as it was, to floats") {
     CHECK(file.size() == 84 + 50 * count);
     if (count == 0) continue;
     TestJob here;
-    const auto reader = open_reader(here.job, std::make_unique<MemorySource>(file), Format::automatic,
-                                    Access::once, {usual_vertex_memory, 100});
+    const auto reader = open_reader(here.job, std::make_unique<MemorySource>(file),
+                                    Format::automatic, Access::once, {usual_vertex_memory, 100});
     CHECK(reader->facts().format == "STL binary");
     std::vector<SeenFace> right;
     for (const Triangle& face : as_floats(faces)) right.push_back({FaceStatus::good, face});
@@ -58,8 +59,8 @@ TEST_CASE("an STL written as text is read back as it was, to floats") {
     const std::vector<Triangle> faces = placed(soup(random, count, 0.3), 100, {5e6, -3, 0.1});
     const std::string file = encoded(faces, random, true);
     TestJob here;
-    const auto reader = open_reader(here.job, std::make_unique<MemorySource>(file), Format::automatic,
-                                    Access::once, {usual_vertex_memory, 100});
+    const auto reader = open_reader(here.job, std::make_unique<MemorySource>(file),
+                                    Format::automatic, Access::once, {usual_vertex_memory, 100});
     CHECK(reader->facts().format == "STL ASCII");
     std::vector<SeenFace> right;
     for (const Triangle& face : as_floats(faces)) right.push_back({FaceStatus::good, face});
@@ -93,7 +94,8 @@ TEST_CASE("the normal of a facet is its own, of one unit, or nothing") {
 
 TEST_CASE("the header is no text that begins an ASCII file, and counts as far as it can") {
   const auto encoder = make_stl_encoder();
-  for (const std::string& comment : {std::string(), std::string("solid facet"), std::string(500, 'c')}) {
+  for (const std::string& comment :
+       {std::string(), std::string("solid facet"), std::string(500, 'c')}) {
     for (const std::uint64_t faces : {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{UINT32_MAX},
                                       std::uint64_t{UINT32_MAX} + 1, UINT64_MAX}) {
       const std::string header = encoder->header({0, faces, false, false, comment});

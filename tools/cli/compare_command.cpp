@@ -41,7 +41,8 @@ struct Limit {
   bool exceeded = false;
 };
 
-std::optional<Limit> limit_of(const std::optional<Distance>& fail_above, const CompareReport& report) {
+std::optional<Limit> limit_of(const std::optional<Distance>& fail_above,
+                              const CompareReport& report) {
   if (!fail_above) return {};
   const double length = fail_above->value * (fail_above->relative ? report.diagonal : 1);
   return Limit{length, report.symmetric.rms > length};
@@ -63,33 +64,33 @@ Json json_of(const CompareReport& report, const std::optional<Limit>& limit,
                 {"max_percent", percent(d.max, report)}};
   };
   const auto& topology = report.topology;
-  return {
-      {"original", json_of(report.original, arguments.original)},
-      {"simplified", json_of(report.simplified, arguments.simplified)},
-      {"diagonal", report.diagonal},
-      {"distance",
-       {{"forward", distances(report.forward)},
-        {"backward", distances(report.backward)},
-        {"symmetric", distances(report.symmetric)},
-        {"worst", {{"x", report.worst[0]}, {"y", report.worst[1]}, {"z", report.worst[2]}}}}},
-      {"fail_above", json_of(limit)},
-      {"normal_deviation", {{"mean", report.normal_deviation.mean}, {"p95", report.normal_deviation.p95}}},
-      {"topology",
-       {{"boundary_edges", topology.boundary_edges},
-        {"non_manifold_edges", topology.non_manifold_edges},
-        {"flipped", topology.flipped},
-        {"degenerate", topology.degenerate},
-        {"duplicate", topology.duplicate},
-        {"components", topology.components}}},
-      {"smallest_angles",
-       {{"min", report.smallest_angles.min},
-        {"mean", report.smallest_angles.mean},
-        {"below_10", report.smallest_angles.below_10}}},
-      {"area_change", report.area_change},
-      {"volume_change", report.volume_change ? Json(*report.volume_change) : Json(nullptr)},
-      {"peak_memory_bytes", report.peak_memory_bytes},
-      {"seconds", report.seconds},
-      {"notes", report.notes}};
+  return {{"original", json_of(report.original, arguments.original)},
+          {"simplified", json_of(report.simplified, arguments.simplified)},
+          {"diagonal", report.diagonal},
+          {"distance",
+           {{"forward", distances(report.forward)},
+            {"backward", distances(report.backward)},
+            {"symmetric", distances(report.symmetric)},
+            {"worst", {{"x", report.worst[0]}, {"y", report.worst[1]}, {"z", report.worst[2]}}}}},
+          {"fail_above", json_of(limit)},
+          {"normal_deviation",
+           {{"mean", report.normal_deviation.mean}, {"p95", report.normal_deviation.p95}}},
+          {"topology",
+           {{"boundary_edges", topology.boundary_edges},
+            {"non_manifold_edges", topology.non_manifold_edges},
+            {"flipped", topology.flipped},
+            {"degenerate", topology.degenerate},
+            {"duplicate", topology.duplicate},
+            {"components", topology.components}}},
+          {"smallest_angles",
+           {{"min", report.smallest_angles.min},
+            {"mean", report.smallest_angles.mean},
+            {"below_10", report.smallest_angles.below_10}}},
+          {"area_change", report.area_change},
+          {"volume_change", report.volume_change ? Json(*report.volume_change) : Json(nullptr)},
+          {"peak_memory_bytes", report.peak_memory_bytes},
+          {"seconds", report.seconds},
+          {"notes", report.notes}};
 }
 
 std::string fixed(double value, int digits) {
@@ -109,7 +110,8 @@ void show(const CompareReport& report, std::ostream& out) {
     };
     line(name, one(d.mean) + one(d.rms) + one(d.max));
   };
-  line("faces", show_count(report.original.faces) + " -> " + show_count(report.simplified.faces) + "  (" +
+  line("faces", show_count(report.original.faces) + " -> " + show_count(report.simplified.faces) +
+                    "  (" +
                     fixed(100 * static_cast<double>(report.simplified.faces) /
                               static_cast<double>(report.original.faces),
                           2) +
@@ -120,25 +122,32 @@ void show(const CompareReport& report, std::ostream& out) {
   distances("  symmetric", report.symmetric);
   line("  worst at", show_place(report.worst, digits_for({report.worst}, report.diagonal)));
   line("normals", "differ by " + fixed(report.normal_deviation.mean, 2) +
-                      " degrees in the mean, 95 of 100 by up to " + fixed(report.normal_deviation.p95, 2));
-  const auto change = [](double part) { return (part < 0 ? "" : "+") + fixed(100 * part, 3) + " %"; };
+                      " degrees in the mean, 95 of 100 by up to " +
+                      fixed(report.normal_deviation.p95, 2));
+  const auto change = [](double part) {
+    return (part < 0 ? "" : "+") + fixed(100 * part, 3) + " %";
+  };
   line("area", change(report.area_change));
-  line("volume", report.volume_change ? change(*report.volume_change) : "not compared: not both are closed");
+  line("volume",
+       report.volume_change ? change(*report.volume_change) : "not compared: not both are closed");
   const auto& t = report.topology;
-  line("edges",
-       show_count(t.boundary_edges) + " boundary, " + show_count(t.non_manifold_edges) + " non-manifold");
+  line("edges", show_count(t.boundary_edges) + " boundary, " + show_count(t.non_manifold_edges) +
+                    " non-manifold");
   line("faces", show_count(t.flipped) + " flipped, " + show_count(t.degenerate) + " degenerate, " +
                     show_count(t.duplicate) + " duplicate");
   line("components", show_count(t.components));
   line("angles", "smallest of each face: " + fixed(report.smallest_angles.mean, 1) +
-                     " degrees in the mean, " + fixed(report.smallest_angles.min, 2) + " at least, " +
-                     fixed(100 * report.smallest_angles.below_10, 2) + " % of the faces below 10");
+                     " degrees in the mean, " + fixed(report.smallest_angles.min, 2) +
+                     " at least, " + fixed(100 * report.smallest_angles.below_10, 2) +
+                     " % of the faces below 10");
   const std::uint64_t bad = report.original.bad_faces.total() + report.simplified.bad_faces.total();
   if (bad > 0) {
-    line("left out", show_count(report.original.bad_faces.total()) + " bad faces of the original, " +
-                         show_count(report.simplified.bad_faces.total()) + " of the simplified mesh");
+    line("left out",
+         show_count(report.original.bad_faces.total()) + " bad faces of the original, " +
+             show_count(report.simplified.bad_faces.total()) + " of the simplified mesh");
   }
-  line("time", show_seconds(report.seconds) + ", peak memory " + show_bytes(report.peak_memory_bytes));
+  line("time",
+       show_seconds(report.seconds) + ", peak memory " + show_bytes(report.peak_memory_bytes));
   line.notes(report.notes);
 }
 
@@ -155,15 +164,16 @@ void set_view(const std::string& text, CompareOptions& options) {
     return;
   }
   options.view = View::from;
-  options.viewer =
-      parse_triple("--view", text, "front, top, iso, or X,Y,Z like 1,-2,0.5, the direction to the viewer");
+  options.viewer = parse_triple(
+      "--view", text, "front, top, iso, or X,Y,Z like 1,-2,0.5, the direction to the viewer");
 }
 
 void run_compare(const CompareArguments& arguments) {
   std::optional<Distance> fail_above;
   if (!arguments.fail_above.empty()) {
     fail_above = parse_distance("--fail-above", arguments.fail_above);
-    if (fail_above->value < 0) throw Error(ErrorKind::usage, "--fail-above takes a distance of 0 or more");
+    if (fail_above->value < 0)
+      throw Error(ErrorKind::usage, "--fail-above takes a distance of 0 or more");
   }
   CompareOptions options;
   options.samples = parse_count("--samples", arguments.samples);
@@ -201,7 +211,8 @@ void run_compare(const CompareArguments& arguments) {
 
 void add_compare(CLI::App& app) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand("compare", "Measure how far a simplified mesh is from its original");
+  CLI::App* command =
+      app.add_subcommand("compare", "Measure how far a simplified mesh is from its original");
   command
       ->add_option("original", arguments->original,
                    "The original mesh, of any size: it is streamed; - is standard input")
@@ -213,32 +224,37 @@ void add_compare(CLI::App& app) {
       ->required()
       ->type_name("SIMPLIFIED");
   command
-      ->add_option("--samples", arguments->samples,
-                   "Number of points on each surface, spread evenly by area (default 1M). The maximum also "
-                   "counts all vertices.")
+      ->add_option(
+          "--samples", arguments->samples,
+          "Number of points on each surface, spread evenly by area (default 1M). The maximum also "
+          "counts all vertices.")
       ->type_name("N");
   command
-      ->add_option("--colored", arguments->colored,
-                   "Write the simplified mesh, coloured by its distance, which is also stored as 'quality'")
+      ->add_option(
+          "--colored", arguments->colored,
+          "Write the simplified mesh, coloured by its distance, which is also stored as 'quality'")
       ->type_name("FILE.ply");
   command
       ->add_option("--picture", arguments->picture,
                    "Draw the original and the simplified mesh side by side, coloured by distance")
       ->type_name("FILE.png");
   command
-      ->add_option("--view", arguments->view,
-                   "Where the picture is seen from: front, top, iso (default), or X,Y,Z, the direction to "
-                   "the viewer")
+      ->add_option(
+          "--view", arguments->view,
+          "Where the picture is seen from: front, top, iso (default), or X,Y,Z, the direction to "
+          "the viewer")
       ->type_name("VIEW:{front,top,iso,...}");
   command
-      ->add_option("--fail-above", arguments->fail_above,
-                   "End with exit code 1 if the symmetric RMS distance is above this: 0.5 (model units) or "
-                   "0.1% (of the diagonal)")
+      ->add_option(
+          "--fail-above", arguments->fail_above,
+          "End with exit code 1 if the symmetric RMS distance is above this: 0.5 (model units) or "
+          "0.1% (of the diagonal)")
       ->type_name("DISTANCE");
   command->add_flag("--force", arguments->force, "Replace existing files");
   arguments->common.add_to(*command, true);
   command->footer(
-      "A distance is that of a point on one surface to the nearest point of the other: forward from the\n"
+      "A distance is that of a point on one surface to the nearest point of the other: forward "
+      "from the\n"
       "original to the simplified mesh, backward the other way.\n"
       "In the picture y is up, or z for a mesh that is flat in z.\n"
       "Examples:\n"
@@ -247,7 +263,8 @@ void add_compare(CLI::App& app) {
       "  winnow compare scan.ply small.ply --fail-above 0.1% --quiet || echo too coarse\n"
       "  winnow compare scan.ply small.ply --colored distances.ply --picture distances.png\n"
       "  winnow compare scan.ply small.ply --picture below.png --view 1,-1,-0.5\n"
-      "\nExit codes: 0 done, 1 above --fail-above or failed otherwise, 2 usage, 3 bad input, 4 memory or\n"
+      "\nExit codes: 0 done, 1 above --fail-above or failed otherwise, 2 usage, 3 bad input, 4 "
+      "memory or\n"
       "disk, 130 interrupted.");
   command->callback([arguments] { run_compare(*arguments); });
 }

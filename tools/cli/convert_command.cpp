@@ -28,7 +28,8 @@ Json json_of(const ConvertReport& report, const ConvertArguments& arguments) {
             {"bytes", report.input.bytes},
             {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
           {"output", json_of_output(report.output, arguments.output)},
-          {"attributes", {{"carried", report.attributes.carried}, {"dropped", report.attributes.dropped}}},
+          {"attributes",
+           {{"carried", report.attributes.carried}, {"dropped", report.attributes.dropped}}},
           {"welded", report.welded},
           {"doubled_faces", report.doubled_faces},
           {"spilled_bytes", report.spilled_bytes},
@@ -43,7 +44,8 @@ void show(const ConvertReport& report, std::ostream& out) {
   const Lines line(out, 10);
   line("input", report.input.format + ", " + show_bytes(report.input.bytes));
   line("faces", show_count(report.output.faces));
-  line("vertices", show_count(report.output.vertices) + (report.welded ? "  (equal positions are one)" : ""));
+  line("vertices",
+       show_count(report.output.vertices) + (report.welded ? "  (equal positions are one)" : ""));
   line("file", show_bytes(report.output.bytes));
   show_quantized(line, report.output.position_error);
   if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
@@ -51,7 +53,8 @@ void show(const ConvertReport& report, std::ostream& out) {
   line("memory", show_memory(report.peak_memory_bytes, report.peak_scratch_bytes));
   if (report.input.bad_faces.total() > 0) line("bad faces", show_bad_faces(report.input.bad_faces));
   if (report.doubled_faces > 0)
-    line("doubled", show_count(report.doubled_faces) + " faces left out that another has all corners of");
+    line("doubled",
+         show_count(report.doubled_faces) + " faces left out that another has all corners of");
   line.notes(report.notes);
 }
 
@@ -81,8 +84,8 @@ void run_convert(const ConvertArguments& arguments) {
 
 void add_convert(CLI::App& app) {
   auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command =
-      app.add_subcommand("convert", "Write a mesh of any size in another format, in bounded memory");
+  CLI::App* command = app.add_subcommand(
+      "convert", "Write a mesh of any size in another format, in bounded memory");
   command->add_option("input", arguments->input, input_help)->required()->type_name("IN");
   command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
   const std::string result = "What the result is";
@@ -94,15 +97,18 @@ void add_convert(CLI::App& app) {
   arguments->written.add_to(*command, result);
   arguments->common.add_to(*command, true);
   command->footer(
-      "Vertices and faces keep their order; bad faces are left out. An STL stores no vertices: equal\n"
-      "positions become one vertex, and no face comes twice. With --compress meshopt faces come in an\n"
+      "Vertices and faces keep their order; bad faces are left out. An STL stores no vertices: "
+      "equal\n"
+      "positions become one vertex, and no face comes twice. With --compress meshopt faces come in "
+      "an\n"
       "order that packs well.\n"
       "Examples:\n"
       "  winnow convert scan.ply -o scan.glb\n"
       "  winnow convert scan.ply -o web.glb --quantize 14 --compress meshopt --up z\n"
       "  winnow convert scan.stl -o scan.ply.zst\n"
       "  winnow convert tile.ply -o tile.obj --positions double\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");
+      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
+      "interrupted.");
   command->callback([arguments] { run_convert(*arguments); });
 }
 

@@ -49,8 +49,9 @@ void run_generate(const GenerateArguments& arguments) {
     print(json, arguments.common, out);
   } else if (!arguments.common.quiet) {
     out << "  made      " << show_count(report.faces) << " faces, " << show_count(report.vertices)
-        << " vertices, " << show_bytes(report.bytes) << "\n  time      " << show_seconds(report.seconds)
-        << "  (" << show_rate(static_cast<double>(report.faces) / report.seconds) << "faces/s)\n";
+        << " vertices, " << show_bytes(report.bytes) << "\n  time      "
+        << show_seconds(report.seconds) << "  ("
+        << show_rate(static_cast<double>(report.faces) / report.seconds) << "faces/s)\n";
   }
 }
 
@@ -58,20 +59,25 @@ void run_generate(const GenerateArguments& arguments) {
 
 void add_generate(CLI::App& app) {
   auto arguments = std::make_shared<GenerateArguments>();
-  CLI::App* command = app.add_subcommand("generate", "Make a surface of any size, for tests and benches");
+  CLI::App* command =
+      app.add_subcommand("generate", "Make a surface of any size, for tests and benches");
   command
       ->add_option("surface", arguments->surface,
-                   "What to make: scan (closed, curved, noisy), terrain (with a boundary) or part (like CAD)")
+                   "What to make: scan (closed, curved, noisy), terrain (with a boundary) or part "
+                   "(like CAD)")
       ->required()
       ->check(one_of({"scan", "terrain", "part"}))
       ->type_name("SURFACE");
   command
       ->add_option("-o,--output", arguments->output,
-                   "PLY, STL, OBJ, OFF or .m by the name's ending, also in .gz or .zst; - is standard output")
+                   "PLY, STL, OBJ, OFF or .m by the name's ending, also in .gz or .zst; - is "
+                   "standard output")
       ->required()
       ->type_name("OUT");
   const std::string result = "What the result is";
-  command->add_option("--faces", arguments->faces, "Make about this many faces: 500k, 20M, 1G (default 1M)")
+  command
+      ->add_option("--faces", arguments->faces,
+                   "Make about this many faces: 500k, 20M, 1G (default 1M)")
       ->type_name("N")
       ->group(result);
   command
@@ -80,7 +86,8 @@ void add_generate(CLI::App& app) {
       ->check(whole_number())
       ->type_name("N")
       ->group(result);
-  command->add_flag("--shuffle", arguments->shuffle, "Write the faces in a scattered order")->group(result);
+  command->add_flag("--shuffle", arguments->shuffle, "Write the faces in a scattered order")
+      ->group(result);
   command
       ->add_option("--offset", arguments->offset,
                    "Add this to every position, as in georeferenced scans; PLY then holds doubles")
@@ -98,7 +105,8 @@ void add_generate(CLI::App& app) {
       "Examples:\n"
       "  winnow generate scan --faces 20M -o scan.ply\n"
       "  winnow generate terrain --faces 5M --offset 431000,5412000,300 -o tile.ply\n"
-      "  winnow generate scan --faces 1G -o - | winnow simplify - -o small.ply --faces 1M --memory 256M");
+      "  winnow generate scan --faces 1G -o - | winnow simplify - -o small.ply --faces 1M --memory "
+      "256M");
   command->callback([arguments] { run_generate(*arguments); });
 }
 

@@ -37,7 +37,8 @@ std::string entry(const std::string& name, const std::string& text) {
 }  // namespace
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool positional) const {
-  return entry(make_option_name(option, positional) + make_option_opts(option), make_option_desc(option));
+  return entry(make_option_name(option, positional) + make_option_opts(option),
+               make_option_desc(option));
 }
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {

@@ -54,7 +54,8 @@ std::string show_watertight(const InfoReport& report) {
   std::string text = "no: ";
   if (report.edges.boundary > 0) text += show_count(report.edges.boundary) + " edges have one face";
   if (report.edges.boundary > 0 && report.edges.non_manifold > 0) text += ", ";
-  if (report.edges.non_manifold > 0) text += show_count(report.edges.non_manifold) + " have three or more";
+  if (report.edges.non_manifold > 0)
+    text += show_count(report.edges.non_manifold) + " have three or more";
   return text;
 }
 
@@ -72,7 +73,8 @@ void show(const InfoReport& report, std::ostream& out) {
   if (report.vertices > 0) line("vertices", show_count(report.vertices));
   if (report.has_box) {
     std::array<double, 3> size{};
-    for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = report.box_max[axis] - report.box_min[axis];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      size[axis] = report.box_max[axis] - report.box_min[axis];
     const int digits =
         digits_for({report.box_min, report.box_max}, *std::max_element(size.begin(), size.end()));
     line("box", show_place(report.box_min, digits) + "  to  " + show_place(report.box_max, digits));
@@ -88,9 +90,9 @@ void show(const InfoReport& report, std::ostream& out) {
   const BadFaces& bad = report.bad_faces;
   line("bad faces", bad.total() == 0
                         ? "none"
-                        : show_count(bad.degenerate) + " repeat a corner, " + show_count(bad.non_finite) +
-                              " are not finite, " + show_count(bad.out_of_range) +
-                              " name a vertex that does not exist");
+                        : show_count(bad.degenerate) + " repeat a corner, " +
+                              show_count(bad.non_finite) + " are not finite, " +
+                              show_count(bad.out_of_range) + " name a vertex that does not exist");
   if (report.zero_area > 0) line("zero area", show_count(report.zero_area) + " faces");
   for (const std::string& attribute : report.attributes) line("also", attribute);
   line.notes(report.notes);
@@ -139,7 +141,8 @@ void add_info(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand("info", "Tell what is in a mesh file of any size");
   command
-      ->add_option("input", arguments->inputs, std::string(input_help) + "; several are told of one by one")
+      ->add_option("input", arguments->inputs,
+                   std::string(input_help) + "; several are told of one by one")
       ->required()
       ->type_name("IN");
   add_from(*command, arguments->from);

@@ -25,8 +25,9 @@ namespace {
 
 using winnow::ErrorKind;
 
-// A standard stream that is closed would be replaced by the next file that is opened, and messages would end
-// up in the mesh. Opened for reading only, so that a mesh written to one of them is an error.
+// A standard stream that is closed would be replaced by the next file that is opened, and messages
+// would end up in the mesh. Opened for reading only, so that a mesh written to one of them is an
+// error.
 void open_standard_streams() {
   for (int fd = ::open("/dev/null", O_RDONLY); fd >= 0; fd = ::dup(fd)) {
     if (fd <= STDERR_FILENO) continue;
@@ -94,7 +95,8 @@ int main(int argc, char** argv) {
       code = ended.code;
     }
     if (!std::cout.flush() && heard && !reader_left())
-      return fail("cannot write to standard output; what it was to get is not whole", ErrorKind::resources);
+      return fail("cannot write to standard output; what it was to get is not whole",
+                  ErrorKind::resources);
     return code;
   } catch (const CLI::ParseError& error) {
     return fail(winnow::cli::explain(app, error), ErrorKind::usage,
@@ -102,12 +104,14 @@ int main(int argc, char** argv) {
   } catch (const winnow::Error& error) {
     return fail(error.what(), error.kind());
   } catch (const std::bad_alloc&) {
-    return fail("the system has no more memory; lower --memory or end other programs", ErrorKind::resources);
+    return fail("the system has no more memory; lower --memory or end other programs",
+                ErrorKind::resources);
   } catch (const std::exception& error) {
     // TBB and Embree tell so where a thread cannot be made.
     if (std::strstr(error.what(), "pthread_create") != nullptr) {
-      return fail("the system gives this run no more threads; try --threads 1, or end other programs",
-                  ErrorKind::resources);
+      return fail(
+          "the system gives this run no more threads; try --threads 1, or end other programs",
+          ErrorKind::resources);
     }
     return fail(error.what(), ErrorKind::failed);
   }

@@ -59,7 +59,9 @@ std::string format(const char* pattern, Values... values) {
 // Without its middle where it is longer; UTF-8 stays whole.
 std::string shortened(const std::string& text, std::size_t longest) {
   if (text.size() <= longest) return text;
-  const auto inside = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80; };
+  const auto inside = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+  };
   std::size_t head = longest / 2, tail = text.size() - longest / 4;
   while (head > 0 && inside(head)) --head;
   while (tail < text.size() && inside(tail)) ++tail;
@@ -91,7 +93,8 @@ double parse_length(const std::string& option, const std::string& text) {
 
 Distance parse_distance(const std::string& option, const std::string& text) {
   constexpr const char* examples =
-      "a distance like 0.5, a bare number in the units of the model, or 0.1%, a part of its diagonal";
+      "a distance like 0.5, a bare number in the units of the model, or 0.1%, a part of its "
+      "diagonal";
   std::string_view rest;
   const double value = parse_front(option, text, examples, rest);
   if (rest == "%") return {value / 100, true};
@@ -115,7 +118,8 @@ std::array<double, count> parse_numbers(const std::string& option, const std::st
   std::size_t at = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t end = std::min(text.find(',', at), text.size());
-    if (at > text.size() || (i + 1 == count) != (end == text.size())) refuse(option, text, examples);
+    if (at > text.size() || (i + 1 == count) != (end == text.size()))
+      refuse(option, text, examples);
     const auto [behind, error] = std::from_chars(text.data() + at, text.data() + end, numbers[i]);
     if (error != std::errc{} || behind != text.data() + end || !std::isfinite(numbers[i]))
       refuse(option, text, examples);
@@ -127,12 +131,13 @@ std::array<double, count> parse_numbers(const std::string& option, const std::st
 }  // namespace
 
 std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const std::string& text) {
-  const auto [a, b, c, d, e, f] =
-      parse_numbers<6>(option, text, "six numbers like 0,0,0,10,10,5: the low and the high corner of a box");
+  const auto [a, b, c, d, e, f] = parse_numbers<6>(
+      option, text, "six numbers like 0,0,0,10,10,5: the low and the high corner of a box");
   return {{{a, b, c}, {d, e, f}}};
 }
 
-std::array<double, 3> parse_triple(const std::string& option, const std::string& text, const char* examples) {
+std::array<double, 3> parse_triple(const std::string& option, const std::string& text,
+                                   const char* examples) {
   return parse_numbers<3>(option, text, examples);
 }
 
@@ -215,9 +220,10 @@ int digits_for(std::initializer_list<std::array<double, 3>> places, double size)
 std::string show_bad_faces(const BadFaces& bad) {
   std::string text = show_count(bad.total()) + " left out:";
   const char* separator = " ";
-  for (const auto& [count, what] : {std::pair{bad.degenerate, "repeat a corner"},
-                                    std::pair{bad.non_finite, "have a corner that is not finite"},
-                                    std::pair{bad.out_of_range, "name a vertex that does not exist"}}) {
+  for (const auto& [count, what] :
+       {std::pair{bad.degenerate, "repeat a corner"},
+        std::pair{bad.non_finite, "have a corner that is not finite"},
+        std::pair{bad.out_of_range, "name a vertex that does not exist"}}) {
     if (count == 0) continue;
     text += separator + show_count(count) + " " + what;
     separator = ", ";

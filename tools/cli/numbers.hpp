@@ -11,16 +11,17 @@
 
 namespace winnow::cli {
 
-// Fit for a terminal: what comes from a file or the command line may hold escape codes, line ends and
-// names of kilobytes.
+// Fit for a terminal: what comes from a file or the command line may hold escape codes, line ends
+// and names of kilobytes.
 std::string clean(const std::string& text);
 
 // All throw Error(usage), naming `option`.
 std::uint64_t parse_count(const std::string& option,
                           const std::string& text);  // 250, 500k, 1.5M, 2G: thousands
-std::uint64_t parse_size(const std::string& option, const std::string& text);  // 64M, 1.5G, 1GB, 1GiB
-double parse_ratio(const std::string& option, const std::string& text);        // 0.01 or 1%
-double parse_length(const std::string& option, const std::string& text);       // 2.5
+std::uint64_t parse_size(const std::string& option,
+                         const std::string& text);                        // 64M, 1.5G, 1GB, 1GiB
+double parse_ratio(const std::string& option, const std::string& text);   // 0.01 or 1%
+double parse_length(const std::string& option, const std::string& text);  // 2.5
 // 0.5, in model units, or 0.1%, a part of the model's diagonal.
 struct Distance {
   double value = 0;

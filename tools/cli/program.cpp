@@ -32,13 +32,13 @@ void on_stop_signal(int /*number*/) {
   if (context != nullptr) context->cancel();
 }
 
-// All that would end the program where it stands, and leave half an output. One that was ignored at the start
-// stays ignored, as nohup and shells ask for.
+// All that would end the program where it stands, and leave half an output. One that was ignored at
+// the start stays ignored, as nohup and shells ask for.
 void cancel_on_signals() {
   struct sigaction action {};
   action.sa_handler = on_stop_signal;  // without SA_RESTART: a waiting read returns
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1,
-                           SIGUSR2, SIGIO, SIGPWR}) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF,
+                           SIGUSR1, SIGUSR2, SIGIO, SIGPWR}) {
     struct sigaction before {};
     if (::sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
       ::sigaction(number, &action, nullptr);
@@ -52,9 +52,9 @@ void announce_terminal(const CLI::App& command) {
     for (const std::string& name : option->results()) {
       const int fd = name == "-" || name == "/dev/stdin" ? STDIN_FILENO : -1;
       if (fd < 0 || ::isatty(fd) != 1) continue;
-      std::cerr
-          << "winnow: waiting for a mesh from the terminal; send one through a pipe, name a file, or end "
-             "with Ctrl-D\n";
+      std::cerr << "winnow: waiting for a mesh from the terminal; send one through a pipe, name a "
+                   "file, or end "
+                   "with Ctrl-D\n";
     }
   }
 }
@@ -86,7 +86,8 @@ constexpr std::array<const char*, 3> output_options{"--output", "--colored", "--
 void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::vector<std::string>& values = option->results();
-    if (std::find(values.begin(), values.end(), "") != values.end()) refuse_empty_value(option->get_name());
+    if (std::find(values.begin(), values.end(), "") != values.end())
+      refuse_empty_value(option->get_name());
   }
 }
 
@@ -94,7 +95,8 @@ void refuse_empty_values(const CLI::App& command) {
 
 void CommonOptions::add_to(CLI::App& command, bool with_scratch) {
   this->command = &command;
-  command.add_option("--memory", memory, "Memory to use, mapped input pages included (default 512M)")
+  command
+      .add_option("--memory", memory, "Memory to use, mapped input pages included (default 512M)")
       ->type_name("SIZE")
       ->group("Speed and memory (never change the result)");
   command.add_option("--threads", threads, "Number of threads (default: one for each processor)")
@@ -103,18 +105,18 @@ void CommonOptions::add_to(CLI::App& command, bool with_scratch) {
       ->group("Speed and memory (never change the result)");
   if (with_scratch) {
     command
-        .add_option(
-            "--scratch", scratch,
-            "Directory for what does not fit into memory (default: " +
-                std::string(command.get_option_no_throw("--output") != nullptr ? "the output's)"
-                                                                               : "TMPDIR, or /var/tmp)"))
+        .add_option("--scratch", scratch,
+                    "Directory for what does not fit into memory (default: " +
+                        std::string(command.get_option_no_throw("--output") != nullptr
+                                        ? "the output's)"
+                                        : "TMPDIR, or /var/tmp)"))
         ->type_name("DIR")
         ->group("Speed and memory (never change the result)");
   }
   command
-      .add_option(
-          "--progress", progress,
-          "When to show progress: auto (on a terminal), always, never, or json (one JSON object a line)")
+      .add_option("--progress", progress,
+                  "When to show progress: auto (on a terminal), always, never, or json (one JSON "
+                  "object a line)")
       ->check(one_of({"auto", "always", "never", "json"}))
       ->type_name("WHEN")
       ->group("Messages");
@@ -159,7 +161,8 @@ std::vector<std::string> names_of(std::size_t count) {
 }  // namespace
 
 CLI::Option* add_from(CLI::App& command, std::string& from) {
-  return command.add_option("--from", from, "Read the input as this format, whatever its content looks like")
+  return command
+      .add_option("--from", from, "Read the input as this format, whatever its content looks like")
       ->check(one_of(names_of(formats.size())))
       ->type_name("FORMAT");
 }
@@ -184,8 +187,9 @@ void OutputOptions::add_to(CLI::App& command, const std::string& group) {
       ->type_name("TYPE")
       ->group(group);
   command
-      .add_option("--compress", compress,
-                  "How to pack a GLB: none (default) or meshopt (EXT_meshopt_compression, without loss)")
+      .add_option(
+          "--compress", compress,
+          "How to pack a GLB: none (default) or meshopt (EXT_meshopt_compression, without loss)")
       ->check(one_of({"none", "meshopt"}))
       ->type_name("HOW")
       ->group(group);
@@ -231,7 +235,8 @@ void add_commands(CLI::App& app) {
   app.formatter(std::make_shared<HelpFormatter>());  // that of the commands as well
   app.require_subcommand(1);
   app.footer(
-      "Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow help COMMAND' or 'winnow "
+      "Try first:\n  winnow simplify scan.ply -o small.ply --faces 500k\n\n'winnow help COMMAND' "
+      "or 'winnow "
       "COMMAND --help' "
       "shows the options of a command and\nexamples.");
   add_simplify(app);
@@ -255,7 +260,8 @@ void tell_error(const std::string& message) {
 bool writes_to_standard_output(const CLI::App& command) {
   return std::any_of(output_options.begin(), output_options.end(), [&](const char* name) {
     const CLI::Option* option = command.get_option_no_throw(name);
-    return option != nullptr && option->count() > 0 && output_name(option->results().front()) == "-";
+    return option != nullptr && option->count() > 0 &&
+           output_name(option->results().front()) == "-";
   });
 }
 

@@ -38,8 +38,9 @@ class ProgressBar {
   std::shared_ptr<State> state_;
 };
 
-// Fills `context` and lets SIGINT and SIGTERM cancel it. `output` decides where scratch goes by default:
-// beside a regular file, else to TMPDIR or /var/tmp (/tmp may be memory). Throws Error(usage).
+// Fills `context` and lets SIGINT and SIGTERM cancel it. `output` decides where scratch goes by
+// default: beside a regular file, else to TMPDIR or /var/tmp (/tmp may be memory). Throws
+// Error(usage).
 void prepare(Context& context, const CommonOptions& options, const std::string& output);
 
 // What every command says of its input.
@@ -90,8 +91,8 @@ void add_convert(CLI::App& app);
 // All of them: the whole command line.
 void add_commands(CLI::App& app);
 
-// Throws Error(usage) for "--option=", which the parser would give the next word: an input could become the
-// output.
+// Throws Error(usage) for "--option=", which the parser would give the next word: an input could
+// become the output.
 void refuse_empty_values(const std::vector<std::string>& arguments);
 
 }  // namespace winnow::cli

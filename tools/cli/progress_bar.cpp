@@ -18,7 +18,13 @@ namespace winnow::cli {
 
 namespace {
 
-enum Commands : unsigned { simplifies = 1, converts = 2, informs = 4, compares = 8, generates = 16 };
+enum Commands : unsigned {
+  simplifies = 1,
+  converts = 2,
+  informs = 4,
+  compares = 8,
+  generates = 16
+};
 
 unsigned kind_of(const std::string& command) {
   if (command == "convert") return converts;
@@ -73,7 +79,8 @@ std::size_t terminal_columns() {
   return 80;
 }
 
-// What fits into so many columns: the head, cut if it must be, the parts that still do, and before all a bar.
+// What fits into so many columns: the head, cut if it must be, the parts that still do, and before
+// all a bar.
 std::string fitted(const std::string& head, const std::vector<std::string>& parts,
                    std::optional<double> share, std::size_t columns) {
   std::string line = head.substr(0, columns);
@@ -96,8 +103,8 @@ class RunShare {
 
   void begin(std::string_view stage) {
     start_ = at(1);  // what came before is done
-    const Stage* const found =
-        std::find_if(stages.begin(), stages.end(), [&](const Stage& one) { return one.name == stage; });
+    const Stage* const found = std::find_if(stages.begin(), stages.end(),
+                                            [&](const Stage& one) { return one.name == stage; });
     double left = 0;
     for (const Stage* next = found; next != stages.end(); ++next) {
       if (next == found || (next->commands & commands_) != 0) left += next->length;
@@ -143,10 +150,10 @@ struct ProgressBar::State {
     }
     done = progress.done;
     const double seconds = since(begin);
-    const double part =
-        progress.total == 0
-            ? 0
-            : std::min(1.0, static_cast<double>(progress.done) / static_cast<double>(progress.total));
+    const double part = progress.total == 0
+                            ? 0
+                            : std::min(1.0, static_cast<double>(progress.done) /
+                                                static_cast<double>(progress.total));
     const double whole = share.at(part);
     if (json) {
       const nlohmann::ordered_json line{{"stage", progress.stage}, {"done", progress.done},
@@ -164,10 +171,12 @@ struct ProgressBar::State {
       const bool known = whole > 0.05 && elapsed > 2;
       std::string head = std::to_string(static_cast<int>(whole * 100)) + " %  ";
       head += progress.stage;
-      const std::string left = known ? "about " + show_seconds(elapsed * (1 - whole) / whole) + " left" : "";
+      const std::string left =
+          known ? "about " + show_seconds(elapsed * (1 - whole) / whole) + " left" : "";
       line = fitted(head, {left, speed}, whole, columns);
     } else {
-      line = fitted(progress.stage, {show_count(progress.done) + " " + progress.unit, speed}, {}, columns);
+      line = fitted(progress.stage, {show_count(progress.done) + " " + progress.unit, speed}, {},
+                    columns);
     }
     // One write a line; the rest of an older, longer one is wiped.
     std::cerr << (terminal ? "\r" + line + "\x1b[K" : line + "\n") << std::flush;
@@ -184,8 +193,8 @@ ProgressBar::ProgressBar(Context& context, const CommonOptions& options)
     : state_(std::make_shared<State>(options.command->get_name())) {
   state_->terminal = ::isatty(STDERR_FILENO) == 1;
   state_->json = options.progress == "json";
-  const bool wanted =
-      options.progress == "always" || state_->json || (options.progress == "auto" && state_->terminal);
+  const bool wanted = options.progress == "always" || state_->json ||
+                      (options.progress == "auto" && state_->terminal);
   if (!wanted || (options.quiet && options.progress == "auto")) return;
   context.progress = [state = state_](const Progress& progress) { state->show(progress); };
 }

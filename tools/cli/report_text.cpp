@@ -50,7 +50,8 @@ Json report_of(const CLI::App& command, const Json& body) {
 
 Json json_of_error(const std::string& message, ErrorKind kind) {
   return {
-      {"error", {{"kind", kind_name(kind)}, {"exit_code", static_cast<int>(kind)}, {"message", message}}}};
+      {"error",
+       {{"kind", kind_name(kind)}, {"exit_code", static_cast<int>(kind)}, {"message", message}}}};
 }
 
 void print(const Json& body, const CommonOptions& common, std::ostream& out) {
@@ -66,12 +67,14 @@ void print_failure(const CLI::App& app, const std::string& message, ErrorKind ki
 }
 
 Json json_of_bad_faces(const BadFaces& bad) {
-  return {{"degenerate", bad.degenerate}, {"non_finite", bad.non_finite}, {"out_of_range", bad.out_of_range}};
+  return {{"degenerate", bad.degenerate},
+          {"non_finite", bad.non_finite},
+          {"out_of_range", bad.out_of_range}};
 }
 
 void Lines::operator()(const std::string& name, const std::string& text) const {
-  out_ << "  " << name << std::string(column_ - std::min(column_ - 1, name.size()), ' ') << clean(text)
-       << "\n";
+  out_ << "  " << name << std::string(column_ - std::min(column_ - 1, name.size()), ' ')
+       << clean(text) << "\n";
 }
 
 void Lines::notes(const std::vector<std::string>& notes) const {
@@ -79,11 +82,13 @@ void Lines::notes(const std::vector<std::string>& notes) const {
 }
 
 void show_quantized(const Lines& line, double position_error) {
-  if (position_error > 0) line("quantized", "no vertex moves by more than " + show_length(position_error));
+  if (position_error > 0)
+    line("quantized", "no vertex moves by more than " + show_length(position_error));
 }
 
 std::string show_time(double seconds, std::uint64_t faces) {
-  return show_seconds(seconds) + "  (" + show_rate(static_cast<double>(faces) / seconds) + "faces/s)";
+  return show_seconds(seconds) + "  (" + show_rate(static_cast<double>(faces) / seconds) +
+         "faces/s)";
 }
 
 std::string show_memory(std::uint64_t peak, std::uint64_t scratch) {

@@ -22,7 +22,8 @@ inline std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-// What every report begins with, the version, the command and the options as they were given, and `body`.
+// What every report begins with, the version, the command and the options as they were given, and
+// `body`.
 Json report_of(const CLI::App& command, const Json& body);
 // What stands for `body` where there is none.
 Json json_of_error(const std::string& message, ErrorKind kind);

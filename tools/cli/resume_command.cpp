@@ -17,7 +17,8 @@ struct ResumeArguments {
 void run_resume(const ResumeArguments& arguments) {
   Context context;
   prepare(context, arguments.common, "-");
-  if (arguments.common.scratch.empty()) context.scratch.clear();  // that is the checkpoint's directory
+  if (arguments.common.scratch.empty())
+    context.scratch.clear();  // that is the checkpoint's directory
   SimplifyReport report;
   {
     const ProgressBar bar(context, arguments.common);
@@ -32,7 +33,9 @@ void add_resume(CLI::App& app) {
   auto arguments = std::make_shared<ResumeArguments>();
   CLI::App* command =
       app.add_subcommand("resume", "Go on with a run of simplify --checkpoint that was killed");
-  command->add_option("directory", arguments->checkpoint.directory, "The directory that --checkpoint named")
+  command
+      ->add_option("directory", arguments->checkpoint.directory,
+                   "The directory that --checkpoint named")
       ->required()
       ->type_name("DIR");
   command->add_flag("--keep-checkpoint", arguments->checkpoint.keep,
@@ -45,13 +48,16 @@ void add_resume(CLI::App& app) {
       ->group("Speed and memory (never change the result)");
   command->footer(
       "Input, output and options are those of the run, and the output gets the same bytes.\n"
-      "The run goes on after the last stage that was done: the input read and clustered, each round of\n"
-      "refinement, each tile in a round. If the input was not read to its end, the run starts again; a\n"
+      "The run goes on after the last stage that was done: the input read and clustered, each "
+      "round of\n"
+      "refinement, each tile in a round. If the input was not read to its end, the run starts "
+      "again; a\n"
       "pipe cannot be read again.\n"
       "\nExamples:\n"
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept\n"
       "  winnow resume kept\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input or checkpoint, 4 memory, disk or\n"
+      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input or checkpoint, 4 memory, "
+      "disk or\n"
       "checkpoint in use, 130 interrupted.");
   command->callback([arguments] { run_resume(*arguments); });
 }

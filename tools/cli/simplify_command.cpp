@@ -55,8 +55,8 @@ SimplifyOptions options_of(const SimplifyArguments& arguments) {
   if (arguments.topology == "free") options.topology = Topology::free;
   options.keep_pieces = arguments.keep_pieces;
   if (!arguments.max_normal_deviation.empty())
-    options.max_normal_deviation = parse_number("--max-normal-deviation", arguments.max_normal_deviation,
-                                                "an angle like 60, in degrees");
+    options.max_normal_deviation = parse_number(
+        "--max-normal-deviation", arguments.max_normal_deviation, "an angle like 60, in degrees");
   options.placement = arguments.placement == "mean" ? Placement::mean : Placement::quadric;
   if (!arguments.weld.empty()) {
     const Distance weld = parse_distance("--weld", arguments.weld);
@@ -68,7 +68,8 @@ SimplifyOptions options_of(const SimplifyArguments& arguments) {
     options.attributes.emplace();
   } else if (arguments.attributes != "auto") {
     options.attributes = CLI::detail::split(arguments.attributes, ',');
-    if (std::find(options.attributes->begin(), options.attributes->end(), "") != options.attributes->end())
+    if (std::find(options.attributes->begin(), options.attributes->end(), "") !=
+        options.attributes->end())
       throw Error(ErrorKind::usage, "--attributes '" + arguments.attributes +
                                         "' has an empty name; put one comma between two names");
   }
@@ -97,7 +98,8 @@ void run_simplify(const SimplifyArguments& arguments) {
     if (arguments.checkpoint.empty()) {
       report = simplify(context, arguments.inputs, arguments.output, options);
     } else {
-      if (arguments.common.scratch.empty()) context.scratch.clear();  // that is the checkpoint's directory
+      if (arguments.common.scratch.empty())
+        context.scratch.clear();  // that is the checkpoint's directory
       report = simplify(context, arguments.inputs, arguments.output, options,
                         {arguments.checkpoint, arguments.keep_checkpoint});
     }
@@ -109,8 +111,11 @@ void run_simplify(const SimplifyArguments& arguments) {
 
 void add_simplify(CLI::App& app) {
   auto arguments = std::make_shared<SimplifyArguments>();
-  CLI::App* command = app.add_subcommand("simplify", "Make a mesh of any size small, in bounded memory");
-  command->add_option("input", arguments->inputs, std::string(input_help) + "; several files are one model")
+  CLI::App* command =
+      app.add_subcommand("simplify", "Make a mesh of any size small, in bounded memory");
+  command
+      ->add_option("input", arguments->inputs,
+                   std::string(input_help) + "; several files are one model")
       ->required()
       ->type_name("IN");
   command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
@@ -125,8 +130,9 @@ void add_simplify(CLI::App& app) {
       ->type_name("R")
       ->group(fineness);
   command
-      ->add_option("--cell", arguments->cell,
-                   "Size of a grid cell in model units; the only choice that reads a pipe just once")
+      ->add_option(
+          "--cell", arguments->cell,
+          "Size of a grid cell in model units; the only choice that reads a pipe just once")
       ->type_name("LENGTH")
       ->group(fineness);
   command->add_option("--grid", arguments->grid, "Number of grid cells along the longest side")
@@ -135,16 +141,17 @@ void add_simplify(CLI::App& app) {
 
   command
       ->add_option("--error", arguments->error,
-                   "Stop at this error: 0.5 (model units) or 0.1% (of the diagonal). It is the RMS distance; "
+                   "Stop at this error: 0.5 (model units) or 0.1% (of the diagonal). It is the RMS "
+                   "distance; "
                    "boundaries stay within 1.5 times it.")
       ->type_name("E")
       ->group(fineness);
 
   const std::string refinement = "Refinement: edges collapsed after clustering";
   command
-      ->add_option(
-          "--refine", arguments->refine,
-          "What an edge costs to collapse (default: quadric with --faces, --ratio and --error, else none)")
+      ->add_option("--refine", arguments->refine,
+                   "What an edge costs to collapse (default: quadric with --faces, --ratio and "
+                   "--error, else none)")
       ->check(one_of({"none", "quadric", "volume", "importance"}))
       ->type_name("COST")
       ->group(refinement);
@@ -154,21 +161,24 @@ void add_simplify(CLI::App& app) {
       ->type_name("D")
       ->group(refinement);
   command
-      ->add_option("--boundary", arguments->boundary,
-                   "Open borders: 'weigh' moves them at a price (default), 'keep' fixes their vertices")
+      ->add_option(
+          "--boundary", arguments->boundary,
+          "Open borders: 'weigh' moves them at a price (default), 'keep' fixes their vertices")
       ->check(one_of({"weigh", "keep"}))
       ->type_name("HOW")
       ->group(refinement);
   command
-      ->add_option("--topology", arguments->topology,
-                   "Handles and holes: 'keep' them, even if the count is missed (default), or be 'free' "
-                   "to close them and meet it")
+      ->add_option(
+          "--topology", arguments->topology,
+          "Handles and holes: 'keep' them, even if the count is missed (default), or be 'free' "
+          "to close them and meet it")
       ->check(one_of({"keep", "free"}))
       ->type_name("HOW")
       ->group(refinement);
   command
-      ->add_flag("--keep-pieces", arguments->keep_pieces,
-                 "Keep every connected piece; by default small ones are removed where that costs least")
+      ->add_flag(
+          "--keep-pieces", arguments->keep_pieces,
+          "Keep every connected piece; by default small ones are removed where that costs least")
       ->group(refinement);
   command
       ->add_option("--max-normal-deviation", arguments->max_normal_deviation,
@@ -178,9 +188,10 @@ void add_simplify(CLI::App& app) {
 
   const std::string result = "What the result is";
   command
-      ->add_option("--placement", arguments->placement,
-                   "Where a vertex goes in its cell: 'quadric' is closest to the surface (default), "
-                   "'mean' is a quarter faster")
+      ->add_option(
+          "--placement", arguments->placement,
+          "Where a vertex goes in its cell: 'quadric' is closest to the surface (default), "
+          "'mean' is a quarter faster")
       ->check(one_of({"mean", "quadric"}))
       ->type_name("HOW")
       ->group(result);
@@ -189,10 +200,10 @@ void add_simplify(CLI::App& app) {
                  "Write vertex normals computed from the result instead of the input's")
       ->group(result);
   command
-      ->add_option(
-          "--attributes", arguments->attributes,
-          "Vertex attributes to carry: auto (default: all numbers that the output can hold), none, or a "
-          "list such as normals,colors,quality")
+      ->add_option("--attributes", arguments->attributes,
+                   "Vertex attributes to carry: auto (default: all numbers that the output can "
+                   "hold), none, or a "
+                   "list such as normals,colors,quality")
       ->type_name("LIST")
       ->group(result);
   command
@@ -205,31 +216,35 @@ void add_simplify(CLI::App& app) {
                  "Stop at the first bad face; by default bad faces are left out and counted")
       ->group(result);
   command
-      ->add_option("--crop", arguments->crop,
-                   "Keep only faces wholly inside this box (model units): xmin,ymin,zmin,xmax,ymax,zmax")
+      ->add_option(
+          "--crop", arguments->crop,
+          "Keep only faces wholly inside this box (model units): xmin,ymin,zmin,xmax,ymax,zmax")
       ->type_name("BOX")
       ->group(result);
   command
-      ->add_option("--weld", arguments->weld,
-                   "Join vertices closer than this: 0.01 (model units) or 0.001% (of the diagonal). Chains "
-                   "of such vertices are joined too.")
+      ->add_option(
+          "--weld", arguments->weld,
+          "Join vertices closer than this: 0.01 (model units) or 0.001% (of the diagonal). Chains "
+          "of such vertices are joined too.")
       ->type_name("DISTANCE")
       ->group(result);
   add_from(*command, arguments->from)->group(result);
   arguments->written.add_to(*command, result);
   const std::string killed = "Long runs";
   command
-      ->add_option(
-          "--checkpoint", arguments->checkpoint,
-          "Save the run's state in this new or empty directory; if it is killed, 'winnow resume DIR' "
-          "goes on")
+      ->add_option("--checkpoint", arguments->checkpoint,
+                   "Save the run's state in this new or empty directory; if it is killed, 'winnow "
+                   "resume DIR' "
+                   "goes on")
       ->type_name("DIR")
       ->group(killed);
   command
       ->add_flag("--keep-checkpoint", arguments->keep_checkpoint,
                  "Leave the files in DIR when the run is done (default: they are removed)")
       ->group(killed);
-  command->add_flag("--dry-run", arguments->dry_run, "Show passes, memory and scratch, and write nothing")
+  command
+      ->add_flag("--dry-run", arguments->dry_run,
+                 "Show passes, memory and scratch, and write nothing")
       ->group("Messages");
   arguments->common.add_to(*command, true);
   command->footer(
@@ -244,7 +259,8 @@ void add_simplify(CLI::App& app) {
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept\n"
       "  winnow simplify part-*.ply -o all.ply --faces 5M --crop 0,0,-10,500,500,90\n"
       "  zstdcat scan.ply.zst | winnow simplify - -o - --cell 2.5 | next-stage\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 interrupted.");
+      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
+      "interrupted.");
   command->callback([arguments] { run_simplify(*arguments); });
 }
 

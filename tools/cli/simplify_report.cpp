@@ -17,10 +17,11 @@ namespace winnow::cli {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, Refine>, 4> refine_names{{{"none", Refine::none},
-                                                                      {"quadric", Refine::quadric},
-                                                                      {"volume", Refine::volume},
-                                                                      {"importance", Refine::importance}}};
+constexpr std::array<std::pair<const char*, Refine>, 4> refine_names{
+    {{"none", Refine::none},
+     {"quadric", Refine::quadric},
+     {"volume", Refine::volume},
+     {"importance", Refine::importance}}};
 
 }  // namespace
 
@@ -49,67 +50,68 @@ Json json_of(const std::optional<Resumed>& resumed) {
 }
 
 Json json_of(const SimplifyReport::Topology::Edges& edges) {
-  return {{"edges", edges.total}, {"boundary", edges.boundary}, {"non_manifold", edges.non_manifold}};
+  return {
+      {"edges", edges.total}, {"boundary", edges.boundary}, {"non_manifold", edges.non_manifold}};
 }
 
 Json json_of(const SimplifyReport& report) {
-  return {
-      {"input",
-       {{"files", report.input.names},
-        {"format", report.input.format},
-        {"faces", report.input.faces},
-        {"vertices", report.input.vertices},
-        {"bytes", report.input.bytes},
-        {"cropped_faces", report.input.cropped_faces},
-        {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
-      {"output", json_of_output(report.output, report.output.name)},
-      {"weld",
-       {{"distance", report.weld.distance},
-        {"vertices", report.weld.vertices},
-        {"collapsed_faces", report.weld.faces}}},
-      {"target", {{"faces", report.target_faces ? Json(*report.target_faces) : Json(nullptr)}}},
-      {"target_met", report.target_met ? Json(*report.target_met) : Json(nullptr)},
-      {"missed_by", report.missed_by},
-      {"refine",
-       {{"cost", name_of(report.refine.cost)},
-        {"tiles", report.refine.tiles},
-        {"collapses", report.refine.collapses},
-        {"max_error", report.refine.max_error},
-        {"stopped_by", report.refine.stopped_by.empty() ? Json(nullptr) : Json(report.refine.stopped_by)}}},
-      {"lost",
-       {{"pieces", report.lost.pieces},
-        {"piece_area", report.lost.piece_area},
-        {"handles", report.lost.handles},
-        {"holes", report.lost.holes}}},
-      {"attributes",
-       {{"carried", report.attributes.carried},
-        {"dropped", report.attributes.dropped},
-        {"ignored_values", report.attributes.ignored}}},
-      {"clustered", {{"first", report.clustered.first}, {"reason", report.clustered.reason}}},
-      {"topology",
-       {{"input", report.topology.input ? json_of(*report.topology.input) : Json(nullptr)},
-        {"output", json_of(report.topology.output)},
-        {"closed", report.topology.closed}}},
-      {"area", {{"input", report.area.input}, {"output", report.area.output}}},
-      {"cell_size", report.cell_size},
-      {"cells", report.cells},
-      {"split_cells", report.split_cells},
-      {"turned_faces", report.turned_faces},
-      {"fused_faces", report.fused_faces},
-      {"clamped_faces", report.clamped_faces},
-      {"error_bound", report.error_bound},
-      {"runs", report.runs},
-      {"spilled_bytes", report.spilled_bytes},
-      {"peak_scratch_bytes", report.peak_scratch_bytes},
-      {"peak_memory_bytes", report.peak_memory_bytes},
-      {"seconds", report.seconds.total},
-      {"stage_seconds",
-       {{"read", report.seconds.read},
-        {"cluster", report.seconds.cluster},
-        {"refine", report.seconds.refine},
-        {"write", report.seconds.write}}},
-      {"resumed", json_of(report.resumed)},
-      {"notes", report.notes}};
+  return {{"input",
+           {{"files", report.input.names},
+            {"format", report.input.format},
+            {"faces", report.input.faces},
+            {"vertices", report.input.vertices},
+            {"bytes", report.input.bytes},
+            {"cropped_faces", report.input.cropped_faces},
+            {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
+          {"output", json_of_output(report.output, report.output.name)},
+          {"weld",
+           {{"distance", report.weld.distance},
+            {"vertices", report.weld.vertices},
+            {"collapsed_faces", report.weld.faces}}},
+          {"target", {{"faces", report.target_faces ? Json(*report.target_faces) : Json(nullptr)}}},
+          {"target_met", report.target_met ? Json(*report.target_met) : Json(nullptr)},
+          {"missed_by", report.missed_by},
+          {"refine",
+           {{"cost", name_of(report.refine.cost)},
+            {"tiles", report.refine.tiles},
+            {"collapses", report.refine.collapses},
+            {"max_error", report.refine.max_error},
+            {"stopped_by",
+             report.refine.stopped_by.empty() ? Json(nullptr) : Json(report.refine.stopped_by)}}},
+          {"lost",
+           {{"pieces", report.lost.pieces},
+            {"piece_area", report.lost.piece_area},
+            {"handles", report.lost.handles},
+            {"holes", report.lost.holes}}},
+          {"attributes",
+           {{"carried", report.attributes.carried},
+            {"dropped", report.attributes.dropped},
+            {"ignored_values", report.attributes.ignored}}},
+          {"clustered", {{"first", report.clustered.first}, {"reason", report.clustered.reason}}},
+          {"topology",
+           {{"input", report.topology.input ? json_of(*report.topology.input) : Json(nullptr)},
+            {"output", json_of(report.topology.output)},
+            {"closed", report.topology.closed}}},
+          {"area", {{"input", report.area.input}, {"output", report.area.output}}},
+          {"cell_size", report.cell_size},
+          {"cells", report.cells},
+          {"split_cells", report.split_cells},
+          {"turned_faces", report.turned_faces},
+          {"fused_faces", report.fused_faces},
+          {"clamped_faces", report.clamped_faces},
+          {"error_bound", report.error_bound},
+          {"runs", report.runs},
+          {"spilled_bytes", report.spilled_bytes},
+          {"peak_scratch_bytes", report.peak_scratch_bytes},
+          {"peak_memory_bytes", report.peak_memory_bytes},
+          {"seconds", report.seconds.total},
+          {"stage_seconds",
+           {{"read", report.seconds.read},
+            {"cluster", report.seconds.cluster},
+            {"refine", report.seconds.refine},
+            {"write", report.seconds.write}}},
+          {"resumed", json_of(report.resumed)},
+          {"notes", report.notes}};
 }
 
 // What had been done before.
@@ -118,10 +120,11 @@ std::string describe(const Resumed& resumed) {
   if (!resumed.clustered) return "nothing was done yet";
   std::string text = "the input was read";
   if (resumed.rounds > 0)
-    text += ", " + show_count(resumed.rounds) + (resumed.rounds == 1 ? " round" : " rounds") + " refined";
+    text += ", " + show_count(resumed.rounds) + (resumed.rounds == 1 ? " round" : " rounds") +
+            " refined";
   if (resumed.tiles > 0)
-    text +=
-        ", " + show_count(resumed.tiles) + (resumed.tiles == 1 ? " tile" : " tiles") + " of the next tried";
+    text += ", " + show_count(resumed.tiles) + (resumed.tiles == 1 ? " tile" : " tiles") +
+            " of the next tried";
   return text;
 }
 
@@ -151,7 +154,8 @@ std::string percent(double part) {
 }
 
 std::string describe(const SimplifyReport::Topology::Edges& edges) {
-  return show_count(edges.boundary) + " boundary and " + show_count(edges.non_manifold) + " non-manifold";
+  return show_count(edges.boundary) + " boundary and " + show_count(edges.non_manifold) +
+         " non-manifold";
 }
 
 void show(const SimplifyReport& report, std::ostream& out) {
@@ -168,14 +172,14 @@ void show(const SimplifyReport& report, std::ostream& out) {
   show_quantized(line, report.output.position_error);
   if (report.weld.distance > 0) {
     line("welded", show_count(report.weld.vertices) + " vertices nearer than " +
-                       show_length(report.weld.distance) + " to another; " + show_count(report.weld.faces) +
-                       " faces collapsed");
+                       show_length(report.weld.distance) + " to another; " +
+                       show_count(report.weld.faces) + " faces collapsed");
   }
   const bool refined = report.refine.cost != Refine::none;
   if (report.cell_size > 0) {
-    const std::string split =
-        report.split_cells == 0 ? ""
-                                : ", " + show_count(report.split_cells) + " cells split to keep the surface";
+    const std::string split = report.split_cells == 0 ? ""
+                                                      : ", " + show_count(report.split_cells) +
+                                                            " cells split to keep the surface";
     line("cell", show_length(report.cell_size) +
                      (refined ? "  (clustered first" + split + ")"
                               : "  (no vertex is farther than " + show_length(report.error_bound) +
@@ -205,14 +209,16 @@ void show(const SimplifyReport& report, std::ostream& out) {
   const BadFaces& bad = report.input.bad_faces;
   if (bad.total() > 0) line("bad faces", show_bad_faces(bad));
   if (report.input.cropped_faces > 0)
-    line("cropped", show_count(report.input.cropped_faces) + " faces, not wholly inside of the box");
+    line("cropped",
+         show_count(report.input.cropped_faces) + " faces, not wholly inside of the box");
   if (report.clamped_faces > 0)
-    line("weights",
-         show_count(report.clamped_faces) + " faces span so many cells that their weight was limited");
+    line("weights", show_count(report.clamped_faces) +
+                        " faces span so many cells that their weight was limited");
   line.notes(report.notes);
 }
 
-Json json_of(const SimplifyPlan& plan, const std::vector<std::string>& inputs, const std::string& output) {
+Json json_of(const SimplifyPlan& plan, const std::vector<std::string>& inputs,
+             const std::string& output) {
   const auto optional = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
   Json memory = Json::object();
   for (const SimplifyPlan::Part& part : plan.memory) memory[part.name] = part.bytes;
@@ -230,11 +236,12 @@ Json json_of(const SimplifyPlan& plan, const std::vector<std::string>& inputs, c
 }
 
 void show(const SimplifyPlan& plan, std::ostream& out) {
-  out << "input\n  faces     " << (plan.faces ? show_count(*plan.faces) : "not known before it is read")
-      << "\n";
+  out << "input\n  faces     "
+      << (plan.faces ? show_count(*plan.faces) : "not known before it is read") << "\n";
   if (plan.vertices) out << "  vertices  " << show_count(*plan.vertices) << "\n";
   out << "passes\n";
-  for (std::size_t i = 0; i < plan.passes.size(); ++i) out << "  " << i + 1 << ". " << plan.passes[i] << "\n";
+  for (std::size_t i = 0; i < plan.passes.size(); ++i)
+    out << "  " << i + 1 << ". " << plan.passes[i] << "\n";
   out << "clustered\n  "
       << (!plan.clustered   ? ""
           : *plan.clustered ? "yes: "
@@ -243,8 +250,8 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
   out << "memory\n";
   for (const SimplifyPlan::Part& part : plan.memory) {
     const std::string size = show_bytes(part.bytes);
-    out << "  " << std::string(10 - std::min<std::size_t>(9, size.size()), ' ') << size << "  " << part.name
-        << "\n";
+    out << "  " << std::string(10 - std::min<std::size_t>(9, size.size()), ' ') << size << "  "
+        << part.name << "\n";
   }
   out << "  the smallest budget that works: " << show_bytes(plan.smallest_memory) << "\n";
   if (plan.scratch_worst) {
@@ -268,8 +275,8 @@ void tell(const SimplifyReport& report, const CommonOptions& options) {
   }
 }
 
-void tell(const SimplifyPlan& plan, const std::vector<std::string>& inputs, const std::string& output,
-          const CommonOptions& options) {
+void tell(const SimplifyPlan& plan, const std::vector<std::string>& inputs,
+          const std::string& output, const CommonOptions& options) {
   if (options.json) {
     print(json_of(plan, inputs, output), options, std::cout);
   } else {

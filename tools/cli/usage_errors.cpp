@@ -19,7 +19,8 @@ std::size_t edits(std::string_view a, std::string_view b) {
     cost[i][0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const bool same = a[i - 1] == b[j - 1];
-      cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + (same ? 0U : 1U)});
+      cost[i][j] =
+          std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + (same ? 0U : 1U)});
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
         cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
     }
@@ -85,8 +86,8 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
 CLI::Validator whole_number() {
   return CLI::Validator(
       [](std::string& text) {
-        const bool whole =
-            !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos;
+        const bool whole = !text.empty() && text.size() < 10 &&
+                           text.find_first_not_of("0123456789") == std::string::npos;
         return whole ? std::string() : "'" + clean(text) + "' is no whole number below a billion";
       },
       "");
@@ -97,8 +98,8 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> commands = commands_of(app);
   if (std::find(commands.begin(), commands.end(), word) != commands.end()) return;
   const std::string near = hint(word, commands);
-  throw Error(ErrorKind::usage,
-              "'" + word + "' is no command" + (near.empty() ? "; there are " + show_list(commands) : near));
+  throw Error(ErrorKind::usage, "'" + word + "' is no command" +
+                                    (near.empty() ? "; there are " + show_list(commands) : near));
 }
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
@@ -114,11 +115,13 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   for (const std::string& word : left) {
     if (is_option(word)) return unknown_option(command, word);
   }
-  if (!left.empty()) return command.get_name() + ": '" + clean(left.front()) + "' is one argument too many";
+  if (!left.empty())
+    return command.get_name() + ": '" + clean(left.front()) + "' is one argument too many";
   if (parsed.empty()) return "say what to do: " + show_list(commands_of(app));
   for (const CLI::Option* option : command.get_options()) {
     const auto values = static_cast<int>(option->results().size());
-    if (values > option->get_items_expected_max()) return option->get_name() + " is given more than once";
+    if (values > option->get_items_expected_max())
+      return option->get_name() + " is given more than once";
   }
   for (const CLI::Option* option : command.get_options()) {
     const auto values = static_cast<int>(option->results().size());

@@ -9,8 +9,8 @@
 
 namespace winnow::cli {
 
-// The word that takes the fewest letters more, less, other or swapped to become `text`; empty if none is
-// near.
+// The word that takes the fewest letters more, less, other or swapped to become `text`; empty if
+// none is near.
 std::string nearest(std::string_view text, const std::vector<std::string>& words);
 
 // Of an option that takes one of these words.

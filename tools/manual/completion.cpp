@@ -38,7 +38,8 @@ std::string bash_values(const CommandTable& command) {
     if (!option.choices.empty()) {
       cases += " _winnow_words '" + joined(option.choices) + "'; return ;;\n";
     } else if (option.takes_file()) {
-      cases += std::string(" _winnow_files ") + (option.takes_directory() ? "-d" : "-f") + "; return ;;\n";
+      cases += std::string(" _winnow_files ") + (option.takes_directory() ? "-d" : "-f") +
+               "; return ;;\n";
     } else {
       cases += " return ;;\n";
     }
@@ -91,8 +92,8 @@ std::string zsh_option(const OptionLine& option) {
   std::string lines;
   for (const std::string& name : option.names) {
     // Whichever of its names was given, the others are not offered any more.
-    lines += " \\\n        '(" + joined(option.names) + ")" + name + "[" + zsh_text(option.description) +
-             "]" + zsh_value(option) + "'";
+    lines += " \\\n        '(" + joined(option.names) + ")" + name + "[" +
+             zsh_text(option.description) + "]" + zsh_value(option) + "'";
   }
   return lines;
 }
@@ -105,15 +106,16 @@ std::string bash_completion(const std::vector<CommandTable>& all) {
   text += R"(_winnow_files() { compopt -o filenames 2>/dev/null; )"
           R"(mapfile -t COMPREPLY < <(compgen "$1" -- "$cur"); )"
           "}\n\n";
-  text += "_winnow() {\n  local cur=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n";
+  text +=
+      "_winnow() {\n  local cur=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n";
   // "--refine=volume" comes as three words.
   text += "  [[ $before == = && COMP_CWORD -gt 2 ]] && before=${COMP_WORDS[COMP_CWORD - 2]}\n";
   text += "  [[ $cur == = ]] && cur=\n";
   text += "  COMPREPLY=()\n";
-  text += "  if ((COMP_CWORD == 1)); then\n    _winnow_words '" + joined(commands_of(all)) + " help " +
-          joined(names_of(all.front())) + "'\n    return\n  fi\n";
-  text += "  if [[ ${COMP_WORDS[1]} == help ]]; then\n    _winnow_words '" + joined(commands_of(all)) +
-          "'\n    return\n  fi\n";
+  text += "  if ((COMP_CWORD == 1)); then\n    _winnow_words '" + joined(commands_of(all)) +
+          " help " + joined(names_of(all.front())) + "'\n    return\n  fi\n";
+  text += "  if [[ ${COMP_WORDS[1]} == help ]]; then\n    _winnow_words '" +
+          joined(commands_of(all)) + "'\n    return\n  fi\n";
   text += "  case ${COMP_WORDS[1]}:$before in\n";
   for (const CommandTable& command : all) text += bash_values(command);
   text += "  esac\n  if [[ $cur != -* ]]; then\n    case ${COMP_WORDS[1]} in\n" + bash_places(all) +

@@ -1,4 +1,5 @@
-// Writes the man pages and completions of the program, from the options that it takes, into a folder.
+// Writes the man pages and completions of the program, from the options that it takes, into a
+// folder.
 #include "manual/command_table.hpp"
 
 #include <fstream>
@@ -20,7 +21,8 @@ int main(int argc, char** argv) {
   };
   const std::vector<CommandTable> all = command_tables();
   for (const CommandTable& command : all)
-    write((command.name == "winnow" ? "winnow" : "winnow-" + command.name) + ".1", man_page(command, all));
+    write((command.name == "winnow" ? "winnow" : "winnow-" + command.name) + ".1",
+          man_page(command, all));
   write("winnow.bash", bash_completion(all));
   write("_winnow", zsh_completion(all));
   if (!good) std::cerr << "winnow-manual: cannot write to '" << folder << "'\n";

@@ -12,8 +12,11 @@ namespace {
 
 constexpr std::array<std::pair<const char*, const char*>, 6> exit_codes{
     {{"0", "Done."},
-     {"1", "Failed for a reason that no other code names; of compare, the distance is above --fail-above."},
-     {"2", "Options that contradict each other or make no sense, or an output that exists already."},
+     {"1",
+      "Failed for a reason that no other code names; of compare, the distance is above "
+      "--fail-above."},
+     {"2",
+      "Options that contradict each other or make no sense, or an output that exists already."},
      {"3", "The input is not what it should be; the message names the file and the place."},
      {"4", "The memory budget is too small, the disk is full, or the output's reader went away."},
      {"130", "Interrupted. Nothing is left under the output's name."}}};
@@ -22,35 +25,42 @@ constexpr std::array<std::pair<const char*, const char*>, 6> exit_codes{
 const char* const hard_budget =
     R"(The resident set, mapped pages of the input included, stays below \fB--memory\fR )"
     "(512M unless given) "
-    "and 32 MiB, whatever the size of input and output. A budget that is too small is refused at once, with "
+    "and 32 MiB, whatever the size of input and output. A budget that is too small is refused at "
+    "once, with "
     "the smallest that works.";
 
 // The budget by command.
 const char* memory_usage(const std::string& command) {
   if (command == "simplify")
-    return "A cell of the result takes about 190 bytes of table and a face about 40, so that 512 MiB hold a "
-           "result of about two million faces. What does not fit goes to scratch: beside the output, or "
+    return "A cell of the result takes about 190 bytes of table and a face about 40, so that 512 "
+           "MiB hold a "
+           "result of about two million faces. What does not fit goes to scratch: beside the "
+           "output, or "
            "where "
            R"(\fB--scratch\fR says. With \fB--dry-run\fR )"
            "the division of the budget and the scratch are "
            "shown, "
            "and nothing is done.";
   if (command == "convert")
-    return "A vertex takes 48 bytes and a face 12. What does not fit goes to scratch: beside the output, or "
+    return "A vertex takes 48 bytes and a face 12. What does not fit goes to scratch: beside the "
+           "output, or "
            R"(where \fB--scratch\fR says.)";
   if (command == "info")
-    return "Edges and connected parts are counted in memory, 24 bytes a face and 12 a vertex. What does not "
+    return "Edges and connected parts are counted in memory, 24 bytes a face and 12 a vertex. What "
+           "does not "
            "fit "
            R"(goes to scratch, where \fB--scratch\fR says, else to TMPDIR or /var/tmp.)";
   if (command == "compare")
-    return "The original is streamed and may have any size. The simplified mesh is held in memory, with "
+    return "The original is streamed and may have any size. The simplified mesh is held in memory, "
+           "with "
            "about 400 bytes a face.";
-  if (command == "generate") return "About two megabytes for each thread, whatever the number of faces.";
+  if (command == "generate")
+    return "About two megabytes for each thread, whatever the number of faces.";
   return "Each command has a section of this name.";
 }
 
-// Lines that begin with a dot or quote are requests, a backslash begins an escape, and a plain hyphen may be
-// set as a dash.
+// Lines that begin with a dot or quote are requests, a backslash begins an escape, and a plain
+// hyphen may be set as a dash.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -86,7 +96,8 @@ std::string synopsis(const CommandTable& command) {
     if (option.positional()) line += " " + italic(option.value);
   }
   for (const OptionLine& option : command.options) {
-    if (option.value == "OUT") line += " " + bold(option.names.front()) + " " + italic(option.value);
+    if (option.value == "OUT")
+      line += " " + bold(option.names.front()) + " " + italic(option.value);
   }
   return line + " [" + italic("OPTIONS") + "]\n";
 }
@@ -131,7 +142,8 @@ std::string man_page(const CommandTable& command, const std::vector<CommandTable
   std::string page =
       ".TH " + escaped(page_name(command)) + R"( 1 "" "winnow )" WINNOW_VERSION "\" \"winnow\"\n";
   page += ".SH NAME\n" + escaped(page_name(command)) + R"( \- )" +
-          escaped(whole ? "make huge triangle meshes small, in bounded memory" : description) + "\n";
+          escaped(whole ? "make huge triangle meshes small, in bounded memory" : description) +
+          "\n";
   page += ".SH SYNOPSIS\n" + synopsis(command);
   page += ".SH DESCRIPTION\n" + escaped(description) + (description.ends_with(".") ? "\n" : ".\n");
   if (whole) {
@@ -145,9 +157,11 @@ std::string man_page(const CommandTable& command, const std::vector<CommandTable
     for (const std::string& line : command.remarks) page += escaped(line) + "\n";
   }
   page += ".SH OPTIONS\n" + options(command);
-  page += ".SH MEMORY USAGE\n" + std::string(hard_budget) + "\n.PP\n" + memory_usage(command.name) + "\n";
+  page += ".SH MEMORY USAGE\n" + std::string(hard_budget) + "\n.PP\n" + memory_usage(command.name) +
+          "\n";
   page += ".SH EXIT STATUS\n";
-  for (const auto& [code, meaning] : exit_codes) page += ".TP\n" + bold(code) + "\n" + meaning + "\n";
+  for (const auto& [code, meaning] : exit_codes)
+    page += ".TP\n" + bold(code) + "\n" + meaning + "\n";
   if (!command.examples.empty()) {
     page += ".SH EXAMPLES\n.EX\n";
     for (const std::string& line : command.examples) page += escaped(line) + "\n";

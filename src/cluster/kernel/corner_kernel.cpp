@@ -1,7 +1,8 @@
-// Compiled once for each instruction set, with WINNOW_KERNEL naming it (src/CMakeLists.txt). Plain loops over
-// arrays that the compiler turns into vector code: no branches, every choice is a select; and no conversion
-// between doubles and 64-bit integers, which only the widest instruction set has: adding 1.5 * 2^52 to a
-// number below 2^51 leaves it, rounded, in the low bits of the double.
+// Compiled once for each instruction set, with WINNOW_KERNEL naming it (src/CMakeLists.txt). Plain
+// loops over arrays that the compiler turns into vector code: no branches, every choice is a
+// select; and no conversion between doubles and 64-bit integers, which only the widest instruction
+// set has: adding 1.5 * 2^52 to a number below 2^51 leaves it, rounded, in the low bits of the
+// double.
 #include "cluster/kernel/corner_kernel.hpp"
 
 #include <math.h>
@@ -37,7 +38,8 @@ constexpr std::size_t block = 128;
 struct Scratch {
   alignas(64) float ab[3][block];
   alignas(64) float ac[3][block];
-  alignas(64) float bc[3][block];  // not their difference: of a needle that would leave nothing but rounding
+  alignas(64) float bc[3][block];  // not their difference: of a needle that would leave nothing but
+                                   // rounding
   alignas(64) float normal[3][block];
 };
 
@@ -214,8 +216,8 @@ void add_up(std::size_t from, std::size_t n, CornerSums& out) {
   }
 }
 
-// The plane seen from the middle of a corner's cell: there |distance| is below 0.87 cells, so every number
-// fits beside the normal's.
+// The plane seen from the middle of a corner's cell: there |distance| is below 0.87 cells, so every
+// number fits beside the normal's.
 void find_planes(std::size_t from, std::size_t n, const Scratch& s, CornerSums& out) {
   for (std::size_t i = 0; i < n; ++i) {
     const float x = s.normal[0][i], y = s.normal[1][i], z = s.normal[2][i];
@@ -229,18 +231,18 @@ void find_planes(std::size_t from, std::size_t n, const Scratch& s, CornerSums& 
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (std::size_t i = 0; i < n; ++i) {
       const float x = s.normal[0][i], y = s.normal[1][i], z = s.normal[2][i];
-      const float px =
-          static_cast<float>(static_cast<std::int32_t>(out.place[corner][0][from + i] & fraction_mask)) *
-              to_cells -
-          0.5F;
-      const float py =
-          static_cast<float>(static_cast<std::int32_t>(out.place[corner][1][from + i] & fraction_mask)) *
-              to_cells -
-          0.5F;
-      const float pz =
-          static_cast<float>(static_cast<std::int32_t>(out.place[corner][2][from + i] & fraction_mask)) *
-              to_cells -
-          0.5F;
+      const float px = static_cast<float>(static_cast<std::int32_t>(out.place[corner][0][from + i] &
+                                                                    fraction_mask)) *
+                           to_cells -
+                       0.5F;
+      const float py = static_cast<float>(static_cast<std::int32_t>(out.place[corner][1][from + i] &
+                                                                    fraction_mask)) *
+                           to_cells -
+                       0.5F;
+      const float pz = static_cast<float>(static_cast<std::int32_t>(out.place[corner][2][from + i] &
+                                                                    fraction_mask)) *
+                           to_cells -
+                       0.5F;
       const float distance = x * px + y * py + z * pz;
       out.moment[corner][0][from + i] = rounded(distance * x * normal_scale);
       out.moment[corner][1][from + i] = rounded(distance * y * normal_scale);

@@ -1,11 +1,11 @@
 // From corner positions to fixed-point contributions: the arithmetic that every face goes through.
 //
-// Weights: the mixed Voronoi area of each corner (Meyer, Desbrun, Schröder, Barr 2003), in units of 2^-24 of
-// a cell's squared edge. The grid paper's formula prints |AC|^2 twice; it is
+// Weights: the mixed Voronoi area of each corner (Meyer, Desbrun, Schröder, Barr 2003), in units of
+// 2^-24 of a cell's squared edge. The grid paper's formula prints |AC|^2 twice; it is
 // (|AB|^2 cot C + |AC|^2 cot B) / 8 for a corner A of a triangle that is nowhere obtuse.
 //
-// This header is included by code for wider instruction sets, so it may not define functions: the linker
-// could pick such a copy for everybody.
+// This header is included by code for wider instruction sets, so it may not define functions: the
+// linker could pick such a copy for everybody.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@
 
 namespace winnow {
 
-// A place on the lattice is a whole number of 2^-22 cells, 43 bits an axis. Unit normals have 20 bits.
-// Weights count 2^-24 cell areas, at most 2^28 of them a corner (16 cell areas). A product of weight and
-// fraction has 50 bits, and three of them still fit a double exactly; sums of products stay below 2^63 while
-// the sum of weights stays below 2^41, which CellSum tests.
+// A place on the lattice is a whole number of 2^-22 cells, 43 bits an axis. Unit normals have 20
+// bits. Weights count 2^-24 cell areas, at most 2^28 of them a corner (16 cell areas). A product of
+// weight and fraction has 50 bits, and three of them still fit a double exactly; sums of products
+// stay below 2^63 while the sum of weights stays below 2^41, which CellSum tests.
 inline constexpr int fraction_bits = 22;
 inline constexpr int normal_bits = 20;
 inline constexpr int area_bits = 24;
@@ -48,17 +48,20 @@ struct CornerSums {
   alignas(64) std::int64_t total_normal[3][kernel_capacity];
   bool clamped;  // a weight reached the limit, maybe in a face beyond the last
 
-  // Only where quadrics were asked for: the plane of the face, seen from the middle of each corner's cell.
-  alignas(64) std::int32_t squares[5][kernel_capacity];  // nx nx, nx ny, nx nz, ny ny, ny nz, times 2^20
-  alignas(
-      64) std::int32_t moment[3][3][kernel_capacity];  // [corner][axis]: distance times normal, times 2^20
+  // Only where quadrics were asked for: the plane of the face, seen from the middle of each
+  // corner's cell.
+  alignas(64)
+      std::int32_t squares[5][kernel_capacity];  // nx nx, nx ny, nx nz, ny ny, ny nz, times 2^20
+  alignas(64) std::int32_t
+      moment[3][3][kernel_capacity];  // [corner][axis]: distance times normal, times 2^20
   // Sums over the three corners.
   alignas(64) std::int64_t total_squares[5][kernel_capacity];
   alignas(64) std::int64_t total_moment[3][kernel_capacity];
 };
 
 struct KernelInput {
-  // Either of float or of double: [corner][axis], aligned to 64 bytes, readable to a multiple of 16 faces.
+  // Either of float or of double: [corner][axis], aligned to 64 bytes, readable to a multiple of 16
+  // faces.
   const float* single_position[3][3];
   const double* position[3][3];
   bool single;

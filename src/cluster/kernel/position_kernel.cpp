@@ -12,8 +12,8 @@ namespace {
 constexpr int axis_bits = 21;
 constexpr double axis_cells = 1 << axis_bits;
 
-// Doubles as whole numbers in the same order, because a minimum of whole numbers vectorises without leave to
-// reassociate; the same function leads back.
+// Doubles as whole numbers in the same order, because a minimum of whole numbers vectorises without
+// leave to reassociate; the same function leads back.
 inline std::int64_t ordered(std::int64_t bits) {
   return bits ^ (bits >> 63 & INT64_MAX);
 }
@@ -40,7 +40,8 @@ bool box(const PositionInput& input, double (&low)[3], double (&high)[3]) {
   return largest < infinity;
 }
 
-void cells(const PositionInput& input, const double (&origin)[3], double inverse, std::int64_t* packed) {
+void cells(const PositionInput& input, const double (&origin)[3], double inverse,
+           std::int64_t* packed) {
   const double* px = input.axis[0];
   const double* py = input.axis[1];
   const double* pz = input.axis[2];
@@ -54,7 +55,8 @@ void cells(const PositionInput& input, const double (&origin)[3], double inverse
         (x >= 0) & (x < axis_cells) & (y >= 0) & (y < axis_cells) & (z >= 0) & (z < axis_cells);
     const std::int64_t cell = std::int64_t{static_cast<std::int32_t>(inside ? x : 0)} |
                               std::int64_t{static_cast<std::int32_t>(inside ? y : 0)} << axis_bits |
-                              std::int64_t{static_cast<std::int32_t>(inside ? z : 0)} << (2 * axis_bits);
+                              std::int64_t{static_cast<std::int32_t>(inside ? z : 0)}
+                                  << (2 * axis_bits);
     packed[i] = inside ? cell : -1;
   }
 }

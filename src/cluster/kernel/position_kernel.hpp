@@ -1,5 +1,5 @@
-// What sampling for the cell size does with every position. As corner_kernel.hpp: compiled once for each
-// instruction set, the same results from all, and no function may be defined here.
+// What sampling for the cell size does with every position. As corner_kernel.hpp: compiled once for
+// each instruction set, the same results from all, and no function may be defined here.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,8 @@ struct PositionKernel {
   bool (*box)(const PositionInput& input, double (&low)[3], double (&high)[3]);
 
   // PackedCell of each position; -1 where it is not finite or outside of the lattice.
-  void (*cells)(const PositionInput& input, const double (&origin)[3], double inverse, std::int64_t* packed);
+  void (*cells)(const PositionInput& input, const double (&origin)[3], double inverse,
+                std::int64_t* packed);
 };
 
 extern const PositionKernel position_kernel_baseline;

@@ -8,18 +8,20 @@ namespace winnow {
 
 namespace {
 
-// Pulls the lowest point towards the middle of the edge where the planes leave it free, as a part of their
-// weight: by measurement (bench/RESULTS.md).
+// Pulls the lowest point towards the middle of the edge where the planes leave it free, as a part
+// of their weight: by measurement (bench/RESULTS.md).
 constexpr double pull = 1e-4;
-// Short edges go first where planes cost next to nothing: the square of the length counts, by this part of
-// the planes' weight. As in quadric_placement.hpp, which defines functions.
+// Short edges go first where planes cost next to nothing: the square of the length counts, by this
+// part of the planes' weight. As in quadric_placement.hpp, which defines functions.
 constexpr double edge_length_share = 1e-6;
-// What is flat costs less than all that has a shape, at any scale: only its own order is left (2^-700).
+// What is flat costs less than all that has a shape, at any scale: only its own order is left
+// (2^-700).
 constexpr double flat_share = 0x1p-700;
-// Of the square of the length beside the planes' weight, for flat edges: orders those without a plane.
+// Of the square of the length beside the planes' weight, for flat edges: orders those without a
+// plane.
 constexpr double length_beside_weight = 0x1p-20;
-// How far planes may be off by the rounding of the positions that they were made from: so many times that of
-// a coordinate, since a plane is held by a triangle smaller than the edge is long.
+// How far planes may be off by the rounding of the positions that they were made from: so many
+// times that of a coordinate, since a plane is held by a triangle smaller than the edge is long.
 constexpr double rounding_of_floats = 8 * 0x1p-24;
 constexpr double rounding_of_doubles = 8 * 0x1p-53;
 // The square of what the arithmetic of planes cannot see, beside that of the edge's length.
@@ -31,8 +33,8 @@ double larger_size(double a, double b) {
   return x > y ? x : y;
 }
 
-// The lowest point of the planes of both ends, pulled to the middle of the edge: as lowest_point() of
-// base/quadric.hpp. And whether nothing is lost at an end.
+// The lowest point of the planes of both ends, pulled to the middle of the edge: as lowest_point()
+// of base/quadric.hpp. And whether nothing is lost at an end.
 void place(EdgeBatch& batch, std::size_t end, double rounding) {
   const double lx = batch.low[0], ly = batch.low[1], lz = batch.low[2];
   const VertexPlanes p = batch.low_planes;
@@ -89,7 +91,8 @@ void place(EdgeBatch& batch, std::size_t end, double rounding) {
 // A loop of its own: floats beside doubles would ask for twice the lanes.
 void round_to_floats(EdgeBatch& batch, std::size_t end) {
   for (double(&axis)[EdgeBatch::capacity] : batch.position) {
-    for (std::size_t i = 0; i < end; ++i) axis[i] = static_cast<double>(static_cast<float>(axis[i]));
+    for (std::size_t i = 0; i < end; ++i)
+      axis[i] = static_cast<double>(static_cast<float>(axis[i]));
   }
 }
 
@@ -123,7 +126,8 @@ void price(EdgeBatch& batch, std::size_t end) {
     const double low_error = tx * (p.xx * tx + p.xy * ty + p.xz * tz) +
                              ty * (p.xy * tx + p.yy * ty + p.yz * tz) +
                              tz * (p.xz * tx + p.yz * ty + p.zz * tz);
-    const double high_error = ux * (qxx * ux + qxy * uy + qxz * uz) + uy * (qxy * ux + qyy * uy + qyz * uz) +
+    const double high_error = ux * (qxx * ux + qxy * uy + qxz * uz) +
+                              uy * (qxy * ux + qyy * uy + qyz * uz) +
                               uz * (qxz * ux + qyz * uy + qzz * uz);
     const double error = low_error + high_error;
     const double weight = p.xx + p.yy + p.zz + (qxx + qyy + qzz);

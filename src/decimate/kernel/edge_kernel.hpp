@@ -1,6 +1,7 @@
-// What the edges from one vertex cost by the planes of its faces and of the other ends' (quadric_cost.hpp),
-// and where each would be collapsed to. As cluster/kernel/corner_kernel.hpp: compiled once for each
-// instruction set, the same results from all, and no function may be defined here.
+// What the edges from one vertex cost by the planes of its faces and of the other ends'
+// (quadric_cost.hpp), and where each would be collapsed to. As cluster/kernel/corner_kernel.hpp:
+// compiled once for each instruction set, the same results from all, and no function may be defined
+// here.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +31,8 @@ struct EdgeBatch {
   double flat_low[capacity], flat_high[capacity];  // 1 where that is nothing but rounding
 };
 
-// Of the first `count` edges; results of those behind, up to the next multiple of `edge_kernel_lanes`, are
-// without meaning. `single`: positions are numbers that floats have.
+// Of the first `count` edges; results of those behind, up to the next multiple of
+// `edge_kernel_lanes`, are without meaning. `single`: positions are numbers that floats have.
 using EdgeKernel = void (*)(EdgeBatch& batch, std::size_t count, bool single);
 inline constexpr std::size_t edge_kernel_lanes = 4;
 

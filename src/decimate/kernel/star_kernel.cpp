@@ -45,7 +45,8 @@ void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
     const double oz = rounding * larger(sz, size_of(fz));
     const double abx = size_of(ax) + size_of(bx), aby = size_of(ay) + size_of(by),
                  abz = size_of(az) + size_of(bz);
-    const bool thin_before = (size_of(mx) <= aby * oz + abz * oy) & (size_of(my) <= abz * ox + abx * oz) &
+    const bool thin_before = (size_of(mx) <= aby * oz + abz * oy) &
+                             (size_of(my) <= abz * ox + abx * oz) &
                              (size_of(mz) <= abx * oy + aby * ox);
     const double px = rounding * larger(sx, size_of(tx));
     const double py = rounding * larger(sy, size_of(ty));
@@ -56,8 +57,8 @@ void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
                       (size_of(nz) <= uvx * py + uvy * px);
 
     const double ex = xx - wx, ey = xy - wy, ez = xz - wz;
-    const double longest =
-        larger(larger(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz), ex * ex + ey * ey + ez * ez);
+    const double longest = larger(larger(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz),
+                                  ex * ex + ey * ey + ez * ez);
     const double cosine = mx * nx + my * ny + mz * nz;
     const bool line = thin | !(new_square > thinnest * thinnest * longest * longest);
     const bool far = !(cosine >= least_cosine * __builtin_sqrt(old_square * new_square));
@@ -93,7 +94,8 @@ void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
 
 }  // namespace
 
-void WINNOW_JOIN(star_kernel_, WINNOW_KERNEL)(StarBatch& batch, std::size_t count, const StarRules& rules) {
+void WINNOW_JOIN(star_kernel_, WINNOW_KERNEL)(StarBatch& batch, std::size_t count,
+                                              const StarRules& rules) {
   turn(batch, (count + star_kernel_lanes - 1) / star_kernel_lanes * star_kernel_lanes, rules);
 }
 

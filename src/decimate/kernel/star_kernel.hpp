@@ -1,6 +1,6 @@
-// How the faces around an edge turn when it is collapsed, and the planes that they are in, for quadrics. As
-// edge_kernel.hpp: compiled once for each instruction set, the same results from all, and no function may be
-// defined here.
+// How the faces around an edge turn when it is collapsed, and the planes that they are in, for
+// quadrics. As edge_kernel.hpp: compiled once for each instruction set, the same results from all,
+// and no function may be defined here.
 #pragma once
 
 #include <cstddef>
@@ -16,23 +16,23 @@ struct StarBatch {
   double second[3][capacity], third[3][capacity];  // the corners that stay, in their winding
   double stays[capacity];                          // 1, or 0 for a face that goes
 
-  // Results. Of the plane n, as long as 1, of each face that stays a third of its area * n n' (xx, xy, xz,
-  // yy, yz, zz; zeros where it is thinner than rounding), and how much that is more than the same of the face
-  // as it was.
+  // Results. Of the plane n, as long as 1, of each face that stays a third of its area * n n' (xx,
+  // xy, xz, yy, yz, zz; zeros where it is thinner than rounding), and how much that is more than
+  // the same of the face as it was.
   double planes[6][capacity], change[6][capacity];
   double turned[capacity];  // 1 where a face turns too far, or becomes a line; else 0
   double opened[capacity];  // 1 where a face that was thinner than rounding no longer is; else 0
 };
 
-// `least_cosine`: of the angle that a face may turn by. `rounding`: of a coordinate beside its size, by the
-// rule of base/rounding.hpp.
+// `least_cosine`: of the angle that a face may turn by. `rounding`: of a coordinate beside its
+// size, by the rule of base/rounding.hpp.
 struct StarRules {
   double least_cosine;
   double rounding;
 };
 
-// Of the first `count` faces; results of those behind, up to the next multiple of `star_kernel_lanes`, are
-// without meaning.
+// Of the first `count` faces; results of those behind, up to the next multiple of
+// `star_kernel_lanes`, are without meaning.
 using StarKernel = void (*)(StarBatch& batch, std::size_t count, const StarRules& rules);
 inline constexpr std::size_t star_kernel_lanes = 8;
 

@@ -1,10 +1,10 @@
-// Preloaded into the program: makes one system call fail, or kills the program just before it. Which one says
-// the environment:
+// Preloaded into the program: makes one system call fail, or kills the program just before it.
+// Which one says the environment:
 //   WINNOW_FAULT=CALL NUMBER WHAT [PART]
-// CALL is write (pwrite too), read (pread too), sync, close, rename, link or unlink, or `change`: all but
-// read and close, what alters a disk. The NUMBER-th of those, from 1, on a file whose name has PART in it,
-// fails with the error of number WHAT; where that is 0 the program gets SIGKILL. Where WHAT is -1 the call
-// succeeds, but a pwrite brings one wrong bit to the disk.
+// CALL is write (pwrite too), read (pread too), sync, close, rename, link or unlink, or `change`:
+// all but read and close, what alters a disk. The NUMBER-th of those, from 1, on a file whose name
+// has PART in it, fails with the error of number WHAT; where that is 0 the program gets SIGKILL.
+// Where WHAT is -1 the call succeeds, but a pwrite brings one wrong bit to the disk.
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -93,8 +93,8 @@ int fsync(int fd) {
   return strikes("sync", true, name_of(fd)) ? -1 : real(fd);
 }
 
-// As a disk that is found to be full when what was written is brought to it: the descriptor is gone all the
-// same.
+// As a disk that is found to be full when what was written is brought to it: the descriptor is gone
+// all the same.
 int close(int fd) {
   static auto* const real = next<int(int)>("close");
   const bool fails = strikes("close", false, name_of(fd));
@@ -125,7 +125,8 @@ int unlink(const char* name) noexcept {
   return strikes("unlink", true, name) ? -1 : real(name);
 }
 
-int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* of) {
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
+                   void* of) {
   static auto* const real =
       next<int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
   return strikes("thread", false, "") ? errno : real(thread, attributes, work, of);
