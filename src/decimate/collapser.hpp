@@ -4,30 +4,26 @@
 //
 // - Candidate best(v, after): the cheapest edge that `v` proposes and that comes after `after`;
 // - PricedCollapse place(v, partner): which end of that edge is kept, where it goes, what that
-// costs now;
+//   costs now;
 // - void collapsing(now), told that before the collapse; or collapsing(now, star), its star moved
-// there;
+//   there;
 // - void collapsed(edge, offers), told after it: makes offers anew for the vertices whose edges now
-// cost
-//   otherwise, or makes their offers stale;
+//   cost otherwise, or makes their offers stale;
 // - double piece_price(mesh, piece): what it costs that a piece of the surface goes as a whole,
 //   infinite where it may not;
 //
 // and may have
 //
 // - double change_price(star, edge, change): what it costs besides that a collapse changes the
-// surface,
-//   infinite where it may not; without it no surface changes;
+//   surface, infinite where it may not; without it no surface changes;
 // - double turning_price(star, edge): the same for faces that turn too far; with change_price()
-// only;
+//   only;
 // - void faces_gone(faces, offers): told after collapsed() of faces that fell onto each other and
-// went;
+//   went;
 // - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price,
-// asked for
-//   where place() gave one that is not legal;
+//   asked for where place() gave one that is not legal;
 // - double closer_price(now, star, price): what place() found, looked at more closely, `price` or
-// more, and
-//   infinity where it may not be; asked before every collapse, of one that is legal.
+//   more, and infinity where it may not be; asked before every collapse, of one that is legal.
 #pragma once
 
 #include "decimate/edge_star.hpp"

@@ -2,19 +2,16 @@
 // that was collapsed into it, and how far its border from the border that was.
 //
 // - The mean squared distance of a vertex from the planes of all faces that it stands for, weighted
-// by their
-//   areas, is at most the square of the error (the quadrics of Garland and Heckbert 1997, never
-//   forgotten).
+//   by their areas, is at most the square of the error (the quadrics of Garland and Heckbert 1997,
+//   never forgotten).
 // - The farthest point that a vertex remembers (farthest_points.hpp) is within one and a half times
-// the error.
+//   the error.
 // - A piece of the surface goes only if the box of all its vertices that there were is smaller than
-// the error,
-//   on each axis.
+//   the error, on each axis.
 // - Handles and borders close, where they may, if what closes is smaller likewise.
 // - A border is within one and a half times the error of what it was, both ways: each edge of it
-// has the sum
-//   of the distances by which the border around it has moved, which by the triangle inequality is
-//   no less.
+//   has the sum of the distances by which the border around it has moved, which by the triangle
+//   inequality is no less.
 #pragma once
 
 #include "base/box.hpp"

@@ -6,18 +6,14 @@
 // What differs from the paper, by measurement (bench/RESULTS.md):
 //
 // - The angle by which a face turns is not replaced by 1 - cos, the paper's shortcut, but by 2 tan
-// of its half,
-//   which is the angle to within 6 % up to 45 degrees and takes no more time.
+//   of its half, which is the angle to within 6 % up to 45 degrees and takes no more time.
 // - The importance is a slope. The paper's w = 1 - |k| falls with the square of the slope, so the
-// same distance
-//   costs the less the larger the faces are, and large blunt parts lose too much. By the slope the
-//   cost goes with the square of the distance.
+//   same distance costs the less the larger the faces are, and large blunt parts lose too much. By
+//   the slope the cost goes with the square of the distance.
 // - A border vertex costs the square of its distance from the line that is left. The paper adds the
-// length
-//   times the turn, which is no area, and its turn is that at the vertex that stays.
+//   length times the turn, which is no area, and its turn is that at the vertex that stays.
 // - Costs do not accumulate. The paper raises the costs of the neighbours to that of the vertex
-// that goes. This
-//   is the least of all, so no vertex gets another turn by it.
+//   that goes. This is the least of all, so no vertex gets another turn by it.
 #pragma once
 
 #include "decimate/removal_cost.hpp"

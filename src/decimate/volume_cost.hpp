@@ -5,18 +5,14 @@
 // What differs from the paper, by measurement (bench/RESULTS.md):
 //
 // - The volume is the one that the collapse sweeps. The paper estimates it by the vertex alone, as
-// the angle
-//   times the cube of the height above the plane that fits the neighbours best. That is not 0 along
-//   straight creases and bent sheets, where nothing is lost.
+//   the angle times the cube of the height above the plane that fits the neighbours best. That is
+//   not 0 along straight creases and bent sheets, where nothing is lost.
 // - The neighbour is the one at which the volume is least, of those that are legal. The paper takes
-// an end of
-//   the line through two neighbours that passes closest to the vertex.
+//   an end of the line through two neighbours that passes closest to the vertex.
 // - All vertices compete, and sharp ones pay more: the volume is divided by the angle. In the paper
-// those
-//   compete whose angle is at least the median of all, which a tile does not know.
+//   those compete whose angle is at least the median of all, which a tile does not know.
 // - The angle is that of the circular cone whose normals cancel out as much as those of the faces.
-// It is
-//   known where the paper's solid angle is not, at hyperbolic vertices: these may go as well.
+//   It is known where the paper's solid angle is not, at hyperbolic vertices: these may go as well.
 // - A border counts by the area that it loses. The paper leaves borders open.
 #pragma once
 
