@@ -3,4 +3,4 @@ mkdir meshes
 "$WINNOW" generate part --faces 100 -o meshes/b.stl -q
 head -c 300 meshes/b.stl >meshes/cut.stl
 : >meshes/empty.ply
-"$DATA/../../tools/census" meshes "$WINNOW"
+"$DATA/../../tools/census" --program "$WINNOW" meshes
