@@ -129,7 +129,7 @@ void run_info(const InfoArguments& arguments) {
       json["file"] = input;
       if (code == 0) code = error.exit_code();
     }
-    reports.push_back(report_of(*arguments.common.command, json));
+    reports.push_back(report_of(*arguments.common.owner, json));
   }
   if (arguments.common.json) std::cout << text_of(single ? reports.front() : reports) << "\n";
   if (code != 0) throw Ended{code};

@@ -94,7 +94,7 @@ void refuse_empty_values(const CLI::App& command) {
 }  // namespace
 
 void CommonOptions::add_to(CLI::App& command, bool with_scratch) {
-  this->command = &command;
+  owner = &command;
   command
       .add_option("--memory", memory, "Memory to use, mapped input pages included (default 512M)")
       ->type_name("SIZE")
@@ -134,7 +134,7 @@ void prepare(Context& context, const CommonOptions& options, const std::string& 
   if (!options.scratch.empty() && !std::filesystem::is_directory(options.scratch, ignored)) {
     throw Error(ErrorKind::usage, "--scratch: '" + options.scratch + "' is not a directory");
   }
-  announce_terminal(*options.command);
+  announce_terminal(*options.owner);
   context.map_input = true;
   running = &context;
   cancel_on_signals();

@@ -14,7 +14,7 @@ namespace winnow::cli {
 
 // Texts of options that mean the same in every command; turned into a Context by prepare().
 struct CommonOptions {
-  const CLI::App* command = nullptr;  // that has them
+  const CLI::App* owner = nullptr;  // the command that has them
   std::string memory = "512M";
   unsigned threads = 0;
   std::string scratch;

@@ -190,7 +190,7 @@ struct ProgressBar::State {
 };
 
 ProgressBar::ProgressBar(Context& context, const CommonOptions& options)
-    : state_(std::make_shared<State>(options.command->get_name())) {
+    : state_(std::make_shared<State>(options.owner->get_name())) {
   state_->terminal = ::isatty(STDERR_FILENO) == 1;
   state_->json = options.progress == "json";
   const bool wanted = options.progress == "always" || state_->json ||

@@ -55,7 +55,7 @@ Json json_of_error(const std::string& message, ErrorKind kind) {
 }
 
 void print(const Json& body, const CommonOptions& common, std::ostream& out) {
-  out << text_of(report_of(*common.command, body)) << "\n";
+  out << text_of(report_of(*common.owner, body)) << "\n";
 }
 
 void print_failure(const CLI::App& app, const std::string& message, ErrorKind kind) {
