@@ -3,6 +3,7 @@
 #include <winnow/simplify.hpp>
 
 #include "support/attributes.hpp"
+#include "support/files.hpp"
 #include "support/job.hpp"
 #include "support/program.hpp"
 
