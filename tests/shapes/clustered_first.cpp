@@ -1,5 +1,6 @@
 // Clustering comes first where there are many faces. It keeps what the surface is, as full detail
 // does.
+#include "support/program.hpp"
 #include "support/refined_shape.hpp"
 
 #include <cmath>

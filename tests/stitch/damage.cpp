@@ -1,6 +1,7 @@
 // Vertices whose faces are not one fan, against a walk around each.
 #include "stitch/damage.hpp"
 
+#include "support/files.hpp"
 #include "support/job.hpp"
 #include "support/program.hpp"
 #include "support/random.hpp"
