@@ -1,5 +1,6 @@
 #include "read/kept_faces.hpp"
 
+#include "base/search.hpp"
 #include "io/spool_records.hpp"
 
 #include <algorithm>
@@ -54,13 +55,9 @@ void KeptFaces::finish() {
 }
 
 std::uint64_t KeptFaces::fans_behind(std::uint64_t triangle) const {
-  std::uint64_t low = 0;
-  for (std::uint64_t high = record_count<Fans>(fans_); low < high;) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    (read_record<Fans>(fans_, middle).end() > triangle ? high : low) =
-        middle + (read_record<Fans>(fans_, middle).end() > triangle ? 0 : 1);
-  }
-  return low;
+  return first_not_before(0, record_count<Fans>(fans_), [&](std::uint64_t i) {
+    return read_record<Fans>(fans_, i).end() <= triangle;
+  });
 }
 
 std::uint64_t KeptFaces::begin_of(std::uint64_t triangle) const {
