@@ -265,6 +265,12 @@ bool writes_to_standard_output(const CLI::App& command) {
   });
 }
 
+const CLI::App& parsed_command(const CLI::App& app) {
+  const std::vector<const CLI::App*> parsed =
+      app.get_subcommands([](const CLI::App* command) { return command->parsed(); });
+  return parsed.empty() ? app : *parsed.front();
+}
+
 std::ostream& report_stream(const std::string& output) {
   return output == "-" ? std::cerr : std::cout;
 }

@@ -72,6 +72,9 @@ std::ostream& report_stream(const std::string& output);
 // Whether an output of `command`, as far as its options were read, is standard output.
 bool writes_to_standard_output(const CLI::App& command);
 
+// The command that the line named which `app` has parsed; where it named none, `app`.
+const CLI::App& parsed_command(const CLI::App& app);
+
 // Thrown where all that there is to say was said, but the program is not to end with 0.
 struct Ended {
   int code = 0;

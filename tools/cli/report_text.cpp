@@ -59,9 +59,7 @@ void print(const Json& body, const CommonOptions& common, std::ostream& out) {
 }
 
 void print_failure(const CLI::App& app, const std::string& message, ErrorKind kind) {
-  const std::vector<const CLI::App*> parsed =
-      app.get_subcommands([](const CLI::App* command) { return command->parsed(); });
-  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  const CLI::App& command = parsed_command(app);
   report_stream(writes_to_standard_output(command) ? "-" : "")
       << text_of(report_of(command, json_of_error(message, kind))) << "\n";
 }

@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "numbers.hpp"
+#include "program.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -103,11 +104,10 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
 }
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<const CLI::App*> parsed =
-      app.get_subcommands([](const CLI::App* command) { return command->parsed(); });
-  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  const CLI::App& command = parsed_command(app);
+  const bool named = &command != &app;
   std::vector<std::string> left = app.remaining();
-  if (!parsed.empty()) {
+  if (named) {
     const std::vector<std::string> own = command.remaining();
     left.insert(left.end(), own.begin(), own.end());
   }
@@ -117,7 +117,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   }
   if (!left.empty())
     return command.get_name() + ": '" + clean(left.front()) + "' is one argument too many";
-  if (parsed.empty()) return "say what to do: " + show_list(commands_of(app));
+  if (!named) return "say what to do: " + show_list(commands_of(app));
   for (const CLI::Option* option : command.get_options()) {
     const auto values = static_cast<int>(option->results().size());
     if (values > option->get_items_expected_max())
