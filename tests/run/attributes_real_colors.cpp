@@ -5,6 +5,7 @@
 #include "support/attributes.hpp"
 #include "support/files.hpp"
 #include "support/job.hpp"
+#include "support/notes.hpp"
 #include "support/program.hpp"
 
 #include <algorithm>
@@ -26,11 +27,6 @@ std::vector<Column> one_color(double full, const std::array<const char*, 3>& nam
 }
 
 const std::array<const char*, 3> usual{"red", "green", "blue"};
-
-bool has_note(const std::vector<std::string>& notes, const std::string& part) {
-  return std::any_of(notes.begin(), notes.end(),
-                     [&](const std::string& note) { return note.find(part) != std::string::npos; });
-}
 
 }  // namespace
 

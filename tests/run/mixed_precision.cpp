@@ -3,6 +3,7 @@
 
 #include "support/files.hpp"
 #include "support/job.hpp"
+#include "support/notes.hpp"
 #include "support/ply_file.hpp"
 #include "support/program.hpp"
 
@@ -42,9 +43,7 @@ SimplifyReport beside_each_other(const Directory& directory, std::array<PlyType,
 }
 
 bool tells_of_borders(const SimplifyReport& report) {
-  return std::any_of(report.notes.begin(), report.notes.end(), [](const std::string& note) {
-    return note.find("may not be joined") != std::string::npos;
-  });
+  return has_note(report.notes, "may not be joined");
 }
 
 constexpr std::uint64_t apart = 4 + 2 * 40;  // sides of two strips

@@ -1,5 +1,6 @@
 // Small files on which simplifiers went wrong (F_faults), with what is right for each.
 #include "meshes.hpp"
+#include "support/notes.hpp"
 #include "support/refined_shape.hpp"
 
 #include <algorithm>
@@ -14,11 +15,7 @@ struct Found {
   Shape input, output;
   AttributedMesh attributed;
 
-  [[nodiscard]] bool notes(const std::string& part) const {
-    return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
-      return note.find(part) != std::string::npos;
-    });
-  }
+  [[nodiscard]] bool notes(const std::string& part) const { return has_note(report.notes, part); }
 };
 
 std::string found_file(const std::string& name) {
