@@ -1,6 +1,7 @@
 #include "decimate/unfold.hpp"
 
 #include "base/rounding.hpp"
+#include "base/sort_unique.hpp"
 #include "decimate/surface_patch.hpp"
 
 #include <algorithm>
@@ -331,8 +332,7 @@ class Unfolder {
       const std::span<const FaceNumber> faces = faces_of(face_[f][i]);
       numbers.insert(numbers.end(), faces.begin(), faces.end());
     }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    sort_unique(numbers);
     Box box;
     std::vector<Beside> faces;
     for (const FaceNumber number : numbers) {

@@ -1,5 +1,7 @@
 #include "read/monotone_cut.hpp"
 
+#include "base/sort_unique.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -115,9 +117,12 @@ class MonotoneCut {
     if (from_left == to_left ? !convex : to_left) {
       const Corner edge = edge_under(v);
       if (edge == no_corner) return false;
-      if (!from_left && !to_left) diagonals_.push_back({v, helper_[edge]});
-      if (from_left || to_left) meet(edge, v);
-      helper_[edge] = v;
+      if (from_left || to_left) {
+        meet(edge, v);
+      } else {
+        diagonals_.push_back({v, helper_[edge]});
+        helper_[edge] = v;
+      }
     }
     is_merge_[v] = from_left && to_left && !convex;
     return to_left || begin_edge(v);
@@ -125,8 +130,7 @@ class MonotoneCut {
 
   // Sides of the parts: the polygon's own, from each corner to the next, and diagonals both ways.
   void cut_along_diagonals() {
-    std::sort(diagonals_.begin(), diagonals_.end());
-    diagonals_.erase(std::unique(diagonals_.begin(), diagonals_.end()), diagonals_.end());
+    sort_unique(diagonals_);
     std::vector<std::uint32_t> first(count_ + std::size_t{1}, 0);
     for (const auto& [a, b] : diagonals_) {
       ++first[a + 1];
@@ -151,9 +155,9 @@ class MonotoneCut {
         walked[side] = true;
         part.push_back(from);
         const Corner end = side < count_ ? next(from) : to[side - count_];
-        // Of the sides around its end the one before the way back.
+        // Of the sides around its end the one before the way back: behind an own side the last.
         std::size_t back = first[end + 1];
-        if (side >= count_ || end != next(from)) {
+        if (side >= count_) {
           back = first[end];
           while (back < first[end + 1] && to[back] != from) ++back;
         }

@@ -1,5 +1,6 @@
 #include "run/safe_clustering.hpp"
 
+#include "base/sort_unique.hpp"
 #include "cluster/batch_boxes.hpp"
 #include "cluster/cell_set.hpp"
 #include "cluster/joined_mesh.hpp"
@@ -43,11 +44,6 @@ constexpr std::uint64_t tile_share = std::uint64_t{64} << 20;
 // Of cells, or of parts of some.
 using Names = std::vector<CellKey>;
 using NamedFace = std::array<CellKey, 3>;
-
-void make_unique(Names& names) {
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-}
 
 // Cells that are split further, the faces near them, and the mesh of these.
 struct Level {
@@ -111,7 +107,7 @@ class DamageSplitter {
       boundary_.push_back(names_.name_of(vertices.at(v).key));
     open_ = !boundary_.empty();
     cells.insert(cells.end(), boundary_.begin(), boundary_.end());
-    make_unique(cells);
+    sort_unique(cells);
     return cells;
   }
 
@@ -201,7 +197,7 @@ class DamageSplitter {
   }
 
   void split_boundaries() {
-    make_unique(boundary_);
+    sort_unique(boundary_);
     unsigned depth = least_boundary_depth;
     while (depth < names_.bits() && whole_.cells << depth < boundary_share * boundary_.size())
       ++depth;
@@ -300,7 +296,7 @@ class DamageSplitter {
       if (known[v]) tell(reader.at(v).key);
     }
     for (const std::uint32_t v : damage.at_boundaries) open_ |= known[v];
-    make_unique(deeper);
+    sort_unique(deeper);
   }
 
   // Of the names that are damaged at the finest depth those that hold several positions: at one

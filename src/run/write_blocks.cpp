@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
+#include "base/sort_unique.hpp"
 #include "io/recent_blocks.hpp"
 #include "io/spool.hpp"
 #include "run/attributes.hpp"
@@ -39,8 +40,7 @@ struct OwnNumbers {
 
 OwnNumbers own_numbers(std::vector<std::uint32_t> corners, const BlockEncoder& encoder) {
   std::vector<std::uint32_t> sorted = corners;
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  sort_unique(sorted);
   for (std::uint32_t& corner : corners) {
     const auto place = std::lower_bound(sorted.begin(), sorted.end(), corner) - sorted.begin();
     corner = static_cast<std::uint32_t>(place);

@@ -2,6 +2,7 @@
 
 #include "base/closest_point.hpp"
 #include "base/parallel.hpp"
+#include "base/sort_unique.hpp"
 #include "base/vector.hpp"
 #include "io/spool_records.hpp"
 
@@ -199,14 +200,20 @@ class TileLook {
       seen.push_back({side, i, i == FallenFaces::none ? 1 : fallen_.faces(i)});
       for (const VertexNumber neighbour : side) beside.emplace_back(neighbour, seen.back().faces);
     }
+    // Very many faces may be at one edge, so each is gone through once.
     std::sort(beside.begin(), beside.end());
+    std::size_t edges = 0;
+    for (const auto& [neighbour, faces] : beside) {
+      if (edges > 0 && beside[edges - 1].first == neighbour) {
+        beside[edges - 1].second += faces;
+      } else {
+        beside[edges++] = {neighbour, faces};
+      }
+    }
+    beside.resize(edges);
     const auto faces_at = [&](VertexNumber neighbour) {
-      std::uint64_t sum = 0;
-      const std::pair<VertexNumber, std::uint64_t> from{neighbour, 0};
-      for (auto at = std::lower_bound(beside.begin(), beside.end(), from);
-           at != beside.end() && at->first == neighbour; ++at)
-        sum += at->second;
-      return sum;
+      return std::lower_bound(beside.begin(), beside.end(), std::pair{neighbour, std::uint64_t{0}})
+          ->second;
     };
     around_.clear();
     for (const Seen& face : seen) {
@@ -244,11 +251,6 @@ class TileLook {
 
 void add_to(std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& more) {
   all.insert(all.end(), more.begin(), more.end());
-}
-
-void make_unique(std::vector<std::uint32_t>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 void remove_from(std::vector<std::uint32_t>& numbers, const std::vector<std::uint32_t>& others) {
@@ -300,7 +302,7 @@ std::optional<Damage> find_damage(Job& job, const RefinedMesh& whole, std::uint6
       });
   if (too_much) return std::nullopt;
   fallen.tell(damage);
-  make_unique(damage.vertices);
+  sort_unique(damage.vertices);
   remove_from(damage.at_boundaries, damage.vertices);
   remove_from(damage.folded, damage.vertices);
   if (damage.vertices.size() + damage.at_boundaries.size() > most) return std::nullopt;

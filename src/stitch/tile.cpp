@@ -1,6 +1,7 @@
 #include "stitch/tile.hpp"
 
 #include "base/hash.hpp"
+#include "base/sort_unique.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
 
@@ -221,8 +222,7 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
       if (!own(v)) tile.others.push_back(v);
     }
   }
-  std::sort(tile.others.begin(), tile.others.end());
-  tile.others.erase(std::unique(tile.others.begin(), tile.others.end()), tile.others.end());
+  sort_unique(tile.others);
 
   const std::size_t vertices = tile.own_vertices + tile.others.size();
   tile.locked.assign(vertices, free_vertex);
