@@ -43,7 +43,7 @@ def section_collapse(bench):
         print(f"**{source.name}**, {faces_in(learned)} faces to {share}, "
               f"{options.threads} threads for winnow:\n")
         print_against(runs)
-        result[source.name] = {name: {"runs": found} for name, found in runs.items()}
+        result[source.name] = {name: {"cluster_passes": found} for name, found in runs.items()}
         table = Table("program", "faces", "RMS % of the diagonal", "max %", "flipped",
                       "non-manifold edges")
         for name, found in runs.items():
@@ -178,6 +178,6 @@ def section_ratios(bench):
                       ratio(found, runs["winnow"]),
                       max(run["peak_bytes"] for run in found) / MIB, both["rms_percent"],
                       both["max_percent"])
-        result[share] = {"runs": runs, "judged": judged}
+        result[share] = {"cluster_passes": runs, "judged": judged}
     table.print()
     return result

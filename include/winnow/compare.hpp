@@ -2,6 +2,7 @@
 #pragma once
 
 #include <winnow/context.hpp>
+#include <winnow/distance.hpp>
 #include <winnow/simplify.hpp>
 
 #include <array>
@@ -27,8 +28,9 @@ struct CompareOptions {
   std::string picture;  // a PNG of both meshes, coloured by distance; empty: none
   View view = View::iso;
   std::array<double, 3>
-      viewer{};        // View::from: the direction from the meshes to the viewer, not 0,0,0
-  bool force = false;  // replace existing files
+      viewer{};  // View::from: the direction from the meshes to the viewer, not 0,0,0
+  std::optional<Distance> fail_above;  // the report says whether the symmetric RMS is above it
+  bool force = false;                  // replace existing files
   Format from_original = Format::automatic, from_simplified = Format::automatic;
 };
 
@@ -49,6 +51,12 @@ struct CompareReport {
   };
   Mesh original, simplified;
   double diagonal = 0;  // of the original's box, for percentages
+
+  struct Limit {
+    double length = 0;  // CompareOptions::fail_above, in model units
+    bool exceeded = false;
+  };
+  std::optional<Limit> limit;
 
   Distances forward;   // from points of the original to the simplified surface
   Distances backward;  // from points of the simplified mesh to the original surface

@@ -35,8 +35,8 @@ enum class UpAxis {
 struct Encoding {
   bool ascii = false;  // PLY and STL as text; OBJ and OFF always are
   Positions positions = Positions::as_input;
-  Compression compression = Compression::none;  // GLB
-  UpAxis up = UpAxis::y;                        // GLB
+  Compression compress = Compression::none;  // GLB
+  UpAxis up = UpAxis::y;                     // GLB
   // Of a GLB: positions are whole numbers of so many bits, 1 to 16 (KHR_mesh_quantization), along
   // the longest side of the box, and normals of 8; the report says how far a position moves at
   // most. Default: floats.

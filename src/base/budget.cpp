@@ -26,7 +26,7 @@ Reservation Budget::reserve(std::uint64_t bytes, const char* what) {
     throw Error(ErrorKind::resources, std::string(what) + " needs " + human_bytes(bytes) +
                                           " more memory; " + human_bytes(left()) + " of " +
                                           human_bytes(total_) +
-                                          " are left; the smallest that works is --memory " +
+                                          " are left; the smallest that works is `memory` " +
                                           size_option(enough_for(bytes)));
   }
   return reservation;

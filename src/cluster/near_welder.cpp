@@ -231,7 +231,7 @@ class NearWeld {
         reserved *= 2;
         room.release();
         room = job_.budget.reserve(reserved * NearLinks::bytes_a_point,
-                                   "vertices within one distance of --weld");
+                                   "vertices within one distance of `weld`");
         cell.reserve(reserved);
       }
       cell.push_back(next.point);

@@ -89,7 +89,7 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMem
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(ErrorKind::failed, "the input has " + grouped(mesh.vertices->size()) +
                                        " different positions, more than one mesh can number; "
-                                       "winnow simplify --detail 6 clusters them");
+                                       "winnow simplify `detail` 6 clusters them");
   }
   mesh.cells = mesh.vertices->size();
 }

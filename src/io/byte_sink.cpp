@@ -114,7 +114,7 @@ void ByteSink::refuse_terminal() const {
   throw Error(ErrorKind::usage,
               "a terminal cannot show what is no text; name a file, send standard output to a file "
               "or a pipe, "
-              "or write text with --to obj");
+              "or write text with `to` obj");
 }
 
 ByteSink::~ByteSink() {

@@ -24,7 +24,7 @@ class ByteSink {
   // at once, not at the end; `way_out` ends its message. From then on open_source() refuses to read
   // that file. Where the name ends in .gz or .zst, what is written is compressed.
   ByteSink(Job& job, std::string path, bool force, const char* way_out = by_force);
-  static constexpr const char* by_force = "use --force to replace it";
+  static constexpr const char* by_force = "use `force` to replace it";
   ~ByteSink();
   ByteSink(const ByteSink&) = delete;
   ByteSink& operator=(const ByteSink&) = delete;

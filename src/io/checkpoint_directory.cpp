@@ -83,7 +83,7 @@ std::unique_ptr<CheckpointDirectory> CheckpointDirectory::begin(Job& job, const 
   std::error_code error;
   std::filesystem::create_directory(path, error);
   if (error || !std::filesystem::is_directory(path, error)) {
-    throw Error(ErrorKind::usage, "--checkpoint: '" + path +
+    throw Error(ErrorKind::usage, "`checkpoint`: '" + path +
                                       "' is no directory and cannot be made one" +
                                       (error ? ": " + error.message() : ""));
   }
@@ -106,7 +106,7 @@ void CheckpointDirectory::refuse_others() const {
     // A run that was killed before it had begun can leave these.
     if (name == lock_name || name == new_manifest_name || name.starts_with(scratch_prefix))
       continue;
-    throw Error(ErrorKind::usage, "--checkpoint: '" + path_ +
+    throw Error(ErrorKind::usage, "`checkpoint`: '" + path_ +
                                       "' is not empty; name a directory that is, or a new one");
   }
 }

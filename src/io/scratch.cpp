@@ -21,9 +21,9 @@ namespace {
 [[noreturn]] void scratch_error(const std::string& directory, const std::string& doing, int code) {
   std::string text = "cannot " + doing + " scratch in '" + directory + "': " + std::strerror(code);
   if (code == ENOSPC || code == EDQUOT || code == EFBIG) {
-    text += "; free some space, or name another directory with --scratch";
+    text += "; free some space, or name another directory with `scratch`";
   } else {
-    text += "; name another directory with --scratch";
+    text += "; name another directory with `scratch`";
   }
   throw Error(ErrorKind::resources, text);
 }
@@ -66,7 +66,7 @@ void Scratch::damaged() const {
   throw Error(ErrorKind::resources,
               "scratch in '" + directory_ +
                   "' is damaged: a checksum does not fit. The disk may be failing; name "
-                  "another directory with --scratch");
+                  "another directory with `scratch`");
 }
 
 void Scratch::count(std::uint64_t bytes) {

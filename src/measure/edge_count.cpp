@@ -48,7 +48,7 @@ void EdgeCount::add(std::span<const std::uint64_t> edges) {
     spill();
     if (!pages_.grow_to(edges.size() * sizeof(Edge)))
       throw Error(ErrorKind::resources,
-                  "there is no memory left to count edges in; raise --memory");
+                  "there is no memory left to count edges in; raise `memory`");
   }
   std::memcpy(pages_.data() + kept_ * sizeof(Edge), edges.data(), edges.size_bytes());
   kept_ += edges.size();

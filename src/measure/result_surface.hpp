@@ -9,7 +9,7 @@
 namespace winnow {
 
 struct ResultSurface {
-  SimplifyReport::Topology::Edges edges;
+  SurfaceEdges edges;
   bool closed = false;
   double area = 0;
 };

@@ -100,7 +100,7 @@ class Dropped {
     message += differs ? "not in every input, or not of one type" : "no attribute of its vertices";
   }
   const std::string common = offer.not_common.empty() ? "" : " in common";
-  message += all.empty() ? "; they have none" + common + ": leave --attributes out"
+  message += all.empty() ? "; they have none" + common + ": leave `attributes` out"
                          : "; they have " + joined(all) + common;
   throw Error(ErrorKind::usage, message);
 }
@@ -213,7 +213,7 @@ AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffe
     if (refusal.empty() && choice.carried.size() == most_attributes) {
       refusal = "more than " + std::to_string(most_attributes) + " attributes:";
       if (wish.names) {
-        throw Error(ErrorKind::usage, "--attributes takes at most " +
+        throw Error(ErrorKind::usage, "`attributes` takes at most " +
                                           std::to_string(most_attributes) + " properties");
       }
     }

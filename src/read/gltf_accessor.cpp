@@ -78,11 +78,11 @@ void GltfElements::check(GltfUse use) const {
   const bool real = type == GltfType::float32;
   if (use == GltfUse::normals && !real && type != GltfType::int8 && type != GltfType::int16)
     fail(
-        "normals are neither floats nor signed integers of 8 or 16 bits; --attributes none leaves "
+        "normals are neither floats nor signed integers of 8 or 16 bits; `attributes` none leaves "
         "them out");
   if (use == GltfUse::colors && !real && type != GltfType::uint8 && type != GltfType::uint16)
     fail(
-        "colours are neither floats nor unsigned integers of 8 or 16 bits; --attributes none "
+        "colours are neither floats nor unsigned integers of 8 or 16 bits; `attributes` none "
         "leaves them "
         "out");
 }

@@ -8,7 +8,7 @@ namespace winnow {
 
 void refuse_bad_face(const std::string& name, const FirstBad& bad) {
   throw Error(ErrorKind::bad_input, "'" + name + "': face " + grouped(bad.face) + " " + bad.what +
-                                        "; without --strict such faces are counted and left out");
+                                        "; without `strict` such faces are counted and left out");
 }
 
 GoodFaces::GoodFaces(const FaceBatch& faces) {

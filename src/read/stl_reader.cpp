@@ -71,7 +71,7 @@ bool is_right_count(std::uint64_t declared, std::uint64_t faces) {
               "'" + name + "' is no mesh in a format that winnow reads, or a damaged " +
                   "STL: its header would say " + grouped(declared) +
                   " faces, and it has room for " + grouped(stored) +
-                  "; --from stl reads it all the same");
+                  "; `from` stl reads it all the same");
 }
 
 // What there is to decide by: whether the count fits the size, whether it reads like text. Many

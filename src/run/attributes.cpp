@@ -29,11 +29,11 @@ void take_normal(const MeshShape& shape, MeshVertex& vertex) {
 AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encoder) {
   AttributeWish wish;
   wish.names = options.attributes;
-  wish.no_data = options.no_data;
+  wish.no_data = options.nodata;
   wish.refusal = [&encoder, normals = options.normals](
                      const Attribute& attribute, std::span<const Attribute> wanted) -> std::string {
     if (normals && names_normal(attribute))
-      return "normals of the input, as --normals computes those of the result:";
+      return "normals of the input, as `normals` computes those of the result:";
     return encoder.attribute_refusal(attribute, wanted);
   };
   return wish;

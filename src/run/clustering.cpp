@@ -79,7 +79,7 @@ void note_pairs(Job& job, const ClusteredMesh& mesh) {
   job.note(line);
 }
 
-constexpr const char* detail_full = "--detail full";
+constexpr const char* detail_full = "`detail` full";
 
 std::string few_faces() {
   return "the input has no more than " + grouped(always_full) + " faces";
@@ -100,11 +100,11 @@ Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::
   const auto clustered = static_cast<std::uint64_t>(wanted);
   if (target >= available && wanted >= all)
     return {true, available, grouped(available) + " faces already"};
-  if (options.borders == Borders::keep) return {true, available, keeps_boundaries};
+  if (options.boundary == Boundary::keep) return {true, available, keeps_boundaries};
   if (options.detail && wanted >= all)
     return {true, available,
-            std::isinf(*options.detail) ? detail_full : "--detail asks for all faces"};
-  if (options.detail) return {false, clustered, "--detail asks for it"};
+            std::isinf(*options.detail) ? detail_full : "`detail` asks for all faces"};
+  if (options.detail) return {false, clustered, "`detail` asks for it"};
   if (available <= always_full) return {true, available, few_faces()};
   if (wanted > worth_clustering * all)
     return {true, available, "it would not spare three quarters of the faces"};
@@ -113,7 +113,7 @@ Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::
 
 Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available) {
   if (options.detail) return {true, available, detail_full};
-  if (options.borders == Borders::keep) return {true, available, keeps_boundaries};
+  if (options.boundary == Boundary::keep) return {true, available, keeps_boundaries};
   if (available <= always_full) return {true, available, few_faces()};
   return {false, available, ""};
 }
@@ -126,11 +126,11 @@ Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& opti
   if (reader.facts().mixed_positions && !welds(options)) {
     job.note(
         "some inputs have doubles and some floats, so borders between them may not be joined; "
-        "--weld DISTANCE joins what is near");
+        "`weld` DISTANCE joins what is near");
   }
   settings_.for_refinement = cost_of(options) != Refine::none;
   settings_.attributes = std::move(attributes);
-  settings_.keep_quadrics = options.error || options.relative_error;
+  settings_.keep_quadrics = options.error.has_value();
 }
 
 Clustered Clustering::run() {
@@ -158,7 +158,7 @@ ClusteredMesh Clustering::as_asked() {
   }
   available_ = count_faces(job_, reader_);
   if (available_ == 0) refuse_empty();
-  if (options_.error || options_.relative_error) return to_error();
+  if (options_.error) return to_error();
   target_ = target_of(options_, available_).value_or(0);
   report_.target_faces = target_;
   return cost_of(options_) == Refine::none ? to_count(sample(target_), target_, tolerance)
@@ -179,11 +179,11 @@ Grid Clustering::grid_of_box() {
 
 ClusteredMesh Clustering::to_error() {
   const Box box =
-      options_.relative_error
+      options_.error->relative
           ? measure_box_of_faces(job_, reader_)
           : measure_surface(job_, reader_, reader_.facts().vertices.value_or(available_));
   if (box.empty) refuse_empty();
-  error_ = options_.error ? *options_.error : *options_.relative_error * box.diagonal();
+  error_ = options_.error->length(box.diagonal());
   const double cell = cell_for_error * error_;
   const Detail detail = detail_for_error(options_, available_);
   if (detail.welded) return welded(detail.reason);
@@ -272,20 +272,20 @@ ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t targe
   // What is refined afterwards may miss, so the old price of a few runs is the limit there.
   const std::uint64_t runs = settings_.for_refinement ? most_runs_refined : most_runs;
   CellSearch search(sample, wanted);
-  for (report_.runs = 1;; ++report_.runs) {
+  for (report_.cluster_passes = 1;; ++report_.cluster_passes) {
     settings_.grid = Grid::over(sample.box(), search.next());
     ClusteredMesh mesh = once();
     search.add(settings_.grid.cell, mesh.face_count);
     const double miss = static_cast<double>(mesh.face_count) / wanted;
     if (std::abs(miss - 1) <= tolerated) return mesh;
-    const bool last = report_.runs == runs || search.exhausted();
+    const bool last = report_.cluster_passes == runs || search.exhausted();
     if (!last) {
       job_.note("the sample misled: " + grouped(mesh.face_count) + " faces instead of " +
                 grouped(target) + "; the faces were clustered again");
       continue;
     }
     if (search.best() != settings_.grid.cell) {
-      ++report_.runs;
+      ++report_.cluster_passes;
       settings_.grid = Grid::over(sample.box(), search.best());
       mesh = once();
     }
@@ -303,13 +303,13 @@ void Clustering::note_missed_count(const CellSearch& search, std::uint64_t faces
               " faces at its own resolution");
   } else if (faces < target && search.finest()) {
     job_.note(line + "finer cells do not exist in a box of " +
-              shortest(search.box().longest_side()) + "; some vertices may be far off, see --crop");
+              shortest(search.box().longest_side()) + "; some vertices may be far off, see `crop`");
   } else if (settings_.for_refinement) {
     job_.note(line + "the count changes too fast with the size of cells");
   } else {
     job_.note(
         line +
-        "no size of cells that was tried comes nearer; --faces without --refine none is exact");
+        "no size of cells that was tried comes nearer; `faces` without `refine` none is exact");
   }
 }
 
@@ -344,7 +344,7 @@ void Clustering::take_counts(const ClusterCounts& counts) {
   report_.input.faces = counts.faces;
   report_.input.bad_faces = counts.bad;
   report_.input.cropped_faces = counts.cropped;
-  report_.clamped_faces = counts.clamped;
+  report_.weight_clamped_faces = counts.clamped;
 }
 
 void Clustering::refuse_empty() const {
@@ -353,9 +353,9 @@ void Clustering::refuse_empty() const {
   throw Error(
       ErrorKind::bad_input,
       "'" + reader_.name() + "' has no face that could be simplified" +
-          (options_.crop ? " in the box of --crop; winnow info tells where the mesh is" : "") +
+          (options_.crop ? " in the box of `crop`; winnow info tells where the mesh is" : "") +
           (welds(options_) && report_.weld.vertices > 0
-               ? "; --weld joined too many vertices, choose a smaller distance"
+               ? "; `weld` joined too many vertices, choose a smaller distance"
                : ""));
 }
 
@@ -365,13 +365,13 @@ void Clustering::refuse_result(const ClusteredMesh& mesh) const {
     throw Error(ErrorKind::failed,
                 "no face is left: all cells that were tried, down to " +
                     shortest(settings_.grid.cell) +
-                    ", are too coarse; leave --refine none out, or use --crop if some "
+                    ", are too coarse; leave `refine` none out, or use `crop` if some "
                     "vertices are far off");
   }
   throw Error(ErrorKind::failed,
               "no face is left: the whole model falls into " + grouped(mesh.cells) + " cells of " +
                   shortest(settings_.grid.cell) + "; choose smaller cells" +
-                  (options_.cell ? "" : ", or --crop if some vertices are far off"));
+                  (options_.cell ? "" : ", or `crop` if some vertices are far off"));
 }
 
 }  // namespace winnow

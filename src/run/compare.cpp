@@ -16,6 +16,7 @@
 #include "measure/surface_totals.hpp"
 #include "measure/surface_tree.hpp"
 #include "measure/welded_mesh.hpp"
+#include "options/check_ranges.hpp"
 #include "picture/camera.hpp"
 #include "picture/side_by_side.hpp"
 #include "read/for_each_batch.hpp"
@@ -187,7 +188,7 @@ class Comparison {
   [[noreturn]] void refuse(std::uint64_t faces, std::uint64_t besides = 0) const {
     throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(job_.budget.total()) +
                                           " is too small to compare with a mesh of " +
-                                          grouped(faces) + " faces; enough is --memory " +
+                                          grouped(faces) + " faces; enough is `memory` " +
                                           size_option((needed_for(faces) + besides + mebibyte - 1) /
                                                       mebibyte * mebibyte));
   }
@@ -332,14 +333,9 @@ CompareReport compare(Context& context, const std::string& original, const std::
                       const CompareOptions& options) {
   if (original == "-" && simplified == "-")
     throw Error(ErrorKind::usage, "only one of the two meshes can come from standard input");
-  if (options.samples < least_samples || options.samples > most_samples)
-    throw Error(ErrorKind::usage,
-                "--samples takes 100 to 1,000,000,000,000, not " + grouped(options.samples));
-  check_ending("--colored", options.colored, {".ply", ".ply.gz", ".ply.zst"});
-  check_ending("--picture", options.picture, {".png"});
-  if (options.view == View::from &&
-      (!finite(options.viewer) || options.viewer == std::array<double, 3>{}))
-    throw Error(ErrorKind::usage, "--view takes a direction of finite numbers that are not all 0");
+  check_ranges(compare_options(), options);
+  check_ending("`colored`", options.colored, {".ply", ".ply.gz", ".ply.zst"});
+  check_ending("`picture`", options.picture, {".png"});
   if (!options.colored.empty() && same_place(options.colored, options.picture))
     throw Error(ErrorKind::usage, "the coloured mesh and the picture need a name each");
   const Stopwatch watch;
@@ -349,6 +345,10 @@ CompareReport compare(Context& context, const std::string& original, const std::
                     smallest_chunk(job.threads) * bytes_a_chunk_face * 3 / 2 + 20 * mebibyte);
   CompareReport report =
       in_arena(job, [&] { return Comparison(job, options).run(original, simplified); });
+  if (options.fail_above) {
+    const double length = options.fail_above->length(report.diagonal);
+    report.limit = {length, report.symmetric.rms > length};
+  }
   report.notes = job.notes;
   report.peak_memory_bytes = peak_resident_bytes();
   report.seconds = watch.seconds();

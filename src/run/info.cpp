@@ -26,7 +26,7 @@ struct InfoMemory {
     constexpr std::uint64_t least = 16 * mebibyte;
     if (total < fixed + least) {
       throw Error(ErrorKind::resources, "a memory budget of " + human_bytes(total) +
-                                            " is too small; the smallest that works is --memory " +
+                                            " is too small; the smallest that works is `memory` " +
                                             size_option(fixed + least));
     }
     const std::uint64_t rest = total - fixed;

@@ -71,7 +71,7 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned
     throw Error(ErrorKind::resources,
                 "a memory budget of " + human_bytes(total) + " is too small for " +
                     std::to_string(threads) + (threads == 1 ? " thread" : " threads") +
-                    "; the smallest that works is --memory " + size_option(taken + plan.smallest));
+                    "; the smallest that works is `memory` " + size_option(taken + plan.smallest));
   }
   plan.cluster.table_parts = table_parts(threads);
   // Fewer faces a batch in a small budget: it bounds what is under way when the table is full.
@@ -113,7 +113,7 @@ std::vector<SimplifyPlan::Part> MemoryPlan::parts() const {
       {"vertices of the input, then of the result", reader.vertices},
       {"cells", cluster.table},
       {"faces between cells", cluster.faces}};
-  if (weld.moved > 0) parts.push_back({"vertices that --weld moved", weld.moved});
+  if (weld.moved > 0) parts.push_back({"vertices that `weld` moved", weld.moved});
   if (cluster.attributes > 0) parts.push_back({"attributes of cells", cluster.attributes});
   return parts;
 }

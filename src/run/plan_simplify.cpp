@@ -33,12 +33,13 @@ std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOp
   const std::string positions =
       outlook.taken_in || outlook.facts.vertices ? "vertices" : "corners of all faces";
   if (welds(options)) {
-    if (options.relative_weld) passes.emplace_back("measure the box of the faces");
+    if (options.weld && options.weld->relative) passes.emplace_back("measure the box of the faces");
     passes.push_back("measure where most of the " + positions + " are");
     passes.emplace_back("gather the vertices of the faces, and join those near each other");
   }
-  if (options.grid || options.relative_error) passes.emplace_back("measure the box of the faces");
-  if (options.error) passes.push_back("measure the box of the " + positions);
+  const bool part_of_box = options.error && options.error->relative;
+  if (options.grid || part_of_box) passes.emplace_back("measure the box of the faces");
+  if (options.error && !part_of_box) passes.push_back("measure the box of the " + positions);
   if (options.faces || options.ratio) {
     if ((welds(options) || (!outlook.facts.faces && !outlook.taken_in && options.ratio)))
       passes.emplace_back("count the faces");
@@ -89,7 +90,7 @@ constexpr double split_faces = 1.3;
 // later.
 void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const CellNeeds& needs,
               std::uint64_t memory, unsigned threads, SimplifyPlan& out) {
-  if (options.error || options.relative_error) return;
+  if (options.error) return;
   const auto faces = static_cast<double>(*out.faces);
   const std::uint64_t target =
       std::min(*out.faces, target_of(options, *out.faces).value_or(*out.faces / 10));

@@ -45,14 +45,14 @@ const char* name_of(StoppedBy reason) {
 const char* sentence_of(StoppedBy reason, bool free) {
   switch (reason) {
     case StoppedBy::boundaries:
-      return "--boundary keep keeps every boundary vertex; --boundary weigh lets them go";
+      return "`boundary` keep keeps every boundary vertex; `boundary` weigh lets them go";
     case StoppedBy::hubs:
       return "vertices with very many faces stay, and so do faces between two of them";
     case StoppedBy::pieces:
-      return "--keep-pieces keeps every piece of the surface; without it the smallest go";
+      return "`keep_pieces` keeps every piece of the surface; without it the smallest go";
     default:
       return free ? "no edge is left that could be collapsed"
-                  : "fewer would change the topology or destroy the shape; --topology free closes "
+                  : "fewer would change the topology or destroy the shape; `topology` free closes "
                     "handles and "
                     "holes, and meets the count";
   }
@@ -143,7 +143,7 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   settings.decimation.cost = collapse_cost(cost_of(options));
   settings.decimation.single = !doubles;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
-  settings.decimation.keep_borders = options.borders == Borders::keep;
+  settings.decimation.keep_borders = options.boundary == Boundary::keep;
   settings.decimation.keep_pieces = options.keep_pieces;
   settings.decimation.free_topology = options.topology == Topology::free;
   if (clustered.error > 0) settings.decimation.error = clustered.error;

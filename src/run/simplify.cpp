@@ -35,9 +35,9 @@ namespace {
 std::unique_ptr<NearWeldedReader> join_near(Job& job, std::unique_ptr<MeshReader> reader,
                                             const SimplifyOptions& options,
                                             const NearWeldMemory& memory, SimplifyReport& report) {
-  report.weld.distance =
-      options.weld ? *options.weld
-                   : *options.relative_weld * measure_box_of_faces(job, *reader).diagonal();
+  report.weld.distance = options.weld->relative
+                             ? options.weld->length(measure_box_of_faces(job, *reader).diagonal())
+                             : options.weld->value;
   std::unique_ptr<NearWeldedReader> welded =
       weld_near(job, std::move(reader), report.weld.distance, memory);
   report.weld.vertices = welded->merged();
@@ -90,13 +90,13 @@ void check_surface(Job& job, const ClusteredMesh& mesh, const SimplifyOptions& o
   report.topology.closed = surface.closed;
   report.area.output = surface.area;
   const bool of_input = report.topology.input.has_value();
-  const SimplifyReport::Topology::Edges& edges = of_input ? *report.topology.input : surface.edges;
+  const SurfaceEdges& edges = of_input ? *report.topology.input : surface.edges;
   if (edges.total >= enough_edges &&
       static_cast<double>(edges.boundary) > loose_edges * static_cast<double>(edges.total)) {
     job.note(percentage(static_cast<double>(edges.boundary) / static_cast<double>(edges.total)) +
              " of the edges of the " + (of_input ? "input" : "result") +
              " are boundaries, as if its faces did not touch; " +
-             (welds(options) ? "a larger distance of --weld" : "--weld DISTANCE") +
+             (welds(options) ? "a larger distance of `weld`" : "`weld` DISTANCE") +
              " joins vertices that lie near each other");
   }
   const double lost = 1 - surface.area / report.area.input;
@@ -164,8 +164,8 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
                    encoder.position_error(shape)};
   report.input.names = request.inputs;
   report.cells = mesh.cells;
-  report.turned_faces = mesh.turned;
-  report.fused_faces = mesh.fused;
+  report.reoriented_faces = mesh.turned;
+  report.merged_opposite_faces = mesh.fused;
   report.error_bound = report.cell_size * std::sqrt(3.0);
   report.spilled_bytes = job.scratch.written();
   report.peak_scratch_bytes = job.scratch.peak();

@@ -1,10 +1,10 @@
 #include "run/simplify_request.hpp"
 
 #include <winnow/error.hpp>
+#include <winnow/options.hpp>
 
 #include "base/checksum.hpp"
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -21,36 +21,36 @@ namespace {
 
 constexpr std::size_t end_bytes = std::size_t{1} << 16;
 
+// Fields of the report.
+std::string report_key(const std::string& path) {
+  return "report." + path;
+}
+
 class Put {
  public:
   explicit Put(Manifest& manifest) : manifest_(manifest) {}
 
   template <typename Value>
-  void operator()(const std::string& key, const Value& value) {
+  void operator()(const std::string& path, const Value& value) {
     if constexpr (std::is_same_v<Value, std::string> || std::is_same_v<Value, double>) {
-      manifest_.set(key, value);
+      manifest_.set(report_key(path), value);
     } else {
-      manifest_.set(key, static_cast<std::uint64_t>(value));
+      manifest_.set(report_key(path), static_cast<std::uint64_t>(value));
     }
   }
   template <typename Value>
-  void operator()(const std::string& key, const std::optional<Value>& value) {
-    if (value) (*this)(key, *value);
+  void operator()(const std::string& path, const std::optional<Value>& value) {
+    if (value) (*this)(path, *value);
   }
-  void operator()(const std::string& key, const std::array<std::array<double, 3>, 2>& box) {
-    manifest_.set(key, std::uint64_t{1});
-    for (std::size_t i = 0; i < 6; ++i)
-      manifest_.set(key + "." + std::to_string(i), box[i / 3][i % 3]);
+  void operator()(const std::string& path, const SurfaceEdges& edges) {
+    manifest_.set(report_key(path), edges.total);
+    manifest_.set(report_key(path) + ".boundary", edges.boundary);
+    manifest_.set(report_key(path) + ".non_manifold", edges.non_manifold);
   }
-  void operator()(const std::string& key, const SimplifyReport::Topology::Edges& edges) {
-    manifest_.set(key, edges.total);
-    manifest_.set(key + ".boundary", edges.boundary);
-    manifest_.set(key + ".non_manifold", edges.non_manifold);
-  }
-  void operator()(const std::string& key, const std::vector<std::string>& lines) {
+  void operator()(const std::string& path, const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
-    manifest_.set(key, text);
+    manifest_.set(report_key(path), text);
   }
 
  private:
@@ -62,125 +62,35 @@ class Get {
   explicit Get(const Manifest& manifest) : manifest_(manifest) {}
 
   template <typename Value>
-  void operator()(const std::string& key, Value& value) {
+  void operator()(const std::string& path, Value& value) {
     if constexpr (std::is_same_v<Value, std::string>) {
-      value = manifest_.text(key);
+      value = manifest_.text(report_key(path));
     } else if constexpr (std::is_same_v<Value, double>) {
-      value = manifest_.real(key);
+      value = manifest_.real(report_key(path));
     } else {
-      value = static_cast<Value>(manifest_.number(key));
+      value = static_cast<Value>(manifest_.number(report_key(path)));
     }
   }
   template <typename Value>
-  void operator()(const std::string& key, std::optional<Value>& value) {
+  void operator()(const std::string& path, std::optional<Value>& value) {
     value.reset();
-    if (!manifest_.has(key)) return;
-    (*this)(key, value.emplace());
+    if (!manifest_.has(report_key(path))) return;
+    (*this)(path, value.emplace());
   }
-  void operator()(const std::string& key, std::array<std::array<double, 3>, 2>& box) {
-    for (std::size_t i = 0; i < 6; ++i)
-      box[i / 3][i % 3] = manifest_.real(key + "." + std::to_string(i));
+  void operator()(const std::string& path, SurfaceEdges& edges) {
+    edges.total = manifest_.number(report_key(path));
+    edges.boundary = manifest_.number(report_key(path) + ".boundary");
+    edges.non_manifold = manifest_.number(report_key(path) + ".non_manifold");
   }
-  void operator()(const std::string& key, SimplifyReport::Topology::Edges& edges) {
-    edges.total = manifest_.number(key);
-    edges.boundary = manifest_.number(key + ".boundary");
-    edges.non_manifold = manifest_.number(key + ".non_manifold");
-  }
-  void operator()(const std::string& key, std::vector<std::string>& lines) {
+  void operator()(const std::string& path, std::vector<std::string>& lines) {
     lines.clear();
-    std::istringstream text(manifest_.text(key));
+    std::istringstream text(manifest_.text(report_key(path)));
     for (std::string line; std::getline(text, line);) lines.push_back(line);
   }
 
  private:
   const Manifest& manifest_;
 };
-
-// Every option: one that is missing here would be forgotten by resume().
-template <typename Visit, typename Options>
-void visit_options(Visit&& visit, Options& options) {
-  static_assert(sizeof(SimplifyOptions) == 336, "an option has come or gone: name it below");
-  visit("option.cell", options.cell);
-  visit("option.grid", options.grid);
-  visit("option.faces", options.faces);
-  visit("option.ratio", options.ratio);
-  visit("option.error", options.error);
-  visit("option.relative_error", options.relative_error);
-  visit("option.refine", options.refine);
-  visit("option.detail", options.detail);
-  visit("option.borders", options.borders);
-  visit("option.topology", options.topology);
-  visit("option.keep_pieces", options.keep_pieces);
-  visit("option.max_normal_deviation", options.max_normal_deviation);
-  visit("option.placement", options.placement);
-  visit("option.normals", options.normals);
-  visit("option.attributes", options.attributes);
-  visit("option.no_data", options.no_data);
-  visit("option.strict", options.strict);
-  visit("option.crop", options.crop);
-  visit("option.weld", options.weld);
-  visit("option.relative_weld", options.relative_weld);
-  visit("option.from", options.from);
-  visit("option.to", options.to);
-  visit("option.ascii", options.encoding.ascii);
-  visit("option.positions", options.encoding.positions);
-  visit("option.compression", options.encoding.compression);
-  visit("option.up", options.encoding.up);
-  visit("option.quantize", options.encoding.quantize);
-  visit("option.force", options.force);
-}
-
-template <typename Visit, typename Report>
-void visit_report(Visit&& visit, Report& report) {
-  visit("report.faces", report.input.faces);
-  visit("report.vertices", report.input.vertices);
-  visit("report.bytes", report.input.bytes);
-  visit("report.format", report.input.format);
-  visit("report.cropped_faces", report.input.cropped_faces);
-  visit("report.degenerate", report.input.bad_faces.degenerate);
-  visit("report.non_finite", report.input.bad_faces.non_finite);
-  visit("report.out_of_range", report.input.bad_faces.out_of_range);
-  visit("report.output_faces", report.output.faces);
-  visit("report.output_vertices", report.output.vertices);
-  visit("report.output_bytes", report.output.bytes);
-  visit("report.position_error", report.output.position_error);
-  visit("report.output_name", report.output.name);
-  visit("report.output_format", report.output.format);
-  visit("report.weld_distance", report.weld.distance);
-  visit("report.weld_vertices", report.weld.vertices);
-  visit("report.weld_faces", report.weld.faces);
-  visit("report.target_faces", report.target_faces);
-  visit("report.cost", report.refine.cost);
-  visit("report.tiles", report.refine.tiles);
-  visit("report.collapses", report.refine.collapses);
-  visit("report.max_error", report.refine.max_error);
-  visit("report.stopped_by", report.refine.stopped_by);
-  visit("report.target_met", report.target_met);
-  visit("report.missed_by", report.missed_by);
-  visit("report.lost_pieces", report.lost.pieces);
-  visit("report.lost_piece_area", report.lost.piece_area);
-  visit("report.lost_handles", report.lost.handles);
-  visit("report.lost_holes", report.lost.holes);
-  visit("report.carried", report.attributes.carried);
-  visit("report.dropped", report.attributes.dropped);
-  visit("report.ignored", report.attributes.ignored);
-  visit("report.input_edges", report.topology.input);
-  visit("report.output_edges", report.topology.output);
-  visit("report.closed", report.topology.closed);
-  visit("report.clustered_first", report.clustered.first);
-  visit("report.clustered_reason", report.clustered.reason);
-  visit("report.input_area", report.area.input);
-  visit("report.output_area", report.area.output);
-  visit("report.cell_size", report.cell_size);
-  visit("report.split_cells", report.split_cells);
-  visit("report.cells", report.cells);
-  visit("report.turned_faces", report.turned_faces);
-  visit("report.fused_faces", report.fused_faces);
-  visit("report.clamped_faces", report.clamped_faces);
-  visit("report.error_bound", report.error_bound);
-  visit("report.runs", report.runs);
-  visit("report.notes", report.notes);
-}
 
 std::string absolute(const std::string& path) {
   return path == "-" ? path : std::filesystem::absolute(path).string();
@@ -192,6 +102,10 @@ struct Identity {
 
 std::string input_key(std::size_t i) {
   return "input." + std::to_string(i);
+}
+
+std::string option_key(const std::string& name) {
+  return "option." + name;
 }
 
 std::vector<std::string> inputs_in(const Manifest& manifest) {
@@ -228,14 +142,20 @@ void put(Manifest& manifest, const SimplifyRequest& request) {
   for (std::size_t i = 0; i < request.inputs.size(); ++i)
     manifest.set(input_key(i), absolute(request.inputs[i]));
   manifest.set("output", absolute(request.output));
-  visit_options(Put(manifest), request.options);
+  for (const Option<SimplifyOptions>& option : simplify_options()) {
+    if (const std::string text = option.get(request.options); !text.empty())
+      manifest.set(option_key(option.name), text);
+  }
 }
 
 SimplifyRequest request_in(const Manifest& manifest) {
   SimplifyRequest request;
   request.inputs = inputs_in(manifest);
   request.output = manifest.text("output");
-  visit_options(Get(manifest), request.options);
+  for (const Option<SimplifyOptions>& option : simplify_options()) {
+    if (manifest.has(option_key(option.name)))
+      option.set(request.options, manifest.text(option_key(option.name)));
+  }
   return request;
 }
 
@@ -284,11 +204,11 @@ void check_inputs(const Manifest& manifest, bool read, const std::string& direct
 }
 
 void put_report(Manifest& manifest, const SimplifyReport& report) {
-  visit_report(Put(manifest), report);
+  for_each_result(report, Put(manifest));
 }
 
 void get_report(const Manifest& manifest, SimplifyReport& report) {
-  visit_report(Get(manifest), report);
+  for_each_result(report, Get(manifest));
 }
 
 }  // namespace winnow

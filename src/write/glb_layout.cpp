@@ -366,7 +366,7 @@ void emit_glb_head(const MeshShape& shape, const GlbLayout& layout,
 void refuse_glb_size(std::uint64_t faces) {
   throw Error(ErrorKind::usage,
               "GLB holds 4 GiB, too little for " + grouped(faces) +
-                  " faces; ask for fewer (about 230 million fit, more with --compress "
+                  " faces; ask for fewer (about 230 million fit, more with `compress` "
                   "meshopt), or for PLY, OBJ, OFF or STL");
 }
 

@@ -36,7 +36,7 @@ Format format_called(const std::string& path) {
     throw Error(
         ErrorKind::usage,
         "'" + path + "': " + other +
-            " is not written; name the output .ply, .stl, .obj, .off, .m or .glb, or say --to ply");
+            " is not written; name the output .ply, .stl, .obj, .off, .m or .glb, or say `to` ply");
   }
   return Format::ply;
 }
@@ -53,21 +53,21 @@ std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path
   }
   if (format == Format::gltf && encoding.ascii)
     throw Error(ErrorKind::usage, "GLB has no text form; choose PLY, STL, OBJ or OFF");
-  const bool packed = encoding.compression == Compression::meshopt;
+  const bool packed = encoding.compress == Compression::meshopt;
   if (packed && format != Format::gltf)
     throw Error(ErrorKind::usage,
                 "meshopt compression is for GLB alone; name the output .gz or .zst instead");
   if (encoding.quantize && format != Format::gltf)
     throw Error(ErrorKind::usage,
-                "--quantize is for GLB alone; other formats hold floats or doubles");
+                "`quantize` is for GLB alone; other formats hold floats or doubles");
   if (encoding.quantize && (*encoding.quantize < 1 || *encoding.quantize > 16)) {
     throw Error(ErrorKind::usage,
-                "--quantize takes 1 to 16 bits, not " + std::to_string(*encoding.quantize));
+                "`quantize` takes 1 to 16 bits, not " + std::to_string(*encoding.quantize));
   }
   if (encoding.up == UpAxis::z && format != Format::gltf) {
     throw Error(
         ErrorKind::usage,
-        "--up z is for GLB alone, in which y points up; other formats keep the axes as they are");
+        "`up` z is for GLB alone, in which y points up; other formats keep the axes as they are");
   }
   switch (format) {
     case Format::stl:
@@ -106,7 +106,7 @@ std::string format_written(Format format, const std::string& path, const Encodin
       name = "OFF";
       break;
     case Format::gltf:
-      name = encoding.compression == Compression::meshopt ? "GLB, meshopt" : "GLB";
+      name = encoding.compress == Compression::meshopt ? "GLB, meshopt" : "GLB";
       break;
     case Format::m:
       name = ".m";

@@ -77,7 +77,7 @@ TEST_CASE("what the plan has made room for fails by naming itself and a budget t
     CHECK(error.kind() == ErrorKind::resources);
     CHECK(message.find("the thing") != std::string::npos);
     CHECK(budget.used() == held);
-    const std::size_t at = message.find("--memory ");
+    const std::size_t at = message.find("`memory` ");
     REQUIRE(at != std::string::npos);
     Budget enough(std::stoull(message.substr(at + 9)) << 20);
     const Reservation again = enough.try_reserve(held);
@@ -91,7 +91,7 @@ TEST_CASE("a budget that is named counts what the run will ask for besides") {
   const Reservation held = budget.try_reserve(std::uint64_t{5} << 20);
   const Error error =
       test::error_of([&] { (void)budget.reserve(std::uint64_t{4} << 20, "the thing"); });
-  CHECK(std::string(error.what()).find("--memory 39M") != std::string::npos);
+  CHECK(std::string(error.what()).find("`memory` 39M") != std::string::npos);
   CHECK(budget.left() == std::uint64_t{3} << 20);  // expecting takes nothing
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("a budget that is named is enough although what the run holds grows wi
     const Reservation now = budget.try_reserve(held(budget.total()));
     const Error error = test::error_of([&] { (void)budget.reserve(4 * mebibyte, "the thing"); });
     const std::string message = error.what();
-    const std::size_t at = message.find("--memory ");
+    const std::size_t at = message.find("`memory` ");
     REQUIRE(at != std::string::npos);
     const std::uint64_t named = std::stoull(message.substr(at + 9));
     CHECK(held(named * mebibyte) + 4 * mebibyte <= named * mebibyte);
@@ -120,7 +120,7 @@ TEST_CASE("a budget that is named is enough although what the run holds grows wi
   budget.expect_held([](std::uint64_t) { return 100 * mebibyte; });
   budget.expect_held({});
   const Error error = test::error_of([&] { (void)budget.reserve(9 * mebibyte, "the thing"); });
-  CHECK(std::string(error.what()).find("--memory 9M") != std::string::npos);
+  CHECK(std::string(error.what()).find("`memory` 9M") != std::string::npos);
 }
 
 TEST_CASE("threads together never hold more than the budget", "[threads]") {

@@ -105,7 +105,7 @@ TEST_CASE("an existing file is refused at once") {
   test::TestJob test;
   const Error error = test::error_of([&] { ByteSink(test.job, path, false); });
   CHECK(error.kind() == ErrorKind::usage);
-  CHECK(std::string(error.what()).find("--force") != std::string::npos);
+  CHECK(std::string(error.what()).find("`force`") != std::string::npos);
   CHECK(test::bytes_of_file(path) == "old");
   CHECK(directory.names() == Names{"out.ply"});
 }

@@ -64,7 +64,7 @@ TEST_CASE("a directory that takes no scratch is an error that says what to do") 
   const Error error = test::error_of([&] { ScratchFile file(scratch); });
   CHECK(error.kind() == ErrorKind::resources);
   CHECK(std::string(error.what()).find("missing") != std::string::npos);
-  CHECK(std::string(error.what()).find("--scratch") != std::string::npos);
+  CHECK(std::string(error.what()).find("`scratch`") != std::string::npos);
 }
 
 TEST_CASE("stale scratch is removed, and nothing else") {

@@ -57,7 +57,7 @@ void check_by_definition(const std::vector<Point>& vertices,
     }
     area += length(doubled_area({vertices[face[0]], vertices[face[1]], vertices[face[2]]})) / 2;
   }
-  SimplifyReport::Topology::Edges right;
+  SurfaceEdges right;
   bool closed = true;
   for (const auto& [edge, count] : sides) {
     const int all = count.first + count.second;

@@ -129,7 +129,7 @@ TEST_CASE("colours of different types are said to be none in common") {
   const Error error = error_of([&] { choose_attributes(wish(Names{"colors"}), common, "in.ply"); });
   CHECK(std::string(error.what()) ==
         "'in.ply': 'colors' is not in every input, or not of one type; they have none "
-        "in common: leave --attributes out");
+        "in common: leave `attributes` out");
 }
 
 }  // namespace winnow::test

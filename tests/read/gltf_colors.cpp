@@ -131,7 +131,7 @@ TEST_CASE("attributes of a glTF that its specification forbids are an error") {
     return std::string(error.what());
   };
   CHECK_THAT(refused({{"count", 2}}), Catch::Contains("'COLOR_0' has 2 elements for 3 positions"));
-  CHECK_THAT(refused({{"componentType", 5125}}), Catch::Contains("--attributes none"));
+  CHECK_THAT(refused({{"componentType", 5125}}), Catch::Contains("`attributes` none"));
   CHECK_THAT(refused({{"type", "VEC2"}}), Catch::Contains("wrong type"));
   CHECK_THAT(refused({{"byteOffset", 1}}), Catch::Contains("behind the end"));
 }

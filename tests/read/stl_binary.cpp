@@ -121,7 +121,7 @@ TEST_CASE("what no name or option calls an STL is one only where its count fits"
       CAPTURE(count, static_cast<int>(kind));
       const Error error = test::error_of([&] { read(file, kind, "mesh.bin"); });
       CHECK(error.kind() == ErrorKind::bad_input);
-      CHECK(std::string(error.what()).find("--from stl") != std::string::npos);
+      CHECK(std::string(error.what()).find("`from` stl") != std::string::npos);
       CHECK(difference(read(file, kind, "mesh.bin", Format::stl).faces, test::as_seen(faces)) ==
             "");
       for (const char* name : {"A.STL", "a.stl.gz", "a.stl.zst"})

@@ -68,7 +68,7 @@ std::vector<SimplifyOptions> several_ways() {
   all[0].cell = 0.1;
   all[1].grid = 30;
   all[2].faces = 500;
-  all[3].relative_error = 0.005;
+  all[3].error = Distance::of_diagonal(0.005);
   for (SimplifyOptions& options : all) options.force = true;
   return all;
 }

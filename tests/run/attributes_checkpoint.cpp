@@ -43,7 +43,7 @@ TEST_CASE("a run with attributes goes on to the same bytes", "[faults]") {
 TEST_CASE("a run with named attributes and an error to reach goes on to the same bytes",
           "[faults]") {
   SimplifyOptions options;
-  options.relative_error = 0.001;
+  options.error = Distance::of_diagonal(0.001);
   options.attributes = {"colors", "stamp"};
   check_resumed(options);
 }

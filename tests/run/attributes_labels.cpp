@@ -40,7 +40,7 @@ std::vector<SimplifyOptions> label_ways() {
   ways[1].ratio = 0.02;
   ways[1].detail = std::numeric_limits<double>::infinity();
   ways[2].cell = 0.1;
-  ways[3].relative_error = 0.003;
+  ways[3].error = Distance::of_diagonal(0.003);
   return ways;
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a number that says there is no data takes no part in means") {
       whole, mesh,
       {{"height", ScalarType::float32, height}, {"exact", ScalarType::float64, height}});
   for (SimplifyOptions options : label_ways()) {
-    options.no_data = -9999;
+    options.nodata = -9999;
     const AttributedMesh out = simplified(input, directory.file("out.ply"), options);
     std::size_t none = 0;
     std::size_t lost = 0;
@@ -112,7 +112,7 @@ TEST_CASE("a number that says there is no data takes no part in means") {
     }
     CHECK(none > 0);
     // A quarter of the vertices has none, but few that many became one of.
-    if (!options.relative_error) CHECK(lost < there / 20);
+    if (!options.error) CHECK(lost < there / 20);
   }
 }
 

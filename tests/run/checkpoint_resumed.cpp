@@ -74,7 +74,7 @@ TEST_CASE("several files, cropped and written packed, go on to the same bytes", 
   const std::string output = directory.file("out.glb");
   SimplifyOptions options = to_faces(4'000);
   options.crop = {{{-0.5, -0.5, -10}, {10, 10, 10}}};
-  options.encoding.compression = Compression::meshopt;
+  options.encoding.compress = Compression::meshopt;
   Context context;
   const SimplifyReport right = simplify(context, inputs, output, options);
   CHECK(right.input.cropped_faces > 1'000);

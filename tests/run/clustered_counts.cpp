@@ -39,7 +39,8 @@ Clustered clustered(const Polygons& mesh, std::uint64_t faces) {
   const Words options{"--refine", "none", "--faces", std::to_string(faces)};
   const Simplified file = simplified(directory, input, options);
   CHECK(simplified_by_pipe(directory, input, options + Words{"--threads", "3"}).hash == file.hash);
-  return {file.report["output"]["faces"], file.report["runs"], file.report["notes"].dump()};
+  return {file.report["output"]["faces"], file.report["cluster_passes"],
+          file.report["notes"].dump()};
 }
 
 void check_near(const Polygons& mesh, std::uint64_t faces) {

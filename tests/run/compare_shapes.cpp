@@ -222,7 +222,7 @@ TEST_CASE("what cannot be compared is refused") {
   context.memory = std::uint64_t{20} << 20;
   const Error small = error_of([&] { compare(context, mesh, mesh, {}); });
   CHECK(small.kind() == ErrorKind::resources);
-  CHECK(std::string(small.what()).find("--memory") != std::string::npos);
+  CHECK(std::string(small.what()).find("`memory`") != std::string::npos);
 }
 
 }  // namespace winnow::test

@@ -70,7 +70,7 @@ TEST_CASE("a mesh with two sides keeps the first and says so") {
       const Triangle face = out.mesh.triangle(i);
       CHECK(dot(area_vector(face), face[0] + face[1] + face[2]) > 0);
     }
-    CHECK(out.report.fused_faces == outside.size());
+    CHECK(out.report.merged_opposite_faces == outside.size());
     REQUIRE(out.report.notes.size() == 2);
     CHECK(out.report.notes[1].find("of the area") != std::string::npos);
     CHECK(out.report.notes[0] ==
@@ -93,12 +93,12 @@ TEST_CASE("the same bytes of a mesh with two sides whose faces are scattered", "
   write_file(behind, strip_of_hills({half, faces.end()}));
   const Words options{"--faces", "310000", "--detail", "full", "--attributes", "none"};
   const Simplified want = simplified(directory, whole, options);
-  CHECK(want.report["fused_faces"] == faces.size() / 2);
+  CHECK(want.report["merged_opposite_faces"] == faces.size() / 2);
   const Words little = options + Words{"--threads", "2", "--memory",
                                        smallest_memory(whole, options + Words{"--threads", "2"})};
   const Simplified small = simplified(directory, whole, little);
   CHECK(small.report["spilled_bytes"] >= 16 * faces.size());
-  CHECK(small.report["fused_faces"] == faces.size() / 2);
+  CHECK(small.report["merged_opposite_faces"] == faces.size() / 2);
   CHECK(small.hash == want.hash);
   CHECK(simplified_by_pipe(directory, whole, little).hash == want.hash);
   CHECK(simplified(directory, front, Words{behind} + little).hash == want.hash);

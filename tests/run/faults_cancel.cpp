@@ -77,7 +77,7 @@ SimplifyOptions refined() {
 
 SimplifyOptions refined_after_welding() {
   SimplifyOptions options = refined();
-  options.relative_weld = 0.0005;
+  options.weld = Distance::of_diagonal(0.0005);
   return options;
 }
 

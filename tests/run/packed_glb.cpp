@@ -118,7 +118,7 @@ TEST_CASE("triangles without a common vertex are packed, too") {
   context.scratch = directory.path();
   ConvertOptions options;
   convert(context, directory.file("in.ply"), directory.file("plain.glb"), options);
-  options.encoding.compression = Compression::meshopt;
+  options.encoding.compress = Compression::meshopt;
   convert(context, directory.file("in.ply"), directory.file("packed.glb"), options);
   check_same_faces(glb_file(bytes_of_file(directory.file("packed.glb"))),
                    glb_file(bytes_of_file(directory.file("plain.glb"))));

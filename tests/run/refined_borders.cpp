@@ -34,14 +34,14 @@ TEST_CASE("a border that is kept keeps every vertex") {
   const Directory directory;
   for (const std::uint64_t wanted : {20'000, 3000}) {
     SimplifyOptions options = to_faces(wanted);
-    options.borders = Borders::keep;
+    options.boundary = Boundary::keep;
     const RefinedFile out = refine_file(directory, mountains(), options);
     CHECK(out.report.output.faces <= wanted);
     CHECK((border_of(out.mesh) == before));
   }
   SimplifyOptions options;
   options.error = 30;
-  options.borders = Borders::keep;
+  options.boundary = Boundary::keep;
   CHECK((border_of(refine_file(directory, mountains(), options).mesh) == before));
 }
 

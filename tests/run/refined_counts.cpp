@@ -156,7 +156,7 @@ TEST_CASE("below what kept pieces allow the fewest faces are left and it is said
   CHECK(kept.report.missed_by == std::vector<std::string>{"pieces"});
   CHECK(kept.report.lost.pieces == 0);
   REQUIRE(kept.report.notes.size() == 1);
-  CHECK(kept.report.notes[0].find("200 faces are left instead of 10: --keep-pieces") !=
+  CHECK(kept.report.notes[0].find("200 faces are left instead of 10: `keep_pieces`") !=
         std::string::npos);
 }
 

@@ -30,15 +30,15 @@ void check_errors(const std::string& input) {
     context.scratch = directory.path();
     const CompareReport compared = compare(context, input, out.path, how);
     CAPTURE(input, share, out.report.output.faces, compared.forward.rms, compared.backward.rms);
-    CHECK(compared.symmetric.rms < *options.error);
-    CHECK(compared.forward.rms < *options.error);
-    CHECK(compared.backward.rms < *options.error);
+    CHECK(compared.symmetric.rms < options.error->value);
+    CHECK(compared.forward.rms < options.error->value);
+    CHECK(compared.backward.rms < options.error->value);
     // And it makes use of what it may: else any mesh would do.
-    CHECK(compared.symmetric.rms > *options.error / 10);
+    CHECK(compared.symmetric.rms > options.error->value / 10);
     CHECK(out.report.output.faces < faces);
     CHECK(out.report.refine.stopped_by == "error");
-    CHECK(out.report.refine.max_error <= *options.error * (1 + 1e-9));
-    CHECK(out.report.refine.max_error > *options.error / 2);
+    CHECK(out.report.refine.max_error <= options.error->value * (1 + 1e-9));
+    CHECK(out.report.refine.max_error > options.error->value / 2);
     CHECK_FALSE(out.report.target_faces);
     CHECK(compared.topology.duplicate + compared.topology.degenerate == 0);
     faces = out.report.output.faces;
@@ -73,7 +73,7 @@ TEST_CASE("an input that is clustered first stays within its error", "[long]") {
   how.samples = 100'000;
   Context context;
   context.scratch = directory.path();
-  CHECK(compare(context, scan, out.path, how).symmetric.rms < *options.error);
+  CHECK(compare(context, scan, out.path, how).symmetric.rms < options.error->value);
 }
 
 }  // namespace winnow::test

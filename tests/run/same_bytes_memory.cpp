@@ -29,8 +29,9 @@ void compare_budgets(const std::string& surface, const std::string& format,
     CHECK(simplified(directory, input, options + Words{"--memory", "64M"}, {}, output).hash ==
           large.hash);
     // What a run counts is a result, too.
-    for (const char* count : {"input", "output", "cells", "turned_faces", "fused_faces",
-                              "clamped_faces", "cell_size", "runs", "notes"}) {
+    for (const char* count :
+         {"input", "output", "cells", "reoriented_faces", "merged_opposite_faces",
+          "weight_clamped_faces", "cell_size", "cluster_passes", "notes"}) {
       CHECK(small.report[count] == large.report[count]);
     }
   }

@@ -10,7 +10,7 @@ void check_same(const Simplified& a, const Simplified& b) {
   CHECK(a.hash == b.hash);
   // What a run counts is a result, too.
   for (const char* count : {"input", "output", "target", "refine", "cells", "split_cells",
-                            "fused_faces", "cell_size", "runs", "notes"}) {
+                            "merged_opposite_faces", "cell_size", "cluster_passes", "notes"}) {
     INFO(count);
     CHECK(a.report[count] == b.report[count]);
   }

@@ -22,8 +22,8 @@ void check_threads(const Shape& shape, const std::vector<Words>& ways,
         INFO(threads << " threads");
         const Simplified more = simplified(directory, input, options + Words{"--threads", threads});
         CHECK(more.hash == one.hash);
-        for (const char* part :
-             {"input", "output", "refine", "cells", "fused_faces", "cell_size", "notes"}) {
+        for (const char* part : {"input", "output", "refine", "cells", "merged_opposite_faces",
+                                 "cell_size", "notes"}) {
           INFO(part);
           CHECK(more.report[part] == one.report[part]);
         }

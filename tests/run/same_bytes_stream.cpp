@@ -31,8 +31,9 @@ void compare_routes(const std::string& surface, const std::string& format) {
     const Simplified piped = simplified_by_pipe(directory, input, options);
     CHECK(piped.hash == file.hash);
     CHECK(simplified_by_pipe(directory, gzip, options).hash == file.hash);
-    for (const char* count : {"input", "output", "cells", "turned_faces", "fused_faces",
-                              "clamped_faces", "cell_size", "runs", "notes"}) {
+    for (const char* count :
+         {"input", "output", "cells", "reoriented_faces", "merged_opposite_faces",
+          "weight_clamped_faces", "cell_size", "cluster_passes", "notes"}) {
       INFO(count);
       CHECK(without_names(piped.report[count]) == without_names(file.report[count]));
     }

@@ -10,19 +10,17 @@ namespace winnow::test {
 
 TEST_CASE("distances to weld that cannot be are refused by name", "[weld]") {
   Context context;
-  const auto refused = [&](std::optional<double> length, std::optional<double> part) {
+  const auto refused = [&](const Distance& distance) {
     SimplifyOptions options;
     options.faces = 100;
-    options.weld = length;
-    options.relative_weld = part;
+    options.weld = distance;
     const Error error = error_of([&] { simplify(context, "none.ply", "small.ply", options); });
     CAPTURE(error.what());
     CHECK(error.kind() == ErrorKind::usage);
-    CHECK(std::string(error.what()).find("--weld") != std::string::npos);
+    CHECK(std::string(error.what()).find("`weld`") != std::string::npos);
   };
-  for (const double distance : {0.0, -1.0, nan, infinity}) refused(distance, {});
-  for (const double part : {0.0, -0.1, 1.0, nan, infinity}) refused({}, part);
-  refused(1, 0.1);
+  for (const double length : {0.0, -1.0, nan, infinity}) refused(length);
+  for (const double part : {0.0, -0.1, 1.0, nan, infinity}) refused(Distance::of_diagonal(part));
 }
 
 TEST_CASE("the command line takes a length or a percentage to weld", "[weld]") {

@@ -61,7 +61,7 @@ TEST_CASE("a run that welds goes on where it was stopped", "[faults][weld]") {
   for (const bool relative : {false, true}) {
     SimplifyOptions options;
     options.faces = 5'000;
-    (relative ? options.relative_weld : options.weld) = 0.003;
+    options.weld = relative ? Distance::of_diagonal(0.003) : Distance(0.003);
     Context context;
     const SimplifyReport right = simplify(context, input, output, options);
     const std::string want = hash_of_file(output);

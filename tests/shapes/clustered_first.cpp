@@ -97,7 +97,7 @@ TEST_CASE("boundaries hardly shrink where faces are clustered first", "[shapes]"
 
 TEST_CASE("kept boundaries keep every vertex whatever is clustered", "[shapes]") {
   SimplifyOptions options = to_count(3000);
-  options.borders = Borders::keep;
+  options.boundary = Boundary::keep;
   options.detail = 6;
   const RefinedShape out = refine_shape(shapes::hills(200), {}, options);
   CHECK(out.defects.borders == 4 * 200);

@@ -41,7 +41,7 @@ TEST_CASE("of a ball given in both senses one is left or both", "[shapes]") {
             // The first face's sense.
             const double left = volume(out.output).value_or(0);
             CHECK((inwards_first ? -left : left) > 3);
-            CHECK(out.report.fused_faces == pairs);
+            CHECK(out.report.merged_opposite_faces == pairs);
             CHECK_FALSE(out.report.notes.empty());
           }
         }
@@ -63,7 +63,7 @@ TEST_CASE("of a sheet given in both senses one is left or both", "[shapes]") {
       const RefinedShape out = refine_shape(shape, pose, to_count(faces));
       CHECK(out.defects.discords == 0);
       if (out.defects.crowded == 0) {
-        CHECK(out.report.fused_faces == pairs);
+        CHECK(out.report.merged_opposite_faces == pairs);
         CHECK_FALSE(out.report.notes.empty());
         // All faces look to one side: seen from above their areas add up.
         double up = 0;

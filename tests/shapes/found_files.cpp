@@ -121,7 +121,7 @@ TEST_CASE("a found double-sided ball has one side, and a found soup is closed by
   std::string path = found_file("double_sided_sphere.stl");
   if (path.empty()) return;
   const Found ball = simplify_found({path}, by_ratio(0.5));
-  CHECK(ball.report.fused_faces == 600);
+  CHECK(ball.report.merged_opposite_faces == 600);
   const Defects defects = defects_of(ball.output.faces);
   CHECK(defects.discords == 0);
   CHECK(defects.crowded == 0);
@@ -129,7 +129,7 @@ TEST_CASE("a found double-sided ball has one side, and a found soup is closed by
 
   path = found_file("soup_jitter_1e-6.stl");
   if (path.empty()) return;
-  CHECK(simplify_found({path}, by_ratio(0.5)).notes("--weld"));
+  CHECK(simplify_found({path}, by_ratio(0.5)).notes("`weld`"));
   SimplifyOptions weld = by_ratio(0.5);
   weld.weld = 1e-5;
   CHECK(simplify_found({path}, weld).report.topology.closed);
@@ -193,7 +193,7 @@ TEST_CASE("found tiles of doubles and floats are told of and joined by --weld") 
   const Found apart = simplify_found({doubles, floats}, by_ratio(1));
   CHECK(apart.notes("may not be joined"));
   SimplifyOptions weld = by_ratio(1);
-  weld.relative_weld = 1e-5;
+  weld.weld = Distance::of_diagonal(1e-5);
   const Found joined_tiles = simplify_found({doubles, floats}, weld);
   CHECK(joined_tiles.report.topology.output.boundary < apart.report.topology.output.boundary);
 }

@@ -70,7 +70,7 @@ TEST_CASE("a sieve that cannot become few faces keeps its shape and says so", "[
   CHECK(out.report.refine.stopped_by == "topology");
   CHECK(out.report.missed_by == std::vector<std::string>{"topology"});
   REQUIRE(out.report.notes.size() == 1);
-  CHECK(out.report.notes[0].find("--topology free") != std::string::npos);
+  CHECK(out.report.notes[0].find("`topology` free") != std::string::npos);
   CHECK(out.report.lost.handles == 0);
   const double before = volume(out.input).value();
   CHECK(volume(out.output).value() == Approx(before).epsilon(0.2));
@@ -105,15 +105,15 @@ TEST_CASE("a count that leaves room for all holes closes none", "[shapes]") {
 TEST_CASE("kept boundaries and kept pieces are named where they keep the count from being met",
           "[shapes]") {
   SimplifyOptions options = to_count(50);
-  options.borders = Borders::keep;
+  options.boundary = Boundary::keep;
   options.topology = GENERATE(Topology::keep, Topology::free);
   const RefinedShape disc = refine_shape(shapes::disc(60, 20), {}, options);
   CHECK(disc.report.target_met == false);
   CHECK(disc.report.refine.stopped_by == "boundaries");
   CHECK(disc.output.faces.size() <= 62);
   REQUIRE(!disc.report.notes.empty());
-  CHECK(disc.report.notes[0].find("--boundary keep keeps") != std::string::npos);
-  options.borders = Borders::weigh;
+  CHECK(disc.report.notes[0].find("`boundary` keep keeps") != std::string::npos);
+  options.boundary = Boundary::weigh;
   options.keep_pieces = true;
   const RefinedShape soup = refine_shape(shapes::soup(100, 0.1), {}, options);
   CHECK(soup.report.refine.stopped_by == "pieces");

@@ -85,7 +85,7 @@ inline SimplifyOptions to_error(double error) {
 
 inline SimplifyOptions to_relative_error(double error) {
   SimplifyOptions options;
-  options.relative_error = error;
+  options.error = Distance::of_diagonal(error);
   return options;
 }
 

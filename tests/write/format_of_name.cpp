@@ -65,7 +65,7 @@ TEST_CASE("text and doubles are for formats that have them") {
   const Encoding doubles{.positions = Positions::doubles};
   CHECK(refusal(Format::gltf, "-", doubles) == ErrorKind::usage);
   CHECK(refusal(Format::automatic, "a.stl", doubles) == ErrorKind::usage);
-  const Encoding packed{.compression = Compression::meshopt};
+  const Encoding packed{.compress = Compression::meshopt};
   for (const Format format : {Format::ply, Format::obj, Format::off, Format::m}) {
     CHECK_NOTHROW(make_encoder(format, "-", doubles));
     CHECK(refusal(format, "-", packed) == ErrorKind::usage);

@@ -1,5 +1,5 @@
-#include <winnow/compare.hpp>
 #include <winnow/error.hpp>
+#include <winnow/options.hpp>
 
 #include "numbers.hpp"
 #include "program.hpp"
@@ -10,17 +10,14 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <string_view>
-#include <utility>
 
 namespace winnow::cli {
 
 namespace {
 
 struct CompareArguments {
-  std::string original, simplified, colored, picture, view;
-  std::string samples = "1M", fail_above;
-  bool force = false;
+  std::string original, simplified;
+  TableOptions<CompareOptions> options{compare_options()};
   CommonOptions common;
 };
 
@@ -35,26 +32,12 @@ double percent(double length, const CompareReport& report) {
   return report.diagonal > 0 ? 100 * length / report.diagonal : 0;
 }
 
-// A distance that was not to be exceeded, and whether it was.
-struct Limit {
-  double length = 0;
-  bool exceeded = false;
-};
-
-std::optional<Limit> limit_of(const std::optional<Distance>& fail_above,
-                              const CompareReport& report) {
-  if (!fail_above) return {};
-  const double length = fail_above->value * (fail_above->relative ? report.diagonal : 1);
-  return Limit{length, report.symmetric.rms > length};
-}
-
-Json json_of(const std::optional<Limit>& limit) {
+Json json_of(const std::optional<CompareReport::Limit>& limit) {
   if (!limit) return nullptr;
   return {{"length", limit->length}, {"exceeded", limit->exceeded}};
 }
 
-Json json_of(const CompareReport& report, const std::optional<Limit>& limit,
-             const CompareArguments& arguments) {
+Json json_of(const CompareReport& report, const CompareArguments& arguments) {
   const auto distances = [&](const Distances& d) {
     return Json{{"mean", d.mean},
                 {"rms", d.rms},
@@ -72,7 +55,7 @@ Json json_of(const CompareReport& report, const std::optional<Limit>& limit,
             {"backward", distances(report.backward)},
             {"symmetric", distances(report.symmetric)},
             {"worst", {{"x", report.worst[0]}, {"y", report.worst[1]}, {"z", report.worst[2]}}}}},
-          {"fail_above", json_of(limit)},
+          {"fail_above", json_of(report.limit)},
           {"normal_deviation",
            {{"mean", report.normal_deviation.mean}, {"p95", report.normal_deviation.p95}}},
           {"topology",
@@ -90,7 +73,7 @@ Json json_of(const CompareReport& report, const std::optional<Limit>& limit,
           {"volume_change", report.volume_change ? Json(*report.volume_change) : Json(nullptr)},
           {"peak_memory_bytes", report.peak_memory_bytes},
           {"seconds", report.seconds},
-          {"notes", report.notes}};
+          {"notes", spoken(report.notes)}};
 }
 
 std::string fixed(double value, int digits) {
@@ -155,55 +138,30 @@ std::string show(const Distance& distance) {
   return distance.relative ? show_length(100 * distance.value) + " %" : show_length(distance.value);
 }
 
-void set_view(const std::string& text, CompareOptions& options) {
-  constexpr std::array<std::pair<std::string_view, View>, 3> views{
-      {{"front", View::front}, {"top", View::top}, {"iso", View::iso}}};
-  for (const auto& [name, view] : views) {
-    if (text != name) continue;
-    options.view = view;
-    return;
-  }
-  options.view = View::from;
-  options.viewer = parse_triple(
-      "--view", text, "front, top, iso, or X,Y,Z like 1,-2,0.5, the direction to the viewer");
-}
-
 void run_compare(const CompareArguments& arguments) {
-  std::optional<Distance> fail_above;
-  if (!arguments.fail_above.empty()) {
-    fail_above = parse_distance("--fail-above", arguments.fail_above);
-    if (fail_above->value < 0)
-      throw Error(ErrorKind::usage, "--fail-above takes a distance of 0 or more");
-  }
   CompareOptions options;
-  options.samples = parse_count("--samples", arguments.samples);
-  options.colored = arguments.colored;
-  options.picture = arguments.picture;
-  if (!arguments.view.empty()) {
-    if (arguments.picture.empty()) throw Error(ErrorKind::usage, "--view goes with --picture");
-    set_view(arguments.view, options);
-  }
-  options.force = arguments.force;
+  arguments.options.read(options);
+  if (arguments.options.given("view") && options.picture.empty())
+    throw Error(ErrorKind::usage, "`view` goes with `picture`");
   Context context;
-  prepare(context, arguments.common, arguments.colored.empty() ? "-" : arguments.colored);
+  prepare(context, arguments.common, options.colored.empty() ? "-" : options.colored);
   CompareReport report;
   {
     const ProgressBar bar(context, arguments.common);
     report = compare(context, arguments.original, arguments.simplified, options);
   }
-  const std::optional<Limit> limit = limit_of(fail_above, report);
-  const bool mesh_on_output = arguments.colored == "-" || arguments.picture == "-";
+  const bool mesh_on_output = options.colored == "-" || options.picture == "-";
   std::ostream& out = report_stream(mesh_on_output ? "-" : "");
   if (arguments.common.json) {
-    print(json_of(report, limit, arguments), arguments.common, out);
+    print(json_of(report, arguments), arguments.common, out);
   } else if (!arguments.common.quiet) {
     show(report, out);
   }
-  if (!limit || !limit->exceeded) return;
+  if (!report.limit || !report.limit->exceeded) return;
   out.flush();
   tell_error("the RMS distance of " + show_length(report.symmetric.rms) + " (" +
              show_length(percent(report.symmetric.rms, report)) + " % of the diagonal) is above " +
-             show(*fail_above));
+             show(*options.fail_above));
   throw Ended{static_cast<int>(ErrorKind::failed)};
 }
 
@@ -223,35 +181,8 @@ void add_compare(CLI::App& app) {
                    "The simplified mesh; it must fit into --memory, with 400 bytes a face")
       ->required()
       ->type_name("SIMPLIFIED");
-  command
-      ->add_option(
-          "--samples", arguments->samples,
-          "Number of points on each surface, spread evenly by area (default 1M). The maximum also "
-          "counts all vertices.")
-      ->type_name("N");
-  command
-      ->add_option(
-          "--colored", arguments->colored,
-          "Write the simplified mesh, coloured by its distance, which is also stored as 'quality'")
-      ->type_name("FILE.ply");
-  command
-      ->add_option("--picture", arguments->picture,
-                   "Draw the original and the simplified mesh side by side, coloured by distance")
-      ->type_name("FILE.png");
-  command
-      ->add_option(
-          "--view", arguments->view,
-          "Where the picture is seen from: front, top, iso (default), or X,Y,Z, the direction to "
-          "the viewer")
-      ->type_name("VIEW:{front,top,iso,...}");
-  command
-      ->add_option(
-          "--fail-above", arguments->fail_above,
-          "End with exit code 1 if the symmetric RMS distance is above this: 0.5 (model units) or "
-          "0.1% (of the diagonal)")
-      ->type_name("DISTANCE");
-  command->add_flag("--force", arguments->force, "Replace existing files");
-  arguments->common.add_to(*command, true);
+  arguments->options.add_to(*command);
+  arguments->common.add_to(*command, "TMPDIR, or /var/tmp");
   command->footer(
       "A distance is that of a point on one surface to the nearest point of the other: forward "
       "from the\n"

@@ -1,5 +1,5 @@
-#include <winnow/convert.hpp>
 #include <winnow/error.hpp>
+#include <winnow/options.hpp>
 
 #include "numbers.hpp"
 #include "program.hpp"
@@ -13,31 +13,31 @@ namespace winnow::cli {
 namespace {
 
 struct ConvertArguments {
-  std::string input, output, from;
-  bool strict = false;
-  OutputOptions written;
+  std::string input, output;
+  TableOptions<ConvertOptions> options{convert_options()};
   CommonOptions common;
 };
 
 Json json_of(const ConvertReport& report, const ConvertArguments& arguments) {
-  return {{"input",
-           {{"files", {arguments.input}},
-            {"format", report.input.format},
-            {"faces", report.input.faces},
-            {"vertices", report.input.vertices},
-            {"bytes", report.input.bytes},
-            {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
-          {"output", json_of_output(report.output, arguments.output)},
-          {"attributes",
-           {{"carried", report.attributes.carried}, {"dropped", report.attributes.dropped}}},
-          {"welded", report.welded},
-          {"doubled_faces", report.doubled_faces},
-          {"spilled_bytes", report.spilled_bytes},
-          {"peak_scratch_bytes", report.peak_scratch_bytes},
-          {"peak_memory_bytes", report.peak_memory_bytes},
-          {"seconds", report.seconds.total},
-          {"stage_seconds", {{"read", report.seconds.read}, {"write", report.seconds.write}}},
-          {"notes", report.notes}};
+  return {
+      {"input",
+       {{"files", {arguments.input}},
+        {"format", report.input.format},
+        {"faces", report.input.faces},
+        {"vertices", report.input.vertices},
+        {"bytes", report.input.bytes},
+        {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
+      {"output", json_of_output(report.output, arguments.output)},
+      {"attributes",
+       {{"carried", report.attributes.carried}, {"dropped", spoken(report.attributes.dropped)}}},
+      {"welded", report.welded},
+      {"doubled_faces", report.doubled_faces},
+      {"spilled_bytes", report.spilled_bytes},
+      {"peak_scratch_bytes", report.peak_scratch_bytes},
+      {"peak_memory_bytes", report.peak_memory_bytes},
+      {"seconds", report.seconds.total},
+      {"stage_seconds", {{"read", report.seconds.read}, {"write", report.seconds.write}}},
+      {"notes", spoken(report.notes)}};
 }
 
 void show(const ConvertReport& report, std::ostream& out) {
@@ -60,11 +60,7 @@ void show(const ConvertReport& report, std::ostream& out) {
 
 void run_convert(const ConvertArguments& arguments) {
   ConvertOptions options;
-  options.from = format_called(arguments.from);
-  options.to = format_called(arguments.written.to);
-  options.encoding = arguments.written.encoding();
-  options.strict = arguments.strict;
-  options.force = arguments.written.force;
+  arguments.options.read(options);
   Context context;
   prepare(context, arguments.common, arguments.output);
   ConvertReport report;
@@ -88,14 +84,8 @@ void add_convert(CLI::App& app) {
       "convert", "Write a mesh of any size in another format, in bounded memory");
   command->add_option("input", arguments->input, input_help)->required()->type_name("IN");
   command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
-  const std::string result = "What the result is";
-  command
-      ->add_flag("--strict", arguments->strict,
-                 "Stop at the first bad face; by default bad faces are left out and counted")
-      ->group(result);
-  add_from(*command, arguments->from)->group(result);
-  arguments->written.add_to(*command, result);
-  arguments->common.add_to(*command, true);
+  arguments->options.add_to(*command);
+  arguments->common.add_to(*command, "the output's");
   command->footer(
       "Vertices and faces keep their order; bad faces are left out. An STL stores no vertices: "
       "equal\n"

@@ -1,10 +1,8 @@
-#include <winnow/error.hpp>
-#include <winnow/generate.hpp>
+#include <winnow/options.hpp>
 
 #include "numbers.hpp"
 #include "program.hpp"
 #include "report_text.hpp"
-#include "usage_errors.hpp"
 
 #include <iostream>
 #include <memory>
@@ -14,26 +12,14 @@ namespace winnow::cli {
 namespace {
 
 struct GenerateArguments {
-  std::string surface, output, to;
-  std::string faces = "1M";
-  std::vector<double> offset;
-  std::uint32_t seed = 1;
-  bool shuffle = false, force = false;
+  std::string output;
+  TableOptions<GenerateOptions> options{generate_options()};
   CommonOptions common;
 };
 
 void run_generate(const GenerateArguments& arguments) {
   GenerateOptions options;
-  options.surface = arguments.surface == "scan"      ? Surface::scan
-                    : arguments.surface == "terrain" ? Surface::terrain
-                                                     : Surface::part;
-  options.faces = parse_count("--faces", arguments.faces);
-  options.seed = arguments.seed;
-  options.to = format_called(arguments.to);
-  options.shuffle = arguments.shuffle;
-  options.force = arguments.force;
-  for (std::size_t axis = 0; axis < arguments.offset.size(); ++axis)
-    options.offset[axis] = arguments.offset[axis];
+  arguments.options.read(options);
 
   Context context;
   prepare(context, arguments.common, arguments.output);
@@ -61,46 +47,15 @@ void add_generate(CLI::App& app) {
   auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* command =
       app.add_subcommand("generate", "Make a surface of any size, for tests and benches");
-  command
-      ->add_option("surface", arguments->surface,
-                   "What to make: scan (closed, curved, noisy), terrain (with a boundary) or part "
-                   "(like CAD)")
-      ->required()
-      ->check(one_of({"scan", "terrain", "part"}))
-      ->type_name("SURFACE");
+  arguments->options.add_positional(*command, "surface");
   command
       ->add_option("-o,--output", arguments->output,
                    "PLY, STL, OBJ, OFF or .m by the name's ending, also in .gz or .zst; - is "
                    "standard output")
       ->required()
       ->type_name("OUT");
-  const std::string result = "What the result is";
-  command
-      ->add_option("--faces", arguments->faces,
-                   "Make about this many faces: 500k, 20M, 1G (default 1M)")
-      ->type_name("N")
-      ->group(result);
-  command
-      ->add_option("--seed", arguments->seed,
-                   "Another number makes another surface of the same kind (default 1)")
-      ->check(whole_number())
-      ->type_name("N")
-      ->group(result);
-  command->add_flag("--shuffle", arguments->shuffle, "Write the faces in a scattered order")
-      ->group(result);
-  command
-      ->add_option("--offset", arguments->offset,
-                   "Add this to every position, as in georeferenced scans; PLY then holds doubles")
-      ->delimiter(',')
-      ->expected(3)
-      ->type_name("X,Y,Z")
-      ->group(result);
-  command->add_option("--to", arguments->to, "Output format, where the name's ending does not tell")
-      ->check(one_of({"auto", "ply", "stl", "obj", "off", "m"}))
-      ->type_name("FORMAT")
-      ->group(result);
-  command->add_flag("--force", arguments->force, "Replace the output if it exists")->group(result);
-  arguments->common.add_to(*command, false);
+  arguments->options.add_to(*command, {"faces", "seed", "shuffle", "offset", "to", "force"});
+  arguments->common.add_to(*command);
   command->footer(
       "Examples:\n"
       "  winnow generate scan --faces 20M -o scan.ply\n"

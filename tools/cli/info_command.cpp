@@ -1,5 +1,6 @@
 #include <winnow/error.hpp>
 #include <winnow/info.hpp>
+#include <winnow/options.hpp>
 
 #include "numbers.hpp"
 #include "program.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 struct InfoArguments {
   std::vector<std::string> inputs;
-  std::string from;
+  TableOptions<ConvertOptions> options{convert_options()};
   CommonOptions common;
 };
 
@@ -44,7 +45,7 @@ Json json_of(const InfoReport& report, const std::string& name) {
   json["peak_scratch_bytes"] = report.peak_scratch_bytes;
   json["seconds"] = report.seconds;
   json["peak_memory_bytes"] = report.peak_memory_bytes;
-  json["notes"] = report.notes;
+  json["notes"] = spoken(report.notes);
   return json;
 }
 
@@ -103,6 +104,8 @@ void run_info(const InfoArguments& arguments) {
   const std::vector<std::string>& inputs = arguments.inputs;
   if (std::count(inputs.begin(), inputs.end(), "-") > 1)
     throw Error(ErrorKind::usage, "only one of the inputs can be standard input");
+  ConvertOptions options;
+  arguments.options.read(options);
   Context context;
   prepare(context, arguments.common, "-");
   const bool single = inputs.size() == 1;
@@ -114,7 +117,7 @@ void run_info(const InfoArguments& arguments) {
       InfoReport report;
       {
         const ProgressBar bar(context, arguments.common);
-        report = info(context, input, format_called(arguments.from));
+        report = info(context, input, options.from);
       }
       json = json_of(report, input);
       if (!arguments.common.json && !arguments.common.quiet) {
@@ -145,8 +148,8 @@ void add_info(CLI::App& app) {
                    std::string(input_help) + "; several are told of one by one")
       ->required()
       ->type_name("IN");
-  add_from(*command, arguments->from);
-  arguments->common.add_to(*command, true);
+  arguments->options.add_to(*command, {"from"});
+  arguments->common.add_to(*command, "TMPDIR, or /var/tmp");
   command->footer(
       "Examples:\n"
       "  winnow info scan.ply\n"

@@ -13,42 +13,6 @@ namespace winnow::cli {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const char* examples) {
-  throw Error(ErrorKind::usage, option + " takes " + examples + ", not '" + text + "'");
-}
-
-// The number at the front; `rest` is what follows it.
-double parse_front(const std::string& option, const std::string& text, const char* examples,
-                   std::string_view& rest) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || !std::isfinite(value)) refuse(option, text, examples);
-  rest = std::string_view(end, static_cast<std::size_t>(text.data() + text.size() - end));
-  return value;
-}
-
-std::uint64_t parse_scaled(const std::string& option, const std::string& text, const char* examples,
-                           double step) {
-  std::string_view rest;
-  double value = parse_front(option, text, examples, rest);
-  constexpr std::string_view units = "kMGT";
-  if (!rest.empty()) {
-    std::size_t unit = units.find(rest.front());
-    if (rest.front() == 'K') unit = 0;
-    if (rest.front() == 'm') unit = 1;
-    if (rest.front() == 'g') unit = 2;
-    if (unit == std::string_view::npos) refuse(option, text, examples);
-    rest.remove_prefix(1);
-    for (std::size_t i = 0; i <= unit; ++i) value *= step;
-    if (step == 1024 && (rest == "iB" || rest == "ib" || rest == "B" || rest == "b")) rest = {};
-    if (!rest.empty()) refuse(option, text, examples);
-  }
-  if (!(value >= 0 && value < 0x1p63)) refuse(option, text, examples);
-  // 0.3G is a whole number that no double holds exactly on the way; 1.5 is none.
-  if (std::abs(value - std::round(value)) > 1e-6 * value) refuse(option, text, examples);
-  return static_cast<std::uint64_t>(std::llround(value));
-}
-
 template <typename... Values>
 std::string format(const char* pattern, Values... values) {
   std::array<char, 64> text{};
@@ -69,77 +33,6 @@ std::string shortened(const std::string& text, std::size_t longest) {
 }
 
 }  // namespace
-
-std::uint64_t parse_count(const std::string& option, const std::string& text) {
-  return parse_scaled(option, text, "a count like 250000, 500k, 1.5M or 2G", 1000);
-}
-
-std::uint64_t parse_size(const std::string& option, const std::string& text) {
-  return parse_scaled(option, text, "a size like 512M or 2G", 1024);
-}
-
-double parse_ratio(const std::string& option, const std::string& text) {
-  constexpr const char* examples = "a ratio like 0.01 or 1%";
-  std::string_view rest;
-  const double value = parse_front(option, text, examples, rest);
-  if (rest == "%") return value / 100;
-  if (!rest.empty()) refuse(option, text, examples);
-  return value;
-}
-
-double parse_length(const std::string& option, const std::string& text) {
-  return parse_number(option, text, "a length like 2.5, a bare number in the units of the model");
-}
-
-Distance parse_distance(const std::string& option, const std::string& text) {
-  constexpr const char* examples =
-      "a distance like 0.5, a bare number in the units of the model, or 0.1%, a part of its "
-      "diagonal";
-  std::string_view rest;
-  const double value = parse_front(option, text, examples, rest);
-  if (rest == "%") return {value / 100, true};
-  if (!rest.empty()) refuse(option, text, examples);
-  return {value, false};
-}
-
-double parse_number(const std::string& option, const std::string& text, const char* examples) {
-  std::string_view rest;
-  const double value = parse_front(option, text, examples, rest);
-  if (!rest.empty()) refuse(option, text, examples);
-  return value;
-}
-
-namespace {
-
-template <std::size_t count>
-std::array<double, count> parse_numbers(const std::string& option, const std::string& text,
-                                        const char* examples) {
-  std::array<double, count> numbers{};
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    if (at > text.size() || (i + 1 == count) != (end == text.size()))
-      refuse(option, text, examples);
-    const auto [behind, error] = std::from_chars(text.data() + at, text.data() + end, numbers[i]);
-    if (error != std::errc{} || behind != text.data() + end || !std::isfinite(numbers[i]))
-      refuse(option, text, examples);
-    at = end + 1;
-  }
-  return numbers;
-}
-
-}  // namespace
-
-std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const std::string& text) {
-  const auto [a, b, c, d, e, f] = parse_numbers<6>(
-      option, text, "six numbers like 0,0,0,10,10,5: the low and the high corner of a box");
-  return {{{a, b, c}, {d, e, f}}};
-}
-
-std::array<double, 3> parse_triple(const std::string& option, const std::string& text,
-                                   const char* examples) {
-  return parse_numbers<3>(option, text, examples);
-}
 
 std::string clean(const std::string& text) {
   constexpr std::size_t longest_word = 300;

@@ -15,26 +15,6 @@ namespace winnow::cli {
 // and names of kilobytes.
 std::string clean(const std::string& text);
 
-// All throw Error(usage), naming `option`.
-std::uint64_t parse_count(const std::string& option,
-                          const std::string& text);  // 250, 500k, 1.5M, 2G: thousands
-std::uint64_t parse_size(const std::string& option,
-                         const std::string& text);                        // 64M, 1.5G, 1GB, 1GiB
-double parse_ratio(const std::string& option, const std::string& text);   // 0.01 or 1%
-double parse_length(const std::string& option, const std::string& text);  // 2.5
-// 0.5, in model units, or 0.1%, a part of the model's diagonal.
-struct Distance {
-  double value = 0;
-  bool relative = false;
-};
-Distance parse_distance(const std::string& option, const std::string& text);
-double parse_number(const std::string& option, const std::string& text,
-                    const char* examples);  // the message says that it takes `examples`
-// The low and the high corner of a box: 0,0,0,1,1,1
-std::array<std::array<double, 3>, 2> parse_box(const std::string& option, const std::string& text);
-std::array<double, 3> parse_triple(const std::string& option, const std::string& text,
-                                   const char* examples);  // 1,-2,0.5
-
 std::string show_count(std::uint64_t count);                   // 1,234,567
 std::string show_list(const std::vector<std::string>& words);  // a, b
 std::string show_bytes(std::uint64_t bytes);                   // 1.5 GiB

@@ -93,25 +93,13 @@ void refuse_empty_values(const CLI::App& command) {
 
 }  // namespace
 
-void CommonOptions::add_to(CLI::App& command, bool with_scratch) {
+void CommonOptions::add_to(CLI::App& command, const std::string& scratch) {
   owner = &command;
-  command
-      .add_option("--memory", memory, "Memory to use, mapped input pages included (default 512M)")
-      ->type_name("SIZE")
-      ->group("Speed and memory (never change the result)");
-  command.add_option("--threads", threads, "Number of threads (default: one for each processor)")
-      ->check(whole_number())
-      ->type_name("N")
-      ->group("Speed and memory (never change the result)");
-  if (with_scratch) {
-    command
-        .add_option("--scratch", scratch,
-                    "Directory for what does not fit into memory (default: " +
-                        std::string(command.get_option_no_throw("--output") != nullptr
-                                        ? "the output's)"
-                                        : "TMPDIR, or /var/tmp)"))
-        ->type_name("DIR")
-        ->group("Speed and memory (never change the result)");
+  surroundings.add_to(command, {"memory", "threads"});
+  if (!scratch.empty()) {
+    surroundings.add_to(command, {"scratch"});
+    surroundings.describe("scratch",
+                          "Directory for what does not fit into memory (default: " + scratch + ")");
   }
   command
       .add_option("--progress", progress,
@@ -126,99 +114,17 @@ void CommonOptions::add_to(CLI::App& command, bool with_scratch) {
 }
 
 void prepare(Context& context, const CommonOptions& options, const std::string& output) {
-  context.memory = parse_size("--memory", options.memory);
-  context.threads = options.threads;
-  if (options.threads > 1024) throw Error(ErrorKind::usage, "--threads takes at most 1024");
-  context.scratch = options.scratch.empty() ? default_scratch(output) : options.scratch;
+  options.surroundings.read(context);
   std::error_code ignored;
-  if (!options.scratch.empty() && !std::filesystem::is_directory(options.scratch, ignored)) {
-    throw Error(ErrorKind::usage, "--scratch: '" + options.scratch + "' is not a directory");
+  if (context.scratch.empty()) {
+    context.scratch = default_scratch(output);
+  } else if (!std::filesystem::is_directory(context.scratch, ignored)) {
+    throw Error(ErrorKind::usage, "`scratch`: '" + context.scratch + "' is not a directory");
   }
   announce_terminal(*options.owner);
   context.map_input = true;
   running = &context;
   cancel_on_signals();
-}
-
-namespace {
-
-constexpr std::array<std::pair<std::string_view, Format>, 7> formats{{{"ply", Format::ply},
-                                                                      {"stl", Format::stl},
-                                                                      {"obj", Format::obj},
-                                                                      {"off", Format::off},
-                                                                      {"m", Format::m},
-                                                                      {"glb", Format::gltf},
-                                                                      {"gltf", Format::gltf}}};
-constexpr std::size_t written_formats = 6;
-
-// The first so many, by name.
-std::vector<std::string> names_of(std::size_t count) {
-  std::vector<std::string> names{"auto"};
-  for (const auto& [name, format] : std::span(formats).first(count)) names.emplace_back(name);
-  return names;
-}
-
-}  // namespace
-
-CLI::Option* add_from(CLI::App& command, std::string& from) {
-  return command
-      .add_option("--from", from, "Read the input as this format, whatever its content looks like")
-      ->check(one_of(names_of(formats.size())))
-      ->type_name("FORMAT");
-}
-
-Format format_called(const std::string& text) {
-  for (const auto& [name, format] : formats) {
-    if (text == name) return format;
-  }
-  return Format::automatic;
-}
-
-void OutputOptions::add_to(CLI::App& command, const std::string& group) {
-  command.add_option("--to", to, "Output format, where the name's ending does not tell")
-      ->check(one_of(names_of(written_formats)))
-      ->type_name("FORMAT")
-      ->group(group);
-  command.add_flag("--ascii", ascii, "Write PLY and STL as text")->group(group);
-  command
-      .add_option("--positions", positions,
-                  "Type of positions (default: the input's; STL and GLB hold floats)")
-      ->check(one_of({"float", "double"}))
-      ->type_name("TYPE")
-      ->group(group);
-  command
-      .add_option(
-          "--compress", compress,
-          "How to pack a GLB: none (default) or meshopt (EXT_meshopt_compression, without loss)")
-      ->check(one_of({"none", "meshopt"}))
-      ->type_name("HOW")
-      ->group(group);
-  command
-      .add_option("--quantize", quantize,
-                  "GLB: positions in 1 to 16 bits, normals in 8 (KHR_mesh_quantization)")
-      ->type_name("BITS")
-      ->group(group);
-  command.add_option("--up", up, "GLB: the axis of the model that points up: y (default) or z")
-      ->check(CLI::IsMember({"y", "z"}))
-      ->type_name("AXIS")
-      ->group(group);
-  command.add_flag("--force", force, "Replace the output if it exists")->group(group);
-}
-
-Encoding OutputOptions::encoding() const {
-  Encoding encoding;
-  encoding.ascii = ascii;
-  if (compress == "meshopt") encoding.compression = Compression::meshopt;
-  if (up == "z") encoding.up = UpAxis::z;
-  if (!quantize.empty()) {
-    const double bits = parse_number("--quantize", quantize, "1 to 16 bits");
-    if (!(bits >= 1 && bits <= 16 && bits == std::floor(bits)))
-      throw Error(ErrorKind::usage, "--quantize takes 1 to 16 bits, not '" + quantize + "'");
-    encoding.quantize = static_cast<unsigned>(bits);
-  }
-  if (positions == "float") encoding.positions = Positions::floats;
-  if (positions == "double") encoding.positions = Positions::doubles;
-  return encoding;
 }
 
 void refuse_empty_values(const std::vector<std::string>& arguments) {
@@ -254,7 +160,7 @@ void add_commands(CLI::App& app) {
 }
 
 void tell_error(const std::string& message) {
-  std::cerr << "winnow: " + clean(message) + "\n";
+  std::cerr << "winnow: " + clean(spoken(message)) + "\n";
 }
 
 bool writes_to_standard_output(const CLI::App& command) {

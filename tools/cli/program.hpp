@@ -4,6 +4,8 @@
 #include <winnow/context.hpp>
 #include <winnow/simplify.hpp>
 
+#include "table_options.hpp"
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,14 +17,13 @@ namespace winnow::cli {
 // Texts of options that mean the same in every command; turned into a Context by prepare().
 struct CommonOptions {
   const CLI::App* owner = nullptr;  // the command that has them
-  std::string memory = "512M";
-  unsigned threads = 0;
-  std::string scratch;
+  TableOptions<Context> surroundings{context_options()};
   std::string progress = "auto";
   bool quiet = false;
   bool json = false;
 
-  void add_to(CLI::App& command, bool with_scratch);
+  // `scratch`: where it goes by default, in words; without them the command has no scratch.
+  void add_to(CLI::App& command, const std::string& scratch = "");
 };
 
 // Progress on standard error while it lives.
@@ -46,21 +47,6 @@ void prepare(Context& context, const CommonOptions& options, const std::string& 
 // What every command says of its input.
 inline constexpr const char* input_help =
     "PLY, STL, OBJ, OFF, .m or glTF, also in .gz or .zst; - is standard input";
-
-// The option --from.
-CLI::Option* add_from(CLI::App& command, std::string& from);
-
-// The format by a name that --from or --to has let pass.
-Format format_called(const std::string& text);
-
-// How the output is written: the same options wherever a mesh is.
-struct OutputOptions {
-  std::string to, positions, compress, up, quantize;
-  bool ascii = false, force = false;
-
-  void add_to(CLI::App& command, const std::string& group);
-  [[nodiscard]] Encoding encoding() const;
-};
 
 // What every command says of its output.
 inline constexpr const char* output_help =

@@ -49,9 +49,10 @@ Json report_of(const CLI::App& command, const Json& body) {
 }
 
 Json json_of_error(const std::string& message, ErrorKind kind) {
-  return {
-      {"error",
-       {{"kind", kind_name(kind)}, {"exit_code", static_cast<int>(kind)}, {"message", message}}}};
+  return {{"error",
+           {{"kind", kind_name(kind)},
+            {"exit_code", static_cast<int>(kind)},
+            {"message", spoken(message)}}}};
 }
 
 void print(const Json& body, const CommonOptions& common, std::ostream& out) {
@@ -72,7 +73,7 @@ Json json_of_bad_faces(const BadFaces& bad) {
 
 void Lines::operator()(const std::string& name, const std::string& text) const {
   out_ << "  " << name << std::string(column_ - std::min(column_ - 1, name.size()), ' ')
-       << clean(text) << "\n";
+       << clean(spoken(text)) << "\n";
 }
 
 void Lines::notes(const std::vector<std::string>& notes) const {

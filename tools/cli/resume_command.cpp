@@ -17,7 +17,7 @@ struct ResumeArguments {
 void run_resume(const ResumeArguments& arguments) {
   Context context;
   prepare(context, arguments.common, "-");
-  if (arguments.common.scratch.empty())
+  if (!arguments.common.surroundings.given("scratch"))
     context.scratch.clear();  // that is the checkpoint's directory
   SimplifyReport report;
   {
@@ -40,12 +40,7 @@ void add_resume(CLI::App& app) {
       ->type_name("DIR");
   command->add_flag("--keep-checkpoint", arguments->checkpoint.keep,
                     "Leave the files in DIR when the run is done (default: they are removed)");
-  arguments->common.add_to(*command, false);
-  command
-      ->add_option("--scratch", arguments->common.scratch,
-                   "Directory for what does not fit into memory (default: the checkpoint's)")
-      ->type_name("DIR")
-      ->group("Speed and memory (never change the result)");
+  arguments->common.add_to(*command, "the checkpoint's");
   command->footer(
       "Input, output and options are those of the run, and the output gets the same bytes.\n"
       "The run goes on after the last stage that was done: the input read and clustered, each "

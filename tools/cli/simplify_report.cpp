@@ -7,6 +7,7 @@
 #include "program.hpp"
 #include "report_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <iostream>
@@ -25,13 +26,6 @@ constexpr std::array<std::pair<const char*, Refine>, 4> refine_names{
 
 }  // namespace
 
-Refine refine_called(const std::string& name) {
-  for (const auto& [word, refine] : refine_names) {
-    if (name == word) return refine;
-  }
-  return Refine::none;
-}
-
 const char* name_of(Refine refine) {
   for (const auto& [word, value] : refine_names) {
     if (refine == value) return word;
@@ -41,77 +35,68 @@ const char* name_of(Refine refine) {
 
 namespace {
 
-Json json_of(const std::optional<Resumed>& resumed) {
-  if (!resumed) return nullptr;
-  return {{"clustered", resumed->clustered},
-          {"rounds", resumed->rounds},
-          {"tiles", resumed->tiles},
-          {"written", resumed->written}};
+Json json_of(const Resumed& resumed) {
+  return {{"clustered", resumed.clustered},
+          {"rounds", resumed.rounds},
+          {"tiles", resumed.tiles},
+          {"written", resumed.written}};
 }
 
-Json json_of(const SimplifyReport::Topology::Edges& edges) {
+Json json_of(const SurfaceEdges& edges) {
   return {
       {"edges", edges.total}, {"boundary", edges.boundary}, {"non_manifold", edges.non_manifold}};
 }
 
+Json json_of(Refine cost) {
+  return name_of(cost);
+}
+
+template <typename Value>
+Json json_of(const Value& value) {
+  return value;
+}
+
+template <typename Value>
+Json json_of(const std::optional<Value>& value) {
+  return value ? json_of(*value) : Json(nullptr);
+}
+
+// Puts every field of a report at its place; a text that is empty is null.
+class JsonFields {
+ public:
+  explicit JsonFields(Json& json) : json_(json) {}
+
+  template <typename Value>
+  void operator()(const std::string& path, const Value& value) {
+    at(path) = json_of(value);
+  }
+  void operator()(const std::string& path, const std::string& text) {
+    at(path) = text.empty() ? Json(nullptr) : Json(told(path, text));
+  }
+  void operator()(const std::string& path, const std::vector<std::string>& texts) {
+    at(path) = Json::array();
+    for (const std::string& text : texts) at(path).push_back(told(path, text));
+  }
+
+ private:
+  // Names of files are no messages.
+  static std::string told(const std::string& path, const std::string& text) {
+    return path.ends_with("file") || path.ends_with("files") ? text : spoken(text);
+  }
+  Json& at(const std::string& path) {
+    std::string pointer = "/" + path;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    return json_[Json::json_pointer(pointer)];
+  }
+
+  Json& json_;
+};
+
 Json json_of(const SimplifyReport& report) {
-  return {{"input",
-           {{"files", report.input.names},
-            {"format", report.input.format},
-            {"faces", report.input.faces},
-            {"vertices", report.input.vertices},
-            {"bytes", report.input.bytes},
-            {"cropped_faces", report.input.cropped_faces},
-            {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
-          {"output", json_of_output(report.output, report.output.name)},
-          {"weld",
-           {{"distance", report.weld.distance},
-            {"vertices", report.weld.vertices},
-            {"collapsed_faces", report.weld.faces}}},
-          {"target", {{"faces", report.target_faces ? Json(*report.target_faces) : Json(nullptr)}}},
-          {"target_met", report.target_met ? Json(*report.target_met) : Json(nullptr)},
-          {"missed_by", report.missed_by},
-          {"refine",
-           {{"cost", name_of(report.refine.cost)},
-            {"tiles", report.refine.tiles},
-            {"collapses", report.refine.collapses},
-            {"max_error", report.refine.max_error},
-            {"stopped_by",
-             report.refine.stopped_by.empty() ? Json(nullptr) : Json(report.refine.stopped_by)}}},
-          {"lost",
-           {{"pieces", report.lost.pieces},
-            {"piece_area", report.lost.piece_area},
-            {"handles", report.lost.handles},
-            {"holes", report.lost.holes}}},
-          {"attributes",
-           {{"carried", report.attributes.carried},
-            {"dropped", report.attributes.dropped},
-            {"ignored_values", report.attributes.ignored}}},
-          {"clustered", {{"first", report.clustered.first}, {"reason", report.clustered.reason}}},
-          {"topology",
-           {{"input", report.topology.input ? json_of(*report.topology.input) : Json(nullptr)},
-            {"output", json_of(report.topology.output)},
-            {"closed", report.topology.closed}}},
-          {"area", {{"input", report.area.input}, {"output", report.area.output}}},
-          {"cell_size", report.cell_size},
-          {"cells", report.cells},
-          {"split_cells", report.split_cells},
-          {"turned_faces", report.turned_faces},
-          {"fused_faces", report.fused_faces},
-          {"clamped_faces", report.clamped_faces},
-          {"error_bound", report.error_bound},
-          {"runs", report.runs},
-          {"spilled_bytes", report.spilled_bytes},
-          {"peak_scratch_bytes", report.peak_scratch_bytes},
-          {"peak_memory_bytes", report.peak_memory_bytes},
-          {"seconds", report.seconds.total},
-          {"stage_seconds",
-           {{"read", report.seconds.read},
-            {"cluster", report.seconds.cluster},
-            {"refine", report.seconds.refine},
-            {"write", report.seconds.write}}},
-          {"resumed", json_of(report.resumed)},
-          {"notes", report.notes}};
+  Json json;
+  for_each_result(report, JsonFields(json));
+  for_each_run_field(report, JsonFields(json));
+  return json;
 }
 
 // What had been done before.
@@ -153,7 +138,7 @@ std::string percent(double part) {
   return text.data();
 }
 
-std::string describe(const SimplifyReport::Topology::Edges& edges) {
+std::string describe(const SurfaceEdges& edges) {
   return show_count(edges.boundary) + " boundary and " + show_count(edges.non_manifold) +
          " non-manifold";
 }
@@ -211,8 +196,8 @@ void show(const SimplifyReport& report, std::ostream& out) {
   if (report.input.cropped_faces > 0)
     line("cropped",
          show_count(report.input.cropped_faces) + " faces, not wholly inside of the box");
-  if (report.clamped_faces > 0)
-    line("weights", show_count(report.clamped_faces) +
+  if (report.weight_clamped_faces > 0)
+    line("weights", show_count(report.weight_clamped_faces) +
                         " faces span so many cells that their weight was limited");
   line.notes(report.notes);
 }
@@ -221,13 +206,14 @@ Json json_of(const SimplifyPlan& plan, const std::vector<std::string>& inputs,
              const std::string& output) {
   const auto optional = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
   Json memory = Json::object();
-  for (const SimplifyPlan::Part& part : plan.memory) memory[part.name] = part.bytes;
+  for (const SimplifyPlan::Part& part : plan.memory) memory[spoken(part.name)] = part.bytes;
   return {{"input", {{"files", inputs}, {"format", plan.input_format}}},
           {"output", {{"file", output}, {"format", plan.output_format}}},
           {"memory", memory},
           {"smallest_memory", plan.smallest_memory},
           {"passes", plan.passes},
-          {"clustered", {{"first", optional(plan.clustered)}, {"reason", plan.clustered_reason}}},
+          {"clustered",
+           {{"first", optional(plan.clustered)}, {"reason", spoken(plan.clustered_reason)}}},
           {"faces", optional(plan.faces)},
           {"vertices", optional(plan.vertices)},
           {"scratch_worst", optional(plan.scratch_worst)},
@@ -246,12 +232,12 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
       << (!plan.clustered   ? ""
           : *plan.clustered ? "yes: "
                             : "no: ")
-      << plan.clustered_reason << "\n";
+      << spoken(plan.clustered_reason) << "\n";
   out << "memory\n";
   for (const SimplifyPlan::Part& part : plan.memory) {
     const std::string size = show_bytes(part.bytes);
     out << "  " << std::string(10 - std::min<std::size_t>(9, size.size()), ' ') << size << "  "
-        << part.name << "\n";
+        << spoken(part.name) << "\n";
   }
   out << "  the smallest budget that works: " << show_bytes(plan.smallest_memory) << "\n";
   if (plan.scratch_worst) {

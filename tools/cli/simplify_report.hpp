@@ -8,8 +8,6 @@
 
 namespace winnow::cli {
 
-// Of the words that --refine takes; `none` for any other.
-Refine refine_called(const std::string& name);
 const char* name_of(Refine refine);
 
 // The summary of a run, or its report as JSON, as the options ask for.

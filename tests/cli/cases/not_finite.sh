@@ -10,6 +10,6 @@ try convert large.ply -o b.stl --ascii
 for out in a.ply a.obj a.off a.m; do try convert large.ply -o "$out" --positions float; done
 try convert large.ply -o a.glb --quantize 12 --compress meshopt
 try simplify large.ply -o a.stl --grid 4
-try generate scan --faces 1000 -o a.stl --offset 1e39 0 0
+try generate scan --faces 1000 -o a.stl --offset 1e39,0,0
 for out in b.ply b.obj b.off b.m; do try convert large.ply -o "$out" -q; done
 ls

@@ -1,0 +1,126 @@
+// The tables of convert(), compare(), generate() and of the context.
+#include "options/option_kinds.hpp"
+#include "options/shared_entries.hpp"
+
+#include <limits>
+
+namespace winnow {
+
+namespace {
+
+OptionValue<CompareOptions> view() {
+  using Words = std::vector<std::pair<const char*, View>>;
+  const OptionValue<CompareOptions> words = choice<CompareOptions>(
+      &CompareOptions::view, Words{{"front", View::front}, {"top", View::top}, {"iso", View::iso}});
+  OptionValue<CompareOptions> value;
+  value.words = words.words;
+  value.others = true;
+  value.set = [words](CompareOptions& options, const std::string& text, const std::string& option) {
+    for (const std::string& word : words.words) {
+      if (text == word) return words.set(options, text, option);
+    }
+    numbers_in(text, option, "front, top, iso, or X,Y,Z like 1,-2,0.5, the direction to the viewer",
+               options.viewer);
+    if (options.viewer == std::array<double, 3>{})
+      throw Error(ErrorKind::usage,
+                  "`" + option + "` takes a direction of finite numbers that are not all 0");
+    options.view = View::from;
+  };
+  value.get = [words](const CompareOptions& options) {
+    return options.view == View::from ? text_of(options.viewer) : words.get(options);
+  };
+  return value;
+}
+
+OptionValue<GenerateOptions> seed() {
+  return count<GenerateOptions>(&GenerateOptions::seed, 0,
+                                std::numeric_limits<std::uint32_t>::max(),
+                                "a whole number below 2^32");
+}
+
+}  // namespace
+
+std::span<const Option<ConvertOptions>> convert_options() {
+  static const std::vector<Option<ConvertOptions>> options = [] {
+    std::vector<Option<ConvertOptions>> table{strict_option<ConvertOptions>(),
+                                              from_option<ConvertOptions>(&ConvertOptions::from)};
+    add_output_options(table);
+    return table;
+  }();
+  return options;
+}
+
+std::span<const Option<CompareOptions>> compare_options() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr NumberRange from_zero{0, infinity, false, true, "a distance of 0 or more"};
+  static const std::vector<Option<CompareOptions>> options{
+      {"samples", "N", "",
+       "Number of points on each surface, spread evenly by area (default 1M). The maximum also "
+       "counts all vertices.",
+       count<CompareOptions>(&CompareOptions::samples, 100, 1'000'000'000'000,
+                             "100 to 1,000,000,000,000")},
+      {"colored", "FILE.ply", "",
+       "Write the simplified mesh, coloured by its distance, which is also stored as 'quality'",
+       text<CompareOptions>(&CompareOptions::colored)},
+      {"picture", "FILE.png", "",
+       "Draw the original and the simplified mesh side by side, coloured by distance",
+       text<CompareOptions>(&CompareOptions::picture)},
+      {"view", "VIEW", "",
+       "Where the picture is seen from: front, top, iso (default), or X,Y,Z, the direction to the "
+       "viewer",
+       view()},
+      {"fail_above", "DISTANCE", "",
+       "End with exit code 1 if the symmetric RMS distance is above this: 0.5 (model units) or "
+       "0.1% (of the diagonal)",
+       distance<CompareOptions>(&CompareOptions::fail_above, from_zero, from_zero)},
+      {"force", "", "", "Replace existing files", flag<CompareOptions>(&CompareOptions::force)},
+      from_option<CompareOptions>(&CompareOptions::from_original, "from_original", "the original"),
+      from_option<CompareOptions>(&CompareOptions::from_simplified, "from_simplified",
+                                  "the simplified mesh")};
+  return options;
+}
+
+std::span<const Option<GenerateOptions>> generate_options() {
+  using Surfaces = std::vector<std::pair<const char*, Surface>>;
+  using Words = std::vector<std::pair<const char*, Format>>;
+  static const std::vector<Option<GenerateOptions>> options{
+      {"surface", "SURFACE", "",
+       "What to make: scan (closed, curved, noisy), terrain (with a boundary) or part (like CAD)",
+       choice<GenerateOptions>(&GenerateOptions::surface, Surfaces{{"scan", Surface::scan},
+                                                                   {"terrain", Surface::terrain},
+                                                                   {"part", Surface::part}})},
+      {"faces", "N", result_group, "Make about this many faces: 500k, 20M, 1G (default 1M)",
+       count<GenerateOptions>(&GenerateOptions::faces, 0, std::uint64_t{1} << 62,
+                              "a count below 2^62")},
+      {"seed", "N", result_group,
+       "Another number makes another surface of the same kind (default 1)", seed()},
+      {"shuffle", "", result_group, "Write the faces in a scattered order",
+       flag<GenerateOptions>(&GenerateOptions::shuffle)},
+      {"offset", "X,Y,Z", result_group,
+       "Add this to every position, as in georeferenced scans; PLY then holds doubles",
+       triple<GenerateOptions>(&GenerateOptions::offset, "three numbers like 431000,5412000,300")},
+      {"to", "FORMAT", result_group, "Output format, where the name's ending does not tell",
+       choice<GenerateOptions>(&GenerateOptions::to, Words{{"auto", Format::automatic},
+                                                           {"ply", Format::ply},
+                                                           {"stl", Format::stl},
+                                                           {"obj", Format::obj},
+                                                           {"off", Format::off},
+                                                           {"m", Format::m}})},
+      {"force", "", result_group, "Replace the output if it exists",
+       flag<GenerateOptions>(&GenerateOptions::force)}};
+  return options;
+}
+
+std::span<const Option<Context>> context_options() {
+  const char* const group = "Speed and memory (never change the result)";
+  static const std::vector<Option<Context>> options{
+      {"memory", "SIZE", group, "Memory to use, mapped input pages included (default 512M)",
+       size<Context>(&Context::memory)},
+      {"threads", "N", group, "Number of threads (default: one for each processor)",
+       count<Context>(&Context::threads, 0, 1024, "a number up to 1024")},
+      {"scratch", "DIR", group, "Directory for what does not fit into memory",
+       text<Context>(&Context::scratch)}};
+  return options;
+}
+
+}  // namespace winnow

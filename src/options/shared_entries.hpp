@@ -1,0 +1,69 @@
+// The options of reading and writing that calls share.
+#pragma once
+
+#include "options/option_kinds.hpp"
+
+namespace winnow {
+
+inline constexpr const char* input_group = "What is read";
+inline constexpr const char* result_group = "What the result is";
+
+inline std::vector<std::pair<const char*, Format>> format_words() {
+  return {{"auto", Format::automatic}, {"ply", Format::ply}, {"stl", Format::stl},
+          {"obj", Format::obj},        {"off", Format::off}, {"m", Format::m},
+          {"glb", Format::gltf}};
+}
+
+template <typename Options, typename Field>
+Option<Options> from_option(Field field, const char* name = "from",
+                            const char* what = "the input") {
+  auto words = format_words();
+  words.emplace_back("gltf", Format::gltf);
+  return {name, "FORMAT", input_group,
+          std::string("Read ") + what + " as this format, whatever its content looks like",
+          choice<Options>(field, words)};
+}
+
+template <typename Options>
+Option<Options> strict_option() {
+  return {"strict", "", input_group,
+          "Stop at the first bad face; by default bad faces are left out and counted",
+          flag<Options>(&Options::strict)};
+}
+
+// Adds those of how the output is written: `to`, the fields of Encoding and `force`.
+template <typename Options>
+void add_output_options(std::vector<Option<Options>>& table) {
+  const auto encoding = [](auto member) {
+    return [member](auto& options) -> auto& {
+      return options.encoding.*member;
+    };
+  };
+  table.insert(
+      table.end(),
+      {{"to", "FORMAT", result_group, "Output format, where the name's ending does not tell",
+        choice<Options>(&Options::to, format_words())},
+       {"ascii", "", result_group, "Write PLY and STL as text",
+        flag<Options>(encoding(&Encoding::ascii))},
+       {"positions", "TYPE", result_group,
+        "Type of positions (default: the input's; STL and GLB hold floats)",
+        choice<Options>(encoding(&Encoding::positions),
+                        std::vector<std::pair<const char*, Positions>>{
+                            {"float", Positions::floats}, {"double", Positions::doubles}})},
+       {"compress", "HOW", result_group,
+        "How to pack a GLB: none (default) or meshopt (EXT_meshopt_compression, without loss)",
+        choice<Options>(encoding(&Encoding::compress),
+                        std::vector<std::pair<const char*, Compression>>{
+                            {"none", Compression::none}, {"meshopt", Compression::meshopt}})},
+       {"quantize", "BITS", result_group,
+        "GLB: positions in 1 to 16 bits, normals in 8 (KHR_mesh_quantization)",
+        count<Options>(encoding(&Encoding::quantize), 1, 16, "1 to 16 bits")},
+       {"up", "AXIS", result_group, "GLB: the axis of the model that points up: y (default) or z",
+        choice<Options>(
+            encoding(&Encoding::up),
+            std::vector<std::pair<const char*, UpAxis>>{{"y", UpAxis::y}, {"z", UpAxis::z}})},
+       {"force", "", result_group, "Replace the output if it exists",
+        flag<Options>(&Options::force)}});
+}
+
+}  // namespace winnow

@@ -1,0 +1,168 @@
+#include "base/morton.hpp"
+#include "options/option_kinds.hpp"
+#include "options/shared_entries.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace winnow {
+
+namespace {
+
+using Options = SimplifyOptions;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr NumberRange length{0, infinity, true, true, "a length above 0"};
+constexpr NumberRange part_of_diagonal{0, 1, true, true,
+                                       "a part of the diagonal above 0 and below 100%"};
+
+// A number above 1; "full" is infinity.
+OptionValue<Options> detail() {
+  OptionValue<Options> value =
+      number<Options>(&Options::detail, "a number like 6, or full",
+                      {1, infinity, true, false, "a number above 1, or full"});
+  value.set = [set = value.set](Options& options, const std::string& text,
+                                const std::string& option) {
+    if (text == "full") {
+      options.detail = infinity;
+    } else {
+      set(options, text, option);
+    }
+  };
+  value.get = [get = value.get](const Options& options) {
+    return options.detail && std::isinf(*options.detail) && *options.detail > 0 ? "full"
+                                                                                : get(options);
+  };
+  return value;
+}
+
+// "none" is an empty list, "auto" no list at all.
+OptionValue<Options> attributes() {
+  OptionValue<Options> value;
+  value.set = [](Options& options, const std::string& text, const std::string& option) {
+    if (text == "auto") {
+      options.attributes.reset();
+    } else if (text == "none") {
+      options.attributes.emplace();
+    } else {
+      options.attributes = names_in(text, option);
+    }
+  };
+  value.get = [](const Options& options) -> std::string {
+    if (!options.attributes) return "";
+    if (options.attributes->empty()) return "none";
+    const std::string names = text_of(*options.attributes);
+    return names == "none" || names == "auto" ? "\\" + names : names;
+  };
+  return value;
+}
+
+OptionValue<Options> crop() {
+  constexpr const char* examples =
+      "six numbers like 0,0,0,10,10,5: the low and the high corner of a box";
+  OptionValue<Options> value;
+  value.set = [](Options& options, const std::string& text, const std::string& option) {
+    std::array<double, 6> numbers{};
+    numbers_in(text, option, examples, numbers);
+    const auto& [a, b, c, d, e, f] = numbers;
+    if (!(a <= d && b <= e && c <= f))
+      throw Error(ErrorKind::usage,
+                  "`" + option + "` takes the low and then the high corner of a box");
+    options.crop = {{{a, b, c}, {d, e, f}}};
+  };
+  value.get = [](const Options& options) -> std::string {
+    if (!options.crop) return "";
+    return text_of((*options.crop)[0]) + "," + text_of((*options.crop)[1]);
+  };
+  return value;
+}
+
+std::vector<Option<Options>> table() {
+  const char* const fineness = "How fine (exactly one)";
+  const char* const refinement = "Refinement: edges collapsed after clustering";
+  std::vector<Option<Options>> options{
+      {"faces", "N", fineness,
+       "Stop at this many faces: 500k, 1.5M (only about that many with `refine` none)",
+       count<Options>(&Options::faces, 4, std::uint64_t{1} << 62, "at least 4")},
+      {"ratio", "R", fineness, "Keep this part of the faces: 0.01 or 1%",
+       ratio<Options>(&Options::ratio,
+                      {0, 1, true, false, "a part above 0 and at most 1 (or 100%)"})},
+      {"cell", "LENGTH", fineness,
+       "Size of a grid cell in model units; the only choice that reads a pipe just once",
+       number<Options>(&Options::cell, "a length like 2.5, a bare number in the units of the model",
+                       length)},
+      {"grid", "N", fineness, "Number of grid cells along the longest side",
+       count<Options>(&Options::grid, 1, axis_cells, "1 to 2,097,152 cells")},
+      {"error", "E", fineness,
+       "Stop at this error: 0.5 (model units) or 0.1% (of the diagonal). It is the RMS distance; "
+       "boundaries stay within 1.5 times it.",
+       distance<Options>(&Options::error, length, part_of_diagonal)},
+
+      {"refine", "COST", refinement,
+       "What an edge costs to collapse (default: quadric with `faces`, `ratio` and `error`, else "
+       "none)",
+       choice<Options>(
+           &Options::refine,
+           std::vector<std::pair<const char*, Refine>>{{"none", Refine::none},
+                                                       {"quadric", Refine::quadric},
+                                                       {"volume", Refine::volume},
+                                                       {"importance", Refine::importance}})},
+      {"detail", "D", refinement,
+       "Cluster to D times the target first (default 6); 'full' skips clustering", detail()},
+      {"boundary", "HOW", refinement,
+       "Open borders: 'weigh' moves them at a price (default), 'keep' fixes their vertices",
+       choice<Options>(&Options::boundary,
+                       std::vector<std::pair<const char*, Boundary>>{{"weigh", Boundary::weigh},
+                                                                     {"keep", Boundary::keep}})},
+      {"topology", "HOW", refinement,
+       "Handles and holes: 'keep' them, even if the count is missed (default), or be 'free' to "
+       "close them and meet it",
+       choice<Options>(&Options::topology,
+                       std::vector<std::pair<const char*, Topology>>{{"keep", Topology::keep},
+                                                                     {"free", Topology::free}})},
+      {"keep_pieces", "", refinement,
+       "Keep every connected piece; by default small ones are removed where that costs least",
+       flag<Options>(&Options::keep_pieces)},
+      {"max_normal_deviation", "ANGLE", refinement,
+       "Let one collapse turn a face by at most this many degrees (default 45)",
+       number<Options>(&Options::max_normal_deviation, "an angle like 60, in degrees",
+                       {0, 90, true, false, "an angle above 0 and at most 90 degrees"})},
+
+      strict_option<Options>(),
+      {"crop", "BOX", input_group,
+       "Keep only faces wholly inside this box (model units): xmin,ymin,zmin,xmax,ymax,zmax",
+       crop()},
+      {"weld", "DISTANCE", input_group,
+       "Join vertices closer than this: 0.01 (model units) or 0.001% (of the diagonal). Chains of "
+       "such vertices are joined too.",
+       distance<Options>(&Options::weld, length, part_of_diagonal)},
+      from_option<Options>(&Options::from),
+
+      {"placement", "HOW", result_group,
+       "Where a vertex goes in its cell: 'quadric' is closest to the surface (default), 'mean' is "
+       "a quarter faster",
+       choice<Options>(&Options::placement,
+                       std::vector<std::pair<const char*, Placement>>{
+                           {"mean", Placement::mean}, {"quadric", Placement::quadric}})},
+      {"normals", "", result_group,
+       "Write vertex normals computed from the result instead of the input's",
+       flag<Options>(&Options::normals)},
+      {"attributes", "LIST", result_group,
+       "Vertex attributes to carry: auto (default: all numbers that the output can hold), none, or "
+       "a list such as normals,colors,quality",
+       attributes()},
+      {"nodata", "VALUE", result_group,
+       "Leave this number out of means: it says that there is no value",
+       number<Options>(&Options::nodata, "a number like -9999")}};
+  add_output_options(options);
+  return options;
+}
+
+}  // namespace
+
+std::span<const Option<SimplifyOptions>> simplify_options() {
+  static const std::vector<Option<Options>> options = table();
+  return options;
+}
+
+}  // namespace winnow

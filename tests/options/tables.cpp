@@ -1,0 +1,162 @@
+// The tables of options know every field, and text goes there and back without loss.
+#include <winnow/error.hpp>
+#include <winnow/options.hpp>
+
+#include "support/field_count.hpp"
+#include "support/job.hpp"
+
+#include <limits>
+#include <map>
+#include <set>
+
+namespace winnow::test {
+
+namespace {
+
+// A value that differs from the default, for every option.
+const std::map<std::string, std::string> samples{{"faces", "123456789012345678"},
+                                                 {"ratio", "0.3%"},
+                                                 {"cell", "2.5"},
+                                                 {"grid", "100"},
+                                                 {"error", "0.123456789%"},
+                                                 {"refine", "volume"},
+                                                 {"detail", "full"},
+                                                 {"boundary", "keep"},
+                                                 {"topology", "free"},
+                                                 {"keep_pieces", "true"},
+                                                 {"max_normal_deviation", "30.25"},
+                                                 {"placement", "mean"},
+                                                 {"normals", "true"},
+                                                 {"attributes", "normals,a\\,b"},
+                                                 {"nodata", "-9999"},
+                                                 {"strict", "true"},
+                                                 {"crop", "0,1,2,3,4,5.5"},
+                                                 {"weld", "0.1"},
+                                                 {"from", "obj"},
+                                                 {"to", "stl"},
+                                                 {"ascii", "true"},
+                                                 {"positions", "double"},
+                                                 {"compress", "meshopt"},
+                                                 {"quantize", "14"},
+                                                 {"up", "z"},
+                                                 {"force", "true"},
+                                                 {"samples", "2M"},
+                                                 {"colored", "c.ply"},
+                                                 {"picture", "p.png"},
+                                                 {"view", "1,-2,0.5"},
+                                                 {"fail_above", "0.1%"},
+                                                 {"from_original", "ply"},
+                                                 {"from_simplified", "off"},
+                                                 {"surface", "part"},
+                                                 {"seed", "7"},
+                                                 {"shuffle", "true"},
+                                                 {"offset", "1,2,3"},
+                                                 {"memory", "64M"},
+                                                 {"threads", "3"},
+                                                 {"scratch", "/tmp"}};
+
+// Every option changes a field of its own and no other, and comes back from its text.
+template <typename Options>
+void check_table(std::span<const Option<Options>> table) {
+  std::set<std::string> names;
+  for (const Option<Options>& option : table) {
+    INFO(option.name);
+    CHECK(names.insert(option.name).second);
+    CHECK_FALSE(option.help.empty());
+    Options options;
+    CHECK(option.get(options).empty());
+    REQUIRE(samples.count(option.name) == 1);
+    option.set(options, samples.at(option.name));
+    for (const Option<Options>& other : table)
+      CHECK(other.get(options).empty() == (other.name != option.name));
+    const std::string text = option.get(options);
+    Options again;
+    option.set(again, text);
+    CHECK(option.get(again) == text);
+    for (const std::string& word : option.value.words) option.set(again, word);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every field of the options is in its table once", "[options]") {
+  // Those of Encoding count for themselves; a view and its viewer are one option.
+  const std::size_t encoding = field_count<Encoding>() - 1;
+  CHECK(simplify_options().size() == field_count<SimplifyOptions>() + encoding);
+  CHECK(convert_options().size() == field_count<ConvertOptions>() + encoding);
+  CHECK(compare_options().size() == field_count<CompareOptions>() - 1);
+  CHECK(generate_options().size() == field_count<GenerateOptions>());
+  check_table(simplify_options());
+  check_table(convert_options());
+  check_table(compare_options());
+  check_table(generate_options());
+  check_table(context_options());
+}
+
+TEST_CASE("an option's value comes back from its text bit for bit", "[options]") {
+  const auto find = [](const char* name) {
+    for (const Option<SimplifyOptions>& option : simplify_options()) {
+      if (option.name == name) return option;
+    }
+    FAIL(name);
+    return simplify_options().front();
+  };
+  const Option<SimplifyOptions> error = find("error"), cell = find("cell"), faces = find("faces"),
+                                attributes = find("attributes");
+  double value = 0x1.23456789abcdp-60;
+  for (int i = 0; i < 1000; ++i) {
+    value *= 1.0731;
+    SimplifyOptions options, again;
+    options.error = i % 2 == 0 && value < 1 ? Distance::of_diagonal(value) : Distance(value);
+    options.cell = value;
+    options.faces = (std::uint64_t{1} << (i % 60 + 2)) + static_cast<std::uint64_t>(i);
+    for (const Option<SimplifyOptions>& option : {error, cell, faces})
+      option.set(again, option.get(options));
+    CHECK(again.error == options.error);
+    CHECK(again.cell == options.cell);
+    CHECK(again.faces == options.faces);
+  }
+  using Names = std::vector<std::string>;
+  for (const Names& names : {Names{}, Names{"none"}, Names{"auto"}, Names{"a,b", "c\\", "\\,"}}) {
+    SimplifyOptions options, again;
+    options.attributes = names;
+    attributes.set(again, attributes.get(options));
+    CHECK(again.attributes == names);
+  }
+}
+
+TEST_CASE("a hundredth is rounded once", "[options]") {
+  for (const Option<SimplifyOptions>& option : simplify_options()) {
+    if (option.name != "ratio") continue;
+    for (const auto& [text, value] :
+         {std::pair{"0.1%", 0.001}, std::pair{"1%", 0.01}, std::pair{"100%", 1.0},
+          std::pair{"5e-1%", 0.005}, std::pair{"0.07%", 0.0007}}) {
+      SimplifyOptions options;
+      option.set(options, text);
+      CHECK(options.ratio == value);
+    }
+  }
+}
+
+TEST_CASE("what an option does not take is an error that names it", "[options]") {
+  for (const Option<SimplifyOptions>& option : simplify_options()) {
+    if (option.name == "attributes") continue;
+    for (const char* text : {"", "x", "nan", "1,2", "-1e999"}) {
+      INFO(option.name << " " << text);
+      SimplifyOptions options;
+      const Error error = error_of([&] { option.set(options, text); });
+      CHECK(error.kind() == ErrorKind::usage);
+      CHECK(std::string(error.what()).starts_with("`" + option.name + "` takes "));
+    }
+  }
+}
+
+TEST_CASE("names of options in messages are spelled as they are wanted", "[options]") {
+  const auto dashes = [](const std::string& name) { return "--" + name; };
+  CHECK(spell_options("`faces` takes `x`, `keep_pieces", dashes) ==
+        "--faces takes `x`, `keep_pieces");
+  CHECK(spell_options("``cell`` and `grid`", dashes) == "`--cell` and --grid");
+  CHECK(spell_options("", dashes).empty());
+}
+
+}  // namespace winnow::test

@@ -1,0 +1,25 @@
+#include "table_options.hpp"
+
+namespace winnow::cli {
+
+std::string flag_called(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return "--" + name;
+}
+
+std::string spoken(const std::string& text) {
+  return spell_options(text, flag_called);
+}
+
+std::vector<std::string> spoken(std::vector<std::string> texts) {
+  for (std::string& text : texts) text = spoken(text);
+  return texts;
+}
+
+std::string open_choice(const std::string& takes, const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += word + ",";
+  return takes + ":{" + list + "...}";
+}
+
+}  // namespace winnow::cli
