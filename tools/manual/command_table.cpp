@@ -30,6 +30,7 @@ OptionLine line_of(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) line.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) line.names.push_back("--" + name);
   if (option.get_items_expected_max() > 0) set_value(line, option.get_type_name());
+  line.several = option.get_items_expected_max() > 1;
   line.description = option.get_description();
   line.group = option.get_group();
   return line;

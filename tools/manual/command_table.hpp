@@ -13,7 +13,8 @@ struct OptionLine {
   std::vector<std::string> names;  // "-o", "--output"; none where it is known by its place
   std::string value;               // "OUT"; empty for a flag
   std::vector<std::string> choices;
-  bool open = false;  // whether it takes more than the choices
+  bool open = false;     // whether it takes more than the choices
+  bool several = false;  // whether more than one value may follow
   std::string description;
   std::string group;
 
@@ -39,5 +40,6 @@ std::string man_page(const CommandTable& command, const std::vector<CommandTable
 
 std::string bash_completion(const std::vector<CommandTable>& all);
 std::string zsh_completion(const std::vector<CommandTable>& all);
+std::string fish_completion(const std::vector<CommandTable>& all);
 
 }  // namespace winnow::manual

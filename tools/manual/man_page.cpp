@@ -88,12 +88,17 @@ std::string page_name(const CommandTable& command) {
   return command.name == "winnow" ? "winnow" : "winnow-" + command.name;
 }
 
+// "IN", or "IN ...".
+std::string value_of(const OptionLine& option) {
+  return italic(option.value) + (option.several ? " ..." : "");
+}
+
 std::string synopsis(const CommandTable& command) {
   if (command.name == "winnow")
     return bold("winnow") + " " + italic("COMMAND") + " [" + italic("OPTIONS") + "]\n";
   std::string line = bold("winnow " + command.name);
   for (const OptionLine& option : command.options) {
-    if (option.positional()) line += " " + italic(option.value);
+    if (option.positional()) line += " " + value_of(option);
   }
   for (const OptionLine& option : command.options) {
     if (option.value == "OUT")
@@ -105,7 +110,7 @@ std::string synopsis(const CommandTable& command) {
 std::string option_entry(const OptionLine& option) {
   std::string head;
   for (const std::string& name : option.names) head += (head.empty() ? "" : ", ") + bold(name);
-  if (!option.value.empty()) head += (head.empty() ? "" : " ") + italic(option.value);
+  if (!option.value.empty()) head += (head.empty() ? "" : " ") + value_of(option);
   std::string text = escaped(option.description);
   if (!option.choices.empty() && !option.open) {
     text += "\n.br\nOne of";
