@@ -1,4 +1,4 @@
-// Completions for bash and zsh.
+// Completions for bash, zsh and fish.
 #include "manual/command_table.hpp"
 
 namespace winnow::manual {
@@ -82,13 +82,14 @@ std::string zsh_value(const OptionLine& option) {
   if (!option.choices.empty()) {
     action = "(" + joined(option.choices) + ")";
   } else if (option.takes_file()) {
-    action = option.takes_directory() ? "_files -/" : "_files";
+    action = option.takes_directory() ? "_path_files -/" : "_files";
   }
   return ":" + zsh_text(option.value) + ":" + action;
 }
 
 std::string zsh_option(const OptionLine& option) {
-  if (option.positional()) return " \\\n        '" + zsh_value(option) + "'";
+  if (option.positional())
+    return std::string(" \\\n        '") + (option.several ? "*" : "") + zsh_value(option) + "'";
   std::string lines;
   for (const std::string& name : option.names) {
     // Whichever of its names was given, the others are not offered any more.
@@ -96,6 +97,30 @@ std::string zsh_option(const OptionLine& option) {
              zsh_text(option.description) + "]" + zsh_value(option) + "'";
   }
   return lines;
+}
+
+// A word in single quotes of fish.
+std::string fish_text(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += (c == '\'' || c == '\\' ? "\\" : "") + std::string(1, c);
+  return out + "'";
+}
+
+std::string fish_value(const OptionLine& option) {
+  if (!option.choices.empty()) return " -a " + fish_text(joined(option.choices));
+  if (option.takes_directory()) return " -a '(__fish_complete_directories)'";
+  return option.takes_file() ? " -F" : "";
+}
+
+// `condition`: where it is offered.
+std::string fish_option(const std::string& condition, const OptionLine& option) {
+  std::string line = "complete -c winnow -n '" + condition + "'";
+  if (option.positional()) return line + fish_value(option) + "\n";
+  for (const std::string& name : option.names)
+    line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+  const bool file = option.takes_file() && !option.takes_directory();
+  if (!option.value.empty()) line += file ? " -r" : " -x";
+  return line + fish_value(option) + " -d " + fish_text(option.description) + "\n";
 }
 
 }  // namespace
@@ -134,7 +159,8 @@ std::string zsh_completion(const std::vector<CommandTable>& all) {
     if (command.name == "winnow") continue;
     text += "    '" + command.name + ":" + zsh_text(command.description) + "'\n";
   }
-  text += "  )\n  if ((CURRENT == 2)); then\n    _describe command commands\n";
+  text += "    'help:Show the options of a command'\n  )\n";
+  text += "  if ((CURRENT == 2)); then\n    _describe command commands\n";
   text += "    _arguments";
   for (const OptionLine& option : all.front().options) text += zsh_option(option);
   text += "\n    return\n  fi\n";
@@ -145,7 +171,32 @@ std::string zsh_completion(const std::vector<CommandTable>& all) {
     for (const OptionLine& option : command.options) text += zsh_option(option);
     text += "\n      ;;\n";
   }
+  text += "    help)\n      _describe command commands\n      ;;\n";
   return text + "  esac\n}\n\n_winnow \"$@\"\n";
+}
+
+std::string fish_completion(const std::vector<CommandTable>& all) {
+  std::string text =
+      "# fish completion for winnow\n\n"
+      "# Whether the command is this one; without one: whether there is none yet.\n"
+      "function __winnow_command\n"
+      "  set -l words (commandline -opc)\n"
+      "  test \"$words[2]\" = \"$argv[1]\"\n"
+      "end\n\n"
+      "complete -c winnow -f\n";
+  for (const OptionLine& option : all.front().options)
+    text += fish_option("__winnow_command", option);
+  for (const CommandTable& command : all) {
+    if (command.name == "winnow") continue;
+    for (const char* condition : {"", " help"}) {
+      text += std::string("complete -c winnow -n '__winnow_command") + condition + "' -a " +
+              command.name + " -d " + fish_text(command.description) + "\n";
+    }
+    for (const OptionLine& option : command.options)
+      text += fish_option("__winnow_command " + command.name, option);
+  }
+  return text +
+         "complete -c winnow -n '__winnow_command' -a help -d 'Show the options of a command'\n";
 }
 
 }  // namespace winnow::manual

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
           man_page(command, all));
   write("winnow.bash", bash_completion(all));
   write("_winnow", zsh_completion(all));
+  write("winnow.fish", fish_completion(all));
   if (!good) std::cerr << "winnow-manual: cannot write to '" << folder << "'\n";
   return good ? 0 : 1;
 }
