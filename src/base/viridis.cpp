@@ -36,4 +36,8 @@ Color viridis(double value, double most) {
   return color;
 }
 
+double last_color_at(double rms, double diagonal) {
+  return rms > 1e-12 * diagonal ? 3 * rms : 0;
+}
+
 }  // namespace winnow

@@ -12,4 +12,8 @@ using Color = std::array<std::uint8_t, 3>;  // red, green, blue
 // the value look equal.
 Color viridis(double value, double most);
 
+// The value of the last colour, for distances of this root mean square; 0 where they are nothing
+// but rounding.
+double last_color_at(double rms, double diagonal);
+
 }  // namespace winnow

@@ -5,6 +5,7 @@
 #include "base/budget.hpp"
 #include "base/hash.hpp"
 #include "base/text.hpp"
+#include "base/viridis.hpp"
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
 #include "measure/distance_sums.hpp"
@@ -110,7 +111,8 @@ class Comparison {
     combine();
     if (picture_ != nullptr) draw_picture(tree, mesh, points.vertex_distances());
     if (sink_ != nullptr) {
-      write_colored_ply(job_, mesh.vertices(), mesh.faces(), points.vertex_distances(), *sink_);
+      write_colored_ply(job_, mesh.vertices(), mesh.faces(), points.vertex_distances(),
+                        report_.diagonal, *sink_);
     }
     // Nothing is left under a name unless all was written.
     for (const auto* sink : {&picture_, &sink_}) {
@@ -294,8 +296,8 @@ class Comparison {
           faces[f].corner, f,
           {std::sqrt(squared[a]), std::sqrt(squared[b]), std::sqrt(squared[c])});
     }
-    views_->write_png(*picture_, 3 * std::max(report_.forward.rms, report_.backward.rms),
-                      report_.diagonal);
+    const double rms = std::max(report_.forward.rms, report_.backward.rms);
+    views_->write_png(*picture_, last_color_at(rms, report_.diagonal), report_.diagonal);
   }
 
   void combine() {

@@ -26,10 +26,10 @@ double root_mean_square(std::span<const double> squared) {
 
 void write_colored_ply(Job& job, std::span<const Point> vertices,
                        std::span<const std::array<std::uint32_t, 3>> faces,
-                       std::span<const double> squared_distances, ByteSink& sink) {
-  const double most = 3 * root_mean_square(squared_distances);
+                       std::span<const double> squared_distances, double diagonal, ByteSink& sink) {
+  const double most = last_color_at(root_mean_square(squared_distances), diagonal);
   const std::string header =
-      "ply\nformat binary_little_endian 1.0\ncomment distances by winnow compare; red is " +
+      "ply\nformat binary_little_endian 1.0\ncomment distances by winnow compare; yellow is " +
       shortest(most) + " and more\nelement vertex " + std::to_string(vertices.size()) +
       "\nproperty double x\nproperty double y\nproperty double z\nproperty float quality\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face " +

@@ -12,9 +12,9 @@
 namespace winnow {
 
 // Distances by their squares. Each vertex carries its distance as `quality`, which MeshLab and
-// others show, and as its colour: red is three times the root mean square.
+// others show, and as its colour, the last of which is last_color_at() their root mean square.
 void write_colored_ply(Job& job, std::span<const Point> vertices,
                        std::span<const std::array<std::uint32_t, 3>> faces,
-                       std::span<const double> squared_distances, ByteSink& sink);
+                       std::span<const double> squared_distances, double diagonal, ByteSink& sink);
 
 }  // namespace winnow

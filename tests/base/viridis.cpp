@@ -32,4 +32,14 @@ TEST_CASE("the colours of distances grow lighter in even steps") {
   CHECK(viridis(0, 0) == viridis(0, 1));
 }
 
+TEST_CASE("distances that are nothing but rounding have no colours of their own") {
+  const double rounding = 1e-16;
+  for (const double diagonal : {1e-3, 1.0, 1e6}) {
+    CHECK(last_color_at(rounding * diagonal, diagonal) == 0);
+    CHECK(last_color_at(1e-9 * diagonal, diagonal) == Approx(3e-9 * diagonal));
+  }
+  CHECK(viridis(rounding, last_color_at(rounding, 1)) == viridis(0, 1));
+  CHECK(last_color_at(0, 0) == 0);
+}
+
 }  // namespace winnow::test
