@@ -67,7 +67,8 @@ struct SimplifyOptions {
   // PLY may have any; an OBJ has red, green and blue (float, from 0 to 1), an OFF also alpha and
   // normals, its colours uchar or float, a glTF the same, its colours uchar, ushort or float: its
   // NORMAL and COLOR_0, which is of light and becomes a colour in other formats. PLY holds all,
-  // OBJ, OFF and GLB normals and colours, STL none. Of several inputs: what all have, of one type.
+  // OBJ, OFF, .m and GLB normals and colours, STL none. Of several inputs: what all have, of one
+  // type.
   std::optional<std::vector<std::string>> attributes;
   // A number that says of an attribute that it has none there: it takes no part in means. Not of
   // colours and normals. Nothing: there is no such number.

@@ -1,5 +1,7 @@
-// .m, the text format of Hugues Hoppe's mesh programs: vertices and faces count from 1.
+// .m, the text format of Hugues Hoppe's mesh programs: vertices and faces count from 1. What a
+// vertex carries stands in braces: {normal=(x y z) rgb=(r g b)}, colours from 0 to 1.
 #include "write/append_text.hpp"
+#include "write/vertex_colors.hpp"
 
 namespace winnow {
 
@@ -11,12 +13,21 @@ class MEncoder final : public MeshEncoder {
 
   void vertices(const MeshShape& shape, std::uint64_t first, std::span<const MeshVertex> vertices,
                 std::vector<std::byte>& out) const override {
+    const VertexColors colors(shape.attributes);
     for (const MeshVertex& vertex : vertices) {
       append_text(out, "Vertex ");
       append_number(out, ++first);
       append_text(out, " ");
       append_position(out, vertex.position, shape.double_positions);
-      append_text(out, "\n");
+      if (shape.normals) {
+        append_text(out, " {normal=(");
+        append_triple(out, vertex.normal);
+      }
+      if (colors.any()) {
+        append_text(out, shape.normals ? ") rgb=(" : " {rgb=(");
+        append_triple(out, colors.rgb(vertex));
+      }
+      append_text(out, shape.normals || colors.any() ? ")}\n" : "\n");
     }
   }
 
@@ -30,6 +41,12 @@ class MEncoder final : public MeshEncoder {
       append_text(out, "\n");
     }
   }
+
+  [[nodiscard]] std::string attribute_refusal(const Attribute& attribute,
+                                              std::span<const Attribute> wanted) const override {
+    return refusal_but_for_colors(attribute, wanted, false);
+  }
+  [[nodiscard]] bool normals_apart() const override { return true; }
 };
 
 }  // namespace

@@ -23,9 +23,9 @@ class ObjEncoder final : public MeshEncoder {
     for (const MeshVertex& vertex : vertices) {
       append_text(out, "v ");
       append_position(out, vertex.position, shape.double_positions);
-      for (std::size_t i = 0; i < 3 && colors.any(); ++i) {
+      if (colors.any()) {
         append_text(out, " ");
-        append_rounded(out, colors.component(vertex, i), ScalarType::float32);
+        append_triple(out, colors.rgb(vertex));
       }
       if (shape.normals) {
         append_text(out, "\nvn ");

@@ -3,6 +3,7 @@
 
 #include "write/mesh_encoder.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,11 +27,16 @@ class VertexColors {
   [[nodiscard]] bool bytes() const { return bytes_; }
 
   // Red, green, blue or alpha, from 0 to 1, as sRGB has it (which finish_attributes() makes of
-  // light). What is missing is 0, alpha 1; what is not finite is 0.
+  // light). What is missing is 0, alpha 1; what is not finite is 0; what is beyond is clipped.
   [[nodiscard]] double component(const MeshVertex& vertex, std::size_t number) const {
     if (!place_[number]) return number == 3 ? 1 : 0;
     const double stored = vertex.attributes[*place_[number]];
-    return std::isfinite(stored) ? stored / full_[number] : 0;
+    return std::isfinite(stored) ? std::clamp(stored / full_[number], 0.0, 1.0) : 0;
+  }
+  // The first three, in the digits of floats.
+  [[nodiscard]] std::array<float, 3> rgb(const MeshVertex& vertex) const {
+    return {static_cast<float>(component(vertex, 0)), static_cast<float>(component(vertex, 1)),
+            static_cast<float>(component(vertex, 2))};
   }
 
  private:

@@ -144,10 +144,10 @@ TEST_CASE("eight bits of colour become sixteen of light in a GLB", "[same_bytes]
   }
 }
 
-TEST_CASE("what OBJ OFF and GLB cannot hold is told") {
+TEST_CASE("what OBJ OFF .m and GLB cannot hold is told") {
   const Case test;
   write_attributed(test.file("in.ply"), test.mesh, usual_columns());
-  for (const char* out : {"out.obj", "out.off", "out.glb"}) {
+  for (const char* out : {"out.obj", "out.off", "out.m", "out.glb"}) {
     const Run run = test.all("in.ply", out);
     INFO(out);
     CHECK(run.json()["attributes"]["carried"].size() == 3);

@@ -37,4 +37,29 @@ TEST_CASE("a .m counts its vertices and faces on from part to part") {
   CHECK(text_of(bytes) == "Vertex 7 0.1 2 -3e-07\nVertex 8 0.1 2 -3e-07\nFace 42 1 7 8\n");
 }
 
+TEST_CASE("a .m holds normals and colours in braces") {
+  std::vector<Attribute> colors;
+  for (const char* name : {"red", "green", "blue"})
+    colors.push_back({name, ScalarType::uint8, AttributeKind::color});
+  const std::array<double, 3> stored{255, 51, 0};
+  MeshVertex vertex;
+  vertex.position = {1, 2, 3};
+  vertex.normal = {0, 0.6F, -0.8F};
+  const auto line = [&](bool normals, bool colored) {
+    MeshShape shape{.normals = normals};
+    vertex.attributes = {};
+    if (colored) {
+      shape.attributes = colors;
+      vertex.attributes = stored;
+    }
+    std::vector<std::byte> bytes;
+    make_m_encoder()->vertices(shape, 0, std::vector{vertex}, bytes);
+    return text_of(bytes);
+  };
+  CHECK(line(false, false) == "Vertex 1 1 2 3\n");
+  CHECK(line(true, false) == "Vertex 1 1 2 3 {normal=(0 0.6 -0.8)}\n");
+  CHECK(line(false, true) == "Vertex 1 1 2 3 {rgb=(1 0.2 0)}\n");
+  CHECK(line(true, true) == "Vertex 1 1 2 3 {normal=(0 0.6 -0.8) rgb=(1 0.2 0)}\n");
+}
+
 }  // namespace winnow
