@@ -15,15 +15,6 @@
 
 namespace winnow {
 
-namespace {
-
-FileVersion version_by(const struct stat& status) {
-  return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size),
-          status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
-}
-
-}  // namespace
-
 DescriptorStream::DescriptorStream(Job& job, int fd, std::string name)
     : job_(job), fd_(fd), name_(std::move(name)) {
   struct stat status {};
@@ -32,7 +23,7 @@ DescriptorStream::DescriptorStream(Job& job, int fd, std::string name)
   directory_ = S_ISDIR(status.st_mode);
   if (S_ISREG(status.st_mode) && ::lseek(fd_, 0, SEEK_CUR) == 0) {
     size_ = static_cast<std::uint64_t>(status.st_size);
-    version_ = version_by(status);
+    version_ = FileVersion::of(status);
     ::posix_fadvise(fd_, 0, 0, POSIX_FADV_SEQUENTIAL);
   }
 #ifdef F_SETPIPE_SZ
@@ -71,11 +62,8 @@ std::size_t DescriptorStream::read(std::span<std::byte> into) {
 
 void DescriptorStream::check_whole() const {
   struct stat status {};
-  if (!size_ || ::fstat(fd_, &status) != 0) return;
-  const auto now = static_cast<std::uint64_t>(status.st_size);
-  if (now < *size_) shortened(name_, now);
-  // What is appended is not read.
-  if (now == *size_ && version_by(status) != version_) changed(name_);
+  if (version_ && ::fstat(fd_, &status) == 0)
+    check_unchanged(name_, *version_, FileVersion::of(status));
 }
 
 ErrorKind cannot_open(int code) {

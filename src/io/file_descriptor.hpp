@@ -4,6 +4,7 @@
 #include <winnow/error.hpp>
 
 #include "io/job.hpp"
+#include "io/watched_files.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,14 +19,6 @@ namespace winnow {
 // What kind of error it is that an input cannot be opened, by errno: not the input's fault where
 // the system has no more of something.
 ErrorKind cannot_open(int code);
-
-// What tells a file from another of the same name, or from itself after a change.
-struct FileVersion {
-  std::uint64_t device = 0, inode = 0, size = 0;
-  std::int64_t seconds = 0, nanoseconds = 0;  // of its last change
-
-  bool operator==(const FileVersion&) const = default;
-};
 
 // A stream of bytes, read by one thread at a time.
 class ByteStream {

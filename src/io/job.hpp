@@ -9,6 +9,7 @@
 #include "base/progress.hpp"
 #include "io/file_number.hpp"
 #include "io/scratch.hpp"
+#include "io/watched_files.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -40,6 +41,7 @@ struct Job {
   Scratch scratch;
   ProgressMeter progress;
   std::vector<FileNumber> written_over;  // files that the outputs take the place of, or are
+  WatchedFiles watched;                  // beside the inputs
   std::vector<std::string> notes;
   std::mutex noting;
 };

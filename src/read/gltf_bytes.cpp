@@ -118,6 +118,8 @@ std::unique_ptr<ByteSource> GltfBytes::open_beside(const std::string& uri) {
   const std::string name = (std::filesystem::path(source_.name()).parent_path() / *path).string();
   // A lone "-" would be standard input.
   std::unique_ptr<ByteSource> file = open_source(job_, name == "-" ? "./-" : name, Unpacking::none);
+  if (const std::optional<FileVersion> version = file->version())
+    job_.watched.add(file->name(), *version);
   return file->seekable() ? std::move(file) : copy_to_scratch(job_, std::move(file));
 }
 

@@ -267,10 +267,10 @@ void IndexedReader::take_in(const std::function<void(const NextFaces&)>& build) 
     build([this](RawBatch& batch) { return next_of_source(batch); });
   } catch (const Error& error) {
     // A file that shrinks can look like many other things.
-    if (error.kind() == ErrorKind::bad_input) source_->check_whole();
+    if (error.kind() == ErrorKind::bad_input) check_whole();
     throw;
   }
-  source_->check_whole();
+  check_whole();
 }
 
 void IndexedReader::bring_together(const CornerStreams::Plan& plan) {

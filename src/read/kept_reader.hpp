@@ -79,6 +79,10 @@ class KeptReader : public IndexedReader {
   [[nodiscard]] std::uint64_t bytes() const override {
     return source_->size().value_or(source_->position());
   }
+  void check_whole() const override {
+    IndexedReader::check_whole();
+    job_.watched.check();
+  }
 
  protected:
   void begin_indices() override { next_kept_ = 0; }

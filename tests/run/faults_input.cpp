@@ -2,12 +2,15 @@
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
+#include "support/gltf_file.hpp"
 #include "support/simplified.hpp"
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -136,6 +139,65 @@ TEST_CASE("an input that is changed while it is read is refused, whatever is rea
       }
       CHECK(written);
       CHECK_FALSE(exists(directory.file("out.ply")));
+    }
+  }
+}
+
+TEST_CASE("a file beside a glTF that is changed during the run is refused as the glTF is",
+          "[faults]") {
+  const Directory directory;
+  Polygons mesh;
+  constexpr std::int64_t side = 150;
+  for (std::int64_t i = 0; i < side * side; ++i) {
+    mesh.vertices.push_back({static_cast<double>(i % side), static_cast<double>(i / side), 0});
+    if (i % side == 0 || i < side) continue;
+    mesh.faces.push_back({i, i - 1, i - side});
+    mesh.faces.push_back({i - 1, i - side - 1, i - side});
+  }
+  const GltfBuilder builder = gltf_of(mesh);
+  const std::string input = directory.file("in.gltf");
+  write_file(input, builder.gltf("beside.bin"));
+  const std::string other = directory.file("other.stl");
+  generate("scan", 1'000, other);
+  const std::string beside = directory.file("beside.bin");
+  const auto touch = [&] {
+    std::filesystem::last_write_time(beside, std::filesystem::file_time_type::clock::now());
+  };
+  const auto cut = [&] { std::filesystem::resize_file(beside, builder.buffer.size() - 8); };
+  const auto replace = [&] {
+    write_file(directory.file("new.bin"), builder.buffer);
+    std::filesystem::rename(directory.file("new.bin"), beside);
+  };
+  const auto leave = [] {};
+  const std::vector<std::pair<std::string, std::function<void()>>> changes{
+      {"was changed", touch}, {"was shortened", cut}, {"was changed", replace}, {"", leave}};
+  for (const auto& [told, change] : changes) {
+    for (const Words& inputs : {Words{input}, Words{input, other}}) {
+      write_file(beside, builder.buffer);
+      bool read = false, written = false;
+      Context context;
+      context.threads = 2;
+      context.progress = [&, &what = change](const Progress& progress) {
+        read = read || std::string(progress.stage) == "read the mesh";
+        if (!read || written || std::string(progress.stage) == "read the mesh") return;
+        what();
+        written = true;
+      };
+      SimplifyOptions options;
+      options.faces = 1000;
+      std::string message;
+      try {
+        simplify(context, inputs, directory.file("out.ply"), options);
+      } catch (const Error& error) {
+        CHECK(error.kind() == ErrorKind::bad_input);
+        message = error.what();
+      }
+      CAPTURE(told, message, inputs.size());
+      CHECK(written);
+      CHECK(exists(directory.file("out.ply")) == told.empty());
+      CHECK(message.empty() == told.empty());
+      CHECK(message.find(told.empty() ? "" : "'" + beside + "' " + told) != std::string::npos);
+      ::unlink(directory.file("out.ply").c_str());
     }
   }
 }
