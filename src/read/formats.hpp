@@ -14,6 +14,7 @@ InputOutlook look_at_ply(ByteSource& source, const AttributeWish& wish);
 // How surely a text is one of a format, as far as its first bytes show.
 enum class TextMatch {
   none,
+  named,  // it may be one, which the name of the file has to say
   later,  // statements of the format stand behind lines that it does not know
   first   // the first statement is one of the format
 };

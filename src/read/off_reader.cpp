@@ -16,18 +16,23 @@ namespace winnow {
 namespace {
 
 // "OFF", "COFF", "STCNOFF" ...; `behind` is what follows without a blank. Small letters are taken
-// for capital ones, except an "n" before "OFF". Nothing if it is no such word.
+// for capital ones, except an "n" before "OFF". By Geomview's manual it may be missing, so that a
+// count comes first. Nothing if it is no such word.
 struct Keyword {
   std::string prefix;
   std::string_view behind;
+  bool missing = false;
 };
 std::optional<Keyword> keyword_of(std::string_view word) {
-  const bool small = word.find("off") != std::string_view::npos;
-  const std::size_t at = word.find(small ? "off" : "OFF");
-  if (at == std::string_view::npos) return {};
+  std::string capital(word);
+  std::transform(capital.begin(), capital.end(), capital.begin(), capital_letter);
+  const std::size_t at = capital.find("OFF");
+  if (at == std::string_view::npos) {
+    if (!parse_integer(word)) return {};
+    return Keyword{{}, word, true};
+  }
   Keyword found{std::string(word.substr(0, at)), word.substr(at + 3)};
-  if (small)
-    std::transform(found.prefix.begin(), found.prefix.end(), found.prefix.begin(), capital_letter);
+  if (word.substr(at, 3) != "OFF") found.prefix = capital.substr(0, at);
   std::string_view left = found.prefix;
   for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
     if (left.starts_with(part)) left.remove_prefix(part.size());
@@ -162,6 +167,10 @@ class OffParser {
             if (!keyword)
               fail(block, word, "expected 'OFF', not '" + std::string(word.substr(0, 40)) + "'");
             check_prefix(block, word, *keyword);
+            if (keyword->missing) {
+              mesh_.job().note("'" + source_.name() +
+                               "' lacks the keyword 'OFF' and is read as OFF all the same");
+            }
             vertices = vertices_of(*keyword);
             if (keyword->behind.empty()) continue;
             word = keyword->behind;
@@ -296,7 +305,14 @@ TextMatch match_off(std::string_view head) {
       word = keyword->behind.empty() ? words.next() : keyword->behind;
       if (word.empty()) continue;
     }
-    return word == "BINARY" || parse_integer(word) ? TextMatch::first : TextMatch::none;
+    if (word != "BINARY" && !parse_integer(word)) return TextMatch::none;
+    if (!keyword->missing) return TextMatch::first;
+    // Three counts or two, alone in their line.
+    std::size_t counts = 1;
+    for (word = words.next(); !word.empty(); word = words.next(), ++counts) {
+      if (!parse_integer(word)) return TextMatch::none;
+    }
+    return counts == 2 || counts == 3 ? TextMatch::named : TextMatch::none;
   }
   // Cut behind its keyword, which the reader tells.
   return keyword ? TextMatch::first : TextMatch::none;

@@ -48,6 +48,7 @@ Format format_of_text(std::string_view head, Format called) {
   TextMatch best_match = TextMatch::none;
   const auto consider = [&](Format format, TextMatch match) {
     if (match < best_match || match == TextMatch::none) return;
+    if (match == TextMatch::named && format != called) return;
     if (match == best_match && format != called) return;
     best = format;
     best_match = match;

@@ -38,6 +38,14 @@ std::string_view trimmed(std::string_view line) {
   return line.substr(begin, line.find_last_not_of(" \t") + 1 - begin);
 }
 
+// In any case, as other readers take it.
+bool is_magic(std::string_view line) {
+  constexpr std::string_view magic = "ply";
+  const std::string_view word = trimmed(line);
+  return std::equal(word.begin(), word.end(), magic.begin(), magic.end(),
+                    [](char c, char want) { return small_letter(c) == want; });
+}
+
 class HeaderParser {
  public:
   explicit HeaderParser(ByteSource& source) : source_(source) {}
@@ -46,7 +54,7 @@ class HeaderParser {
     pass_over_mark();
     std::string_view first = next_line();
     while (trimmed(first).empty()) first = next_line();
-    if (trimmed(first) != "ply") fail("does not begin with 'ply'");
+    if (!is_magic(first)) fail("does not begin with 'ply'");
     bool has_format = false;
     for (;;) {
       const std::string_view line = next_line();
@@ -219,7 +227,7 @@ bool match_ply(std::string_view head) {
   const std::size_t begin = head.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return false;
   const std::size_t end = head.find_first_of("\r\n", begin);
-  return end != std::string_view::npos && trimmed(head.substr(begin, end - begin)) == "ply";
+  return end != std::string_view::npos && is_magic(head.substr(begin, end - begin));
 }
 
 PlyHeader read_ply_header(ByteSource& source) {

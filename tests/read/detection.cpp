@@ -1,5 +1,6 @@
 // Which format a text is in: by its first statement, else by later ones, else by its name.
 #include "support/job.hpp"
+#include "support/notes.hpp"
 #include "support/reading.hpp"
 #include "support/sources.hpp"
 #include "support/stl_file.hpp"
@@ -105,6 +106,32 @@ TEST_CASE("a decimal comma is named as what is wrong") {
   CHECK(std::string(
             test::error_of([&] { test::faces_of("v 1,2,3\nv 1,2x 0 0\n", {Format::obj}); }).what())
             .find(point) == std::string::npos);
+}
+
+TEST_CASE("an OFF without its keyword is read where its name or the caller says that it is one") {
+  const std::string bare = off.substr(4);
+  for (const std::string before : {"", "# a comment\n\n", "\xEF\xBB\xBF"}) {
+    CAPTURE(before);
+    CHECK(format_of_file(before + bare, "mesh.off") == "OFF");
+    CHECK(format_of_file(before + bare, "MESH.OFF.gz") == "OFF");
+    CHECK(format_of_file(before + "4 2" + bare.substr(5), "mesh.off") == "OFF");
+    for (const std::string name : {"test", "mesh.obj", "mesh.stl"})
+      CHECK(test::error_of([&] { format_of_file(before + bare, name); }).kind() ==
+            ErrorKind::bad_input);
+  }
+  // What is not counts alone is none, and the name does not outweigh the content.
+  CHECK(test::error_of([] { format_of_file("4 2 0 7\n" + off.substr(10), "mesh.off"); }).kind() ==
+        ErrorKind::bad_input);
+  CHECK(format_of_file("4 2 0\n" + obj, "mesh.off") == "OBJ");
+  for (const bool keyword : {false, true}) {
+    test::TestJob test;
+    const auto reader =
+        open_reader(test.job, std::make_unique<test::MemorySource>(keyword ? off : bare),
+                    Format::off, Access::once, {test::usual_vertex_memory, 512});
+    CHECK(test::read_faces(test.job, *reader).size() == 2);
+    CHECK(test.job.notes.size() == (keyword ? 0 : 1));
+    CHECK(test::has_note(test.job.notes, "lacks the keyword 'OFF'") == !keyword);
+  }
 }
 
 }  // namespace winnow

@@ -33,9 +33,10 @@ TEST_CASE("an OFF of any style is the mesh that was written") {
 
 TEST_CASE("headers of OFF") {
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  for (const char* header : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF\n\n# counts\n3 1 0 # so\n",
-                             "OFF\n3 1\n", "\t OFF3 1 3\n", "# comes first\n\nOFF\n3 1 0\n",
-                             "4OFF\n3 1 0\n", "OFF BINARY\n3 1 0\n", "NOFF\n3 1 0\n"}) {
+  for (const char* header :
+       {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF\n\n# counts\n3 1 0 # so\n", "OFF\n3 1\n",
+        "\t OFF3 1 3\n", "# comes first\n\nOFF\n3 1 0\n", "4OFF\n3 1 0\n", "OFF BINARY\n3 1 0\n",
+        "NOFF\n3 1 0\n", "Off\n3 1 0\n", "oFF 3 1 0\n"}) {
     CAPTURE(header);
     const bool refused = std::string(header).find_first_of("4B") != std::string::npos;
     if (refused) {
