@@ -138,33 +138,46 @@ bool IndexedReader::next_of_source(RawBatch& batch) {
 void IndexedReader::cut_polygons(RawBatch& batch) {
   std::vector<std::uint32_t> corners;
   std::vector<Point> positions;
+  Pace pace([this] { job_.progress.check_cancelled(); });
   for (const auto& [first, triangles] : std::exchange(batch.fans, {})) {
-    reserve_for_polygon(triangles + 2);
     std::uint32_t* const fan = batch.indices.data() + 3 * first;
+    corners.reserve(triangles + 2);
     corners.assign({fan[0], fan[1]});
-    for (std::uint64_t i = 0; i < triangles; ++i) corners.push_back(fan[3 * i + 2]);
+    for (std::uint64_t i = 0; i < triangles; ++i) {
+      pace();
+      corners.push_back(fan[3 * i + 2]);
+    }
     // One that has a corner too many is told of as a bad face.
     if (*std::max_element(corners.begin(), corners.end()) >= vertices_.size()) continue;
-    vertices_.look_up(corners, positions);
+    positions.resize(corners.size());
+    for (std::size_t at = 0; at < corners.size(); at += Pace::steps) {
+      pace.ask();
+      const std::size_t count = std::min<std::size_t>(Pace::steps, corners.size() - at);
+      vertices_.look_up(std::span(corners).subspan(at, count),
+                        std::span(positions).subspan(at, count));
+    }
     const auto& cut = cutter_.cut(positions);
     if (cut.size() != triangles) {
       crossed_ += faces_read_ ? 0 : 1;
       continue;
     }
     for (std::uint64_t i = 0; i < triangles; ++i) {
+      pace();
       for (std::size_t c = 0; c < 3; ++c) fan[3 * i + c] = corners[cut[i][c]];
     }
   }
 }
 
-// Batches are of whole polygons, so a large one makes them larger than the plan knows.
-void IndexedReader::reserve_for_polygon(std::uint64_t corners) {
-  if (corners <= std::max<std::uint64_t>(memory_.batch_faces, largest_polygon_)) return;
+// Batches are of whole polygons, so a large one makes them larger than the plan knows; one of the
+// size of a batch may stand behind all but a face of another.
+void IndexedReader::reserve_for_batch(std::uint64_t triangles) {
+  job_.progress.check_cancelled();
+  if (triangles <= std::max<std::uint64_t>(2 * memory_.batch_faces, largest_batch_)) return;
   const std::uint64_t in_flight = 2 * batches_in_flight(job_.threads) * KeptFaces::bytes_a_face;
   large_polygon_.release();
-  large_polygon_ =
-      job_.budget.reserve(corners * (in_flight + PolygonCutter::memory(1)), "a large polygon");
-  largest_polygon_ = corners;
+  large_polygon_ = job_.budget.reserve((triangles + 2) * (in_flight + PolygonCutter::memory(1)),
+                                       "a large polygon");
+  largest_batch_ = triangles;
 }
 
 void IndexedReader::to_indices(RawBatch& batch) const {
@@ -186,7 +199,7 @@ bool IndexedReader::next_faces(RawBatch& batch) {
     if (sorted_ != nullptr) {
       sorted_->next(memory_.batch_faces, batch);
     } else {
-      kept_->read(next_face_, memory_.batch_faces, batch);
+      kept_->read(next_face_, memory_.batch_faces, batch, grow_batch());
     }
     next_face_ += batch.count;
   }
@@ -195,7 +208,13 @@ bool IndexedReader::next_faces(RawBatch& batch) {
 }
 
 void IndexedReader::decode_faces(const RawBatch& batch, FaceBatch& slice,
-                                 const FaceSink& sink) const {
+                                 const FaceSink& given) const {
+  // A large polygon makes a batch of any size.
+  const FaceSink asking = [&](const FaceBatch& one) {
+    if (one.first / FaceBatch::capacity % 256 == 0) job_.progress.check_cancelled();
+    given(one);
+  };
+  const FaceSink& sink = batch.count > memory_.batch_faces ? asking : given;
   if (streams_ != nullptr) return slice_records(batch, vertices_, *streams_, slice, sink);
   decode_indices(batch, slice, sink);
   vertices_.check_intact(source_->name());

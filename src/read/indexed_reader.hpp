@@ -26,7 +26,11 @@ class IndexedReader : public MeshReader {
  public:
   IndexedReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
                 std::uint64_t vertex_memory)
-      : job_(job), source_(std::move(source)), memory_(memory), vertices_(job, vertex_memory) {}
+      : job_(job),
+        source_(std::move(source)),
+        memory_(memory),
+        vertices_(job, vertex_memory),
+        cutter_([this] { job_.progress.check_cancelled(); }) {}
 
   void begin_positions(PassCorners corners) override;
   bool next_positions(RawBatch& batch) override;
@@ -47,6 +51,11 @@ class IndexedReader : public MeshReader {
   [[nodiscard]] const std::string& name() const override { return source_->name(); }
 
  protected:
+  // Asks whether to go on, and reserves what a batch of so many triangles takes where that is more
+  // than the plan knows: one that has a large polygon.
+  [[nodiscard]] RawBatch::Grow grow_batch() {
+    return [this](std::uint64_t triangles) { reserve_for_batch(triangles); };
+  }
   // The faces from the first on, again if faces_come_again().
   virtual void begin_indices() = 0;
   // The next batch of them, of at most `memory_.batch_faces`; its `first` is the caller's to know.
@@ -77,14 +86,14 @@ class IndexedReader : public MeshReader {
   void sort(const SortedFaces::Plan& plan);
   bool next_of_source(RawBatch& batch);
   void cut_polygons(RawBatch& batch);
-  void reserve_for_polygon(std::uint64_t corners);
+  void reserve_for_batch(std::uint64_t triangles);
   void to_indices(RawBatch& batch) const;
 
   std::uint64_t next_position_ = 0;
   std::uint64_t next_face_ = 0;
   PolygonCutter cutter_;
   Reservation large_polygon_;
-  std::uint64_t largest_polygon_ = 0;  // corners
+  std::uint64_t largest_batch_ = 0;  // triangles
   std::uint64_t crossed_ = 0;  // polygons that cannot be cut, in the first pass over the faces
   bool faces_read_ = false;    // all of them, once
   bool sampled_ = false;

@@ -67,9 +67,10 @@ std::uint64_t KeptFaces::begin_of(std::uint64_t triangle) const {
   return fans.first > triangle ? triangle : triangle - (triangle - fans.first) % fans.triangles;
 }
 
-void KeptFaces::restore_status(RawBatch& batch) {
-  batch.status.assign(batch.count, FaceStatus::good);
-  for (std::size_t i = 0; i < batch.count; ++i) {
+void KeptFaces::restore_status(RawBatch& batch, std::size_t from) {
+  batch.status.resize(from);
+  batch.status.resize(batch.indices.size() / 3, FaceStatus::good);
+  for (std::size_t i = from; i < batch.status.size(); ++i) {
     const auto face = std::span(batch.indices).subspan(3 * i, 3);
     if (face[0] != UINT32_MAX || !std::equal(face.begin(), face.end(), degenerate.begin()))
       continue;
@@ -78,7 +79,8 @@ void KeptFaces::restore_status(RawBatch& batch) {
   }
 }
 
-void KeptFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch) const {
+void KeptFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch,
+                     const Grow& grow) const {
   batch.count = std::min<std::uint64_t>(most, size() - first);
   batch.fans.clear();
   for (std::uint64_t i = fans_behind(first); i < record_count<Fans>(fans_); ++i) {
@@ -90,9 +92,20 @@ void KeptFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch) con
       batch.count = std::max(batch.count, at + fans.triangles - first);
     }
   }
-  batch.indices.resize(3 * batch.count);
-  spool_.read(first * bytes_a_face, std::as_writable_bytes(std::span(batch.indices)));
-  restore_status(batch);
+  if (grow) grow(batch.count);
+  batch.indices.reserve(3 * batch.count);
+  batch.status.reserve(batch.count);
+  batch.indices.clear();
+  batch.status.clear();
+  constexpr std::uint64_t at_once = 1 << 18;
+  for (std::uint64_t from = 0; from < batch.count; from += at_once) {
+    const std::uint64_t until = std::min(batch.count, from + at_once);
+    batch.indices.resize(3 * until);
+    spool_.read((first + from) * bytes_a_face,
+                std::as_writable_bytes(std::span(batch.indices).subspan(3 * from)));
+    restore_status(batch, from);
+    if (grow) grow(until);
+  }
 }
 
 }  // namespace winnow

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace winnow {
 // Filled once, by one thread; then read any number of times.
 class KeptFaces {
  public:
+  using Grow = RawBatch::Grow;
   static constexpr std::uint64_t bytes_a_face = 12;
 
   KeptFaces(Job& job, std::uint64_t memory_limit)
@@ -26,8 +28,8 @@ class KeptFaces {
   // What is kept of a face; one that names these very numbers, of vertices that there are not, gets
   // others.
   static std::array<std::uint32_t, 3> kept(const RawBatch& batch, std::size_t face);
-  // The status of faces whose indices were kept.
-  static void restore_status(RawBatch& batch);
+  // The status of faces whose indices were kept, from one on.
+  static void restore_status(RawBatch& batch, std::size_t from = 0);
 
   // Three indices a face, which need not be those of vertices.
   void add(std::span<const std::uint32_t> indices) { spool_.append(std::as_bytes(indices)); }
@@ -40,8 +42,9 @@ class KeptFaces {
   [[nodiscard]] std::uint64_t size() const { return spool_.size() / bytes_a_face; }
 
   // The next faces from `first` on, at most `most` unless a polygon would be cut, as indices,
-  // status, fans and count of `batch`. `first` is the first triangle of a polygon.
-  void read(std::uint64_t first, std::size_t most, RawBatch& batch) const;
+  // status, fans and count of `batch`. `first` is the first triangle of a polygon. `grow` is told
+  // how many come, before there is memory for them, and now and then while they are read.
+  void read(std::uint64_t first, std::size_t most, RawBatch& batch, const Grow& grow = {}) const;
   // The first triangle of the polygon that has this one.
   [[nodiscard]] std::uint64_t begin_of(std::uint64_t triangle) const;
 

@@ -62,8 +62,8 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   facts_.choice = choose_attributes(wish, facts_.offer, source_->name());
 }
 
-bool KeptReader::read_faces(std::uint64_t first, RawBatch& batch) const {
-  faces_.read(first, memory_.batch_faces, batch);
+bool KeptReader::read_faces(std::uint64_t first, RawBatch& batch) {
+  faces_.read(first, memory_.batch_faces, batch, grow_batch());
   if (numbers_.used()) numbers_.find(batch.indices);
   return batch.count > 0;
 }

@@ -91,7 +91,7 @@ class KeptReader : public IndexedReader {
   [[nodiscard]] bool faces_come_again() const override { return true; }
 
  private:
-  bool read_faces(std::uint64_t first, RawBatch& batch) const;
+  bool read_faces(std::uint64_t first, RawBatch& batch);
 
   KeptFaces faces_;
   VertexNumbers numbers_;

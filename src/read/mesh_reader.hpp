@@ -34,6 +34,9 @@ struct InputFacts {
 
 // A stretch of the input, cut at whole faces (or positions) but not yet decoded.
 struct RawBatch {
+  // Told of how many triangles a batch is going to have, and throws if it may not.
+  using Grow = std::function<void(std::uint64_t triangles)>;
+
   Block block;                         // bytes, or ...
   std::vector<std::uint32_t> indices;  // three a face, or ...
   std::vector<double> corners;     // nine a face: already decoded, because finding the cuts took it

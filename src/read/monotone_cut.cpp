@@ -17,24 +17,32 @@ constexpr Corner no_corner = UINT32_MAX;
 
 class MonotoneCut {
  public:
-  MonotoneCut(std::span<const PlanePoint> corners,
+  MonotoneCut(std::span<const PlanePoint> corners, Pace& pace,
               std::vector<std::array<std::uint32_t, 3>>& triangles)
       : at_(corners),
         count_(static_cast<Corner>(corners.size())),
+        pace_(pace),
         triangles_(triangles),
-        rank_(count_),
-        order_(count_),
-        helper_(count_, no_corner),
-        is_merge_(count_, false),
-        below_(Below{this}),
-        place_(count_, below_.end()) {
-    std::iota(order_.begin(), order_.end(), Corner{0});
-    std::sort(order_.begin(), order_.end(),
-              [&](Corner a, Corner b) { return at_[a] != at_[b] ? at_[a] < at_[b] : a < b; });
-    for (Corner i = 0; i < count_; ++i) rank_[order_[i]] = i;
-  }
+        below_(Below{this}) {}
 
   void run() {
+    order_.resize(count_);
+    std::iota(order_.begin(), order_.end(), Corner{0});
+    std::sort(order_.begin(), order_.end(), [&](Corner a, Corner b) {
+      pace_();
+      return at_[a] != at_[b] ? at_[a] < at_[b] : a < b;
+    });
+    rank_.resize(count_);
+    for (Corner i = 0; i < count_; ++i) {
+      pace_();
+      rank_[order_[i]] = i;
+    }
+    // Each takes a while to be filled.
+    helper_.assign(count_, no_corner);
+    pace_.ask();
+    is_merge_.assign(count_, false);
+    place_.assign(count_, below_.end());
+    pace_.ask();
     for (const Corner v : order_) {
       if (!sweep_over(v)) return;
     }
@@ -108,6 +116,7 @@ class MonotoneCut {
 
   // False where the polygon cannot be simple.
   bool sweep_over(Corner v) {
+    pace_();
     const Corner p = before(v);
     const Corner q = next(v);
     const bool from_left = left_of(p, v);
@@ -130,9 +139,13 @@ class MonotoneCut {
 
   // Sides of the parts: the polygon's own, from each corner to the next, and diagonals both ways.
   void cut_along_diagonals() {
-    sort_unique(diagonals_);
+    sort_unique(diagonals_, [&](const auto& a, const auto& b) {
+      pace_();
+      return a < b;
+    });
     std::vector<std::uint32_t> first(count_ + std::size_t{1}, 0);
     for (const auto& [a, b] : diagonals_) {
+      pace_();
       ++first[a + 1];
       ++first[b + 1];
     }
@@ -140,11 +153,14 @@ class MonotoneCut {
     std::vector<Corner> to(2 * diagonals_.size());
     std::vector<std::uint32_t> filled(first.begin(), first.end() - 1);
     for (const auto& [a, b] : diagonals_) {
+      pace_();
       to[filled[a]++] = b;
       to[filled[b]++] = a;
     }
-    for (Corner v = 0; v < count_; ++v)
+    for (Corner v = 0; v < count_; ++v) {
+      pace_();
       sort_around(v, std::span(to).subspan(first[v], first[v + 1] - first[v]));
+    }
     std::vector<bool> walked(count_ + to.size(), false);  // own sides, then diagonals
     std::vector<Corner> part;
     for (std::size_t begin = 0; begin < walked.size(); ++begin) {
@@ -152,6 +168,7 @@ class MonotoneCut {
       part.clear();
       Corner from = begin < count_ ? static_cast<Corner>(begin) : from_of(first, begin - count_);
       for (std::size_t side = begin; !walked[side];) {
+        pace_();
         walked[side] = true;
         part.push_back(from);
         const Corner end = side < count_ ? next(from) : to[side - count_];
@@ -159,7 +176,7 @@ class MonotoneCut {
         std::size_t back = first[end + 1];
         if (side >= count_) {
           back = first[end];
-          while (back < first[end + 1] && to[back] != from) ++back;
+          for (; back < first[end + 1] && to[back] != from; ++back) pace_();
         }
         side = back == first[end] ? end : count_ + back - 1;
         from = end;
@@ -185,6 +202,7 @@ class MonotoneCut {
       return along > 0 ? 0 : 1;
     };
     std::sort(to.begin(), to.end(), [&](Corner a, Corner b) {
+      pace_();
       const int half_a = half(a);
       const int half_b = half(b);
       if (half_a != half_b) return half_a < half_b;
@@ -201,7 +219,10 @@ class MonotoneCut {
   // A part in positive sense: its lower chain leads to the right.
   void cut_part(const std::vector<Corner>& part) {
     if (part.size() < 3) return;
-    const auto left = [&](Corner a, Corner b) { return left_of(a, b); };
+    const auto left = [&](Corner a, Corner b) {
+      pace_();
+      return left_of(a, b);
+    };
     const auto begin =
         static_cast<std::size_t>(std::min_element(part.begin(), part.end(), left) - part.begin());
     std::vector<Waiting> sorted;
@@ -210,6 +231,7 @@ class MonotoneCut {
     const std::size_t size = part.size();
     sorted.push_back({part[begin], true});
     while (sorted.size() < size) {
+      pace_();
       const std::size_t down = (lower + 1) % size;
       const std::size_t up = (upper + size - 1) % size;
       const bool take_lower = left_of(part[down], part[up]) || down == up;
@@ -219,6 +241,7 @@ class MonotoneCut {
     std::vector<Waiting> stack{sorted[0], sorted[1]};
     stack[0].lower = sorted[1].lower;
     for (std::size_t i = 2; i < size; ++i) {
+      pace_();
       Waiting now = sorted[i];
       if (i + 1 == size) now.lower = !stack.back().lower;
       if (now.lower != stack.back().lower) {
@@ -241,6 +264,7 @@ class MonotoneCut {
 
   // Of two corners of one chain, from left to right, and one of the other.
   void add(Corner a, Corner b, Waiting other) {
+    pace_();
     if (other.lower) {
       triangles_.push_back({a, other.corner, b});
     } else {
@@ -250,6 +274,7 @@ class MonotoneCut {
 
   std::span<const PlanePoint> at_;
   Corner count_;
+  Pace& pace_;
   std::vector<std::array<std::uint32_t, 3>>& triangles_;
   std::vector<Corner> rank_;    // of each corner, from the left
   std::vector<Corner> order_;   // corners by rank
@@ -262,9 +287,9 @@ class MonotoneCut {
 
 }  // namespace
 
-void cut_by_sweep(std::span<const PlanePoint> corners,
+void cut_by_sweep(std::span<const PlanePoint> corners, Pace& pace,
                   std::vector<std::array<std::uint32_t, 3>>& triangles) {
-  MonotoneCut(corners, triangles).run();
+  MonotoneCut(corners, pace, triangles).run();
 }
 
 }  // namespace winnow

@@ -3,6 +3,8 @@
 // line meets once, and these are cut from left to right.
 #pragma once
 
+#include "base/pace.hpp"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -14,8 +16,8 @@ using PlanePoint = std::array<double, 2>;
 
 // Appends the triangles, as numbers of corners, all of positive sense. The corners are in positive
 // sense, too. Of a polygon that crosses or touches itself any triangles come, or fewer. Time: n log
-// n.
-void cut_by_sweep(std::span<const PlanePoint> corners,
+// n. Each step is one of `pace`.
+void cut_by_sweep(std::span<const PlanePoint> corners, Pace& pace,
                   std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 }  // namespace winnow

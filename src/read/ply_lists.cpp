@@ -2,6 +2,8 @@
 
 #include <winnow/error.hpp>
 
+#include <algorithm>
+
 namespace winnow {
 
 void PlyLists::add(RawBatch& batch, std::uint32_t a, std::uint32_t b, std::uint32_t c,
@@ -67,10 +69,21 @@ void PlyLists::next_index(RawBatch& batch) {
   last_ = index;
 }
 
-void PlyLists::read(RawBatch& batch, std::uint64_t most, std::uint64_t most_records) {
+void PlyLists::read(RawBatch& batch, std::uint64_t most, const RawBatch::Grow& grow,
+                    std::uint64_t most_records) {
   const std::uint64_t until =
       most_records > element_.count - records_ ? element_.count : records_ + most_records;
+  // The header of a list may promise more than there is, so its memory grows with what is read.
+  std::uint64_t room = most;
   while (batch.count < most || (left_ > 0 && !strips_)) {
+    if (batch.count == room) {
+      room += std::clamp<std::uint64_t>(room / 4, 1, left_);
+      grow(room);
+      batch.indices.reserve(3 * room);
+      batch.status.reserve(room);
+    } else if (batch.count > most && batch.count % (1 << 16) == 0) {
+      grow(room);
+    }
     if (left_ > 0) {
       next_index(batch);
       if (left_ == 0) end_record();

@@ -19,7 +19,10 @@ class PlyLists {
 
   // Appends up to `most` triangles to indices, status, fans and count of `batch`; fewer only at the
   // end, more where a polygon would be cut else. `most_records` limits the records that are begun.
-  void read(RawBatch& batch, std::uint64_t most, std::uint64_t most_records = UINT64_MAX);
+  // `grow` is told of how many there may be, before there is memory for more than `most`, and
+  // again now and then.
+  void read(RawBatch& batch, std::uint64_t most, const RawBatch::Grow& grow,
+            std::uint64_t most_records = UINT64_MAX);
 
   [[nodiscard]] bool between_records() const { return left_ == 0; }
   [[nodiscard]] std::uint64_t records() const { return records_; }  // begun so far

@@ -187,12 +187,13 @@ class PlyReader final : public IndexedReader {
   bool next_indices(RawBatch& batch) override {
     if (faces_.element == nullptr) return false;
     if (kept_faces_ != nullptr) {
-      kept_faces_->read(next_kept_, memory_.batch_faces, batch);
+      kept_faces_->read(next_kept_, memory_.batch_faces, batch, grow_batch());
       next_kept_ += batch.count;
     } else if (!next_triangles(batch)) {
       // Some other polygon comes first; a few records on there may be triangles again.
       const bool fast_later = triangle_stride() != 0;
-      lists_->read(batch, memory_.batch_faces, fast_later ? memory_.batch_faces / 4 : UINT64_MAX);
+      lists_->read(batch, memory_.batch_faces, grow_batch(),
+                   fast_later ? memory_.batch_faces / 4 : UINT64_MAX);
     }
     if (batch.count == 0) read_to_the_end();
     return batch.count > 0;
@@ -280,7 +281,7 @@ class PlyReader final : public IndexedReader {
     PlyLists lists(*faces_.element, *faces_.list, *values_, faces_.strips);
     for (;;) {
       RawBatch batch;
-      lists.read(batch, 4096);
+      lists.read(batch, 4096, grow_batch());
       if (batch.count == 0) break;
       kept_faces_->add(batch);
       job_.progress.advance(batch.count);

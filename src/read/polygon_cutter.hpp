@@ -1,17 +1,23 @@
 // Polygons as triangles, concave ones too.
 #pragma once
 
+#include "base/pace.hpp"
 #include "base/vector.hpp"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace winnow {
 
 class PolygonCutter {
  public:
+  // cut() asks whether to go on by `ask`, which throws if not.
+  explicit PolygonCutter(std::function<void()> ask = {}) : pace_(std::move(ask)) {}
+
   // Bytes that cut() needs besides for so many corners.
   static constexpr std::uint64_t memory(std::uint64_t corners) { return 256 * corners; }
 
@@ -21,10 +27,12 @@ class PolygonCutter {
   const std::vector<std::array<std::uint32_t, 3>>& cut(std::span<const Point> corners);
 
  private:
+  [[nodiscard]] Point normal_of(std::span<const Point> corners);
   bool fan(std::span<const Point> corners);
   bool sweep(std::span<const Point> corners, double nudge);
-  [[nodiscard]] bool covers(std::span<const Point> corners) const;
+  [[nodiscard]] bool covers(std::span<const Point> corners);
 
+  Pace pace_;
   Point normal_{};   // of the polygon; as long as twice its area
   double most_ = 0;  // that rounding can make of a doubled area times normal_
   std::vector<std::array<std::uint32_t, 3>> triangles_;

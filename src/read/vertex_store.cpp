@@ -216,8 +216,7 @@ Point VertexStore::position_of(const std::byte* record) const {
   return position;
 }
 
-void VertexStore::look_up(std::span<const std::uint32_t> vertices, std::vector<Point>& out) const {
-  out.resize(vertices.size());
+void VertexStore::look_up(std::span<const std::uint32_t> vertices, std::span<Point> out) const {
   const std::byte* records = window_ == nullptr ? kept_->data()
                              : reservation_     ? window_->data()
                                                 : nullptr;

@@ -79,8 +79,8 @@ class VertexStore {
                       const std::array<const std::uint32_t*, 3>& index, std::size_t count,
                       FaceBatch& out) const;
 
-  // Positions of single vertices, all below size(); also between passes.
-  void look_up(std::span<const std::uint32_t> vertices, std::vector<Point>& out) const;
+  // Positions of single vertices, all below size(), into as many of `out`; also between passes.
+  void look_up(std::span<const std::uint32_t> vertices, std::span<Point> out) const;
 
   // Positions in their order: `count` from `first` on, side by side into `out`.
   void read(std::uint64_t first, std::size_t count, const std::array<double*, 3>& out) const;

@@ -151,12 +151,15 @@ TEST_CASE("a convex polygon is a fan around its first corner") {
 
 TEST_CASE("polygons that cross themselves are not cut") {
   PolygonCutter cutter;
-  // A bow tie of unequal halves, and a five-pointed star in one line.
+  // Bow ties of equal and of unequal halves, and a five-pointed star in one line.
+  CHECK(cutter.cut(Polygon{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).empty());
   CHECK(cutter.cut(Polygon{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 1, 0}}).empty());
   Polygon pentagram;
   for (int i = 0; i < 5; ++i)
     pentagram.push_back({std::cos(2.5132741 * i), std::sin(2.5132741 * i), 0});
   CHECK(cutter.cut(pentagram).empty());
+  // One without any area has nothing to be cut wrongly.
+  CHECK(cutter.cut(Polygon{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}}).size() == 2);
   CHECK(cutter.cut(Polygon{{0, 0, 0}, {1, 0, 0}, {NAN, 1, 0}, {0, 1, 0}}).empty());
 }
 
@@ -165,6 +168,31 @@ TEST_CASE("cutting a polygon takes no time that grows with the square of its cor
   // Ten times this would take minutes if it did.
   check_cut(star(random, 200'000));
   check_cut(spiral(100'000));
+}
+
+TEST_CASE("whoever wants to stop is heard at every stage of cutting") {
+  Random random(10);
+  struct Stopped {};
+  Polygon bow = star(random, 200'000);
+  std::swap(bow[0], bow[100'000]);
+  for (const Polygon& polygon : {star(random, 200'000), spiral(100'000), bow}) {
+    std::size_t asked = 0;
+    std::size_t stop_at = SIZE_MAX;
+    PolygonCutter cutter([&] {
+      if (++asked == stop_at) throw Stopped();
+    });
+    const auto whole = cutter.cut(polygon);
+    const std::size_t all = asked;
+    // At least once in so many of the n log n steps.
+    CHECK(all >= 20 * polygon.size() / Pace::steps);
+    for (std::size_t at = 1; at <= all; at += 1 + all / 20) {
+      asked = 0;
+      stop_at = at;
+      CHECK_THROWS_AS(cutter.cut(polygon), Stopped);
+    }
+    stop_at = SIZE_MAX;
+    CHECK(cutter.cut(polygon) == whole);
+  }
 }
 
 }  // namespace winnow::test
