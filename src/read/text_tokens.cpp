@@ -116,9 +116,11 @@ void skip_byte_order_mark(ByteSource& source) {
 }
 
 bool is_text(std::string_view bytes) {
-  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
+  // Names may hold codes for terminals, and files of DOS end in ^Z.
+  constexpr std::string_view codes = "\a\b\x1a\x1b";
+  return std::none_of(bytes.begin(), bytes.end(), [&](char c) {
     const auto byte = static_cast<unsigned char>(c);
-    return byte < 0x20 && !is_blank(c);
+    return byte < 0x20 && !is_blank(c) && codes.find(c) == std::string_view::npos;
   });
 }
 

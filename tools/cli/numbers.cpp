@@ -20,6 +20,38 @@ std::string format(const char* pattern, Values... values) {
   return text.data();
 }
 
+struct Character {
+  std::uint32_t code = 0;  // of Unicode; 0 where the byte begins none
+  std::size_t bytes = 1;
+};
+
+// The character of UTF-8 that begins there.
+Character character_at(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
+  };
+  const std::uint32_t first = byte(0);
+  if (first < 0x80) return {first, 1};
+  const std::size_t bytes = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  if (first < 0xC2 || first > 0xF4) return {};
+  std::uint32_t code = first & (0x7FU >> bytes);
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return {};
+    code = code << 6 | (byte(i) & 0x3F);
+  }
+  const std::uint32_t least = bytes == 2 ? 0x80 : bytes == 3 ? 0x800 : 0x10000;
+  if (code < least || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return {};
+  return {code, bytes};
+}
+
+// Whether it moves neither the cursor nor the text around it.
+bool is_shown(std::uint32_t code) {
+  const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+  const bool line_end = code == 0x2028 || code == 0x2029;
+  const bool turns = (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+  return !control && !line_end && !turns;
+}
+
 // Without its middle where it is longer; UTF-8 stays whole.
 std::string shortened(const std::string& text, std::size_t longest) {
   if (text.size() <= longest) return text;
@@ -42,16 +74,24 @@ std::string clean(const std::string& text) {
     out += shortened(word, longest_word);
     word.clear();
   };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool second_set = byte == 0xC2 && i + 1 < text.size() &&
-                            static_cast<unsigned char>(text[i + 1]) < 0xA0;  // U+0080 to U+009F
-    if (second_set) ++i;
-    if (byte == ' ') end_word();
-    word += second_set || byte < 0x20 || byte == 0x7F ? '?' : text[i];
+  for (std::size_t i = 0; i < text.size();) {
+    const auto [code, bytes] = character_at(text, i);
+    if (code == ' ') end_word();
+    word += is_shown(code) ? text.substr(i, bytes) : "?";
+    i += bytes;
   }
   end_word();
   return shortened(out, longest_text);
+}
+
+std::string escaped_json(const std::string& json) {
+  std::string out;
+  for (std::size_t i = 0; i < json.size();) {
+    const auto [code, bytes] = character_at(json, i);
+    out += is_shown(code) || code == '\n' ? json.substr(i, bytes) : format("\\u%04x", code);
+    i += bytes;
+  }
+  return out;
 }
 
 std::string show_list(const std::vector<std::string>& words) {

@@ -14,6 +14,8 @@ namespace winnow::cli {
 // Fit for a terminal: what comes from a file or the command line may hold escape codes, line ends
 // and names of kilobytes.
 std::string clean(const std::string& text);
+// JSON of the same value, in which what a terminal would not show is escaped.
+std::string escaped_json(const std::string& json);
 
 std::string show_count(std::uint64_t count);                   // 1,234,567
 std::string show_list(const std::vector<std::string>& words);  // a, b

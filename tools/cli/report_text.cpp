@@ -42,9 +42,17 @@ Json head_of(const CLI::App& command) {
 
 }  // namespace
 
+std::string text_of(const Json& json) {
+  return escaped_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
 Json report_of(const CLI::App& command, const Json& body) {
   Json report = head_of(command);
   report.update(body);
+  // Sentences for people, unlike names.
+  if (report.contains("notes")) {
+    for (Json& note : report["notes"]) note = clean(note.get<std::string>());
+  }
   return report;
 }
 
@@ -52,7 +60,7 @@ Json json_of_error(const std::string& message, ErrorKind kind) {
   return {{"error",
            {{"kind", kind_name(kind)},
             {"exit_code", static_cast<int>(kind)},
-            {"message", spoken(message)}}}};
+            {"message", clean(spoken(message))}}}};
 }
 
 void print(const Json& body, const CommonOptions& common, std::ostream& out) {

@@ -17,10 +17,9 @@ namespace winnow::cli {
 
 using Json = nlohmann::ordered_json;
 
-// Names in it may come from a file: what is no UTF-8 becomes the sign for that.
-inline std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
-}
+// Names in it may come from a file: what is no UTF-8 becomes the sign for that, and what a terminal
+// would obey is escaped.
+std::string text_of(const Json& json);
 
 // What every report begins with, the version, the command and the options as they were given, and
 // `body`.
