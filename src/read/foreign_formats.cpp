@@ -42,6 +42,9 @@ constexpr std::array foreign_formats{
     ForeignFormat{0, "\x04\x22\x4d\x18"sv, "", "compressed by lz4", Way::through, "lz4cat FILE"},
     ForeignFormat{0, "LZIP"sv, "", "compressed by lzip", Way::through, "lzip -dc FILE"},
     ForeignFormat{0, "\x5d\0\0"sv, "", "compressed by lzma", Way::through, "xzcat FILE"},
+    // Once is seen through before.
+    ForeignFormat{0, "\x1f\x8b\x08"sv, "", "compressed twice", Way::through, "zstdcat FILE"},
+    ForeignFormat{0, "\x28\xb5\x2f\xfd"sv, "", "compressed twice", Way::through, "zstdcat FILE"},
     ForeignFormat{0, "\x1f\x9d"sv, "", "compressed by compress", Way::through, "zcat FILE"},
 
     ForeignFormat{0, "Kaydara FBX Binary"sv, "", "an FBX scene", Way::exported},

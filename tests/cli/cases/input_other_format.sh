@@ -5,5 +5,7 @@ printf '# a comment\n' >empty.obj
 printf 'Dear reader,\n' >letter.stl
 printf '' >nothing.ply
 head -c 60 /dev/zero >short.stl
-for file in binary.off empty.obj letter.stl nothing.ply short.stl; do try "$file"; done
+printf 'v 0 0 0\n' | gzip -n | gzip -n >twice.obj.gz
+printf 'v 0 0 0\n' | zstd -q | gzip -n >twice.gz
+for file in binary.off empty.obj letter.stl nothing.ply short.stl twice.obj.gz twice.gz; do try "$file"; done
 [[ ! -e small.ply ]]
