@@ -349,7 +349,9 @@ CompareReport compare(Context& context, const std::string& original, const std::
       in_arena(job, [&] { return Comparison(job, options).run(original, simplified); });
   if (options.fail_above) {
     const double length = options.fail_above->length(report.diagonal);
-    report.limit = {length, report.symmetric.rms > length};
+    // The same surface twice has a distance all the same, of rounding.
+    const double rounding = 1e-12 * report.diagonal;
+    report.limit = {length, report.symmetric.rms > std::max(length, rounding)};
   }
   report.notes = job.notes;
   report.peak_memory_bytes = peak_resident_bytes();

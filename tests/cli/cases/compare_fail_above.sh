@@ -16,5 +16,8 @@ compare --fail-above 0 --json
 grep -A 3 fail_above out | grep exceeded
 compare --json
 grep '"fail_above"' out
+code=0
+"$WINNOW" compare scan.ply scan.ply --fail-above 0 -q || code=$?
+echo "the same => $code"
 compare --fail-above -1
 compare --fail-above 1mm
