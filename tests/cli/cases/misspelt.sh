@@ -2,6 +2,8 @@
 try() { { "$WINNOW" "$@" 2>&1 || true; } | head -1; }
 try simplfy in.ply -o out.ply
 try Simplify in.ply
+try SIMPLIFY in.ply
+try INFO in.ply
 try comprae a.ply b.ply
 try in.ply -o out.ply
 try $'\e[31mred'
