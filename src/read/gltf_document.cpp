@@ -205,6 +205,7 @@ class Parser {
       const std::optional<std::size_t> positions = accessor(attributes, "POSITION");
       if (mode < 4 || mode > 6 || !positions) {
         ++document_.other_primitives;
+        if (mode == 0 && positions) document_.other_points += document_.accessors[*positions].count;
         continue;
       }
       note_unread(primitive);

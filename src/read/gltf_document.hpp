@@ -76,6 +76,7 @@ struct GltfDocument {
   std::optional<Point> center;         // CESIUM_RTC: was added to all
   std::uint64_t other_primitives =
       0;                            // points, lines and what has no positions, left out of `meshes`
+  std::uint64_t other_points = 0;   // of these
   std::vector<std::string> unread;  // what primitives have besides, in words
 };
 

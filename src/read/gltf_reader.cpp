@@ -89,6 +89,7 @@ class GltfParser {
                        shortest(center[0]) + " " + shortest(center[1]) + " " + shortest(center[2]));
     }
     for (const std::string& what : attributes_.unread) mesh_.pass_over(what);
+    mesh_.leave_out_points(document_.other_points);
     if (document_.other_primitives > 0) {
       mesh_.job().note(grouped(document_.other_primitives) +
                        (document_.other_primitives == 1 ? " primitive" : " primitives") +

@@ -45,6 +45,7 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   faces_.finish();
   numbers_.finish();
   facts_.vertices = vertices_.size();
+  facts_.points = mesh.points();
   facts_.faces = faces_.size();
   facts_.double_positions = !mesh.single();
   if (mesh.attributes_dropped()) {

@@ -50,6 +50,10 @@ class KeptMesh {
   void pass_over(const std::string& what);
   [[nodiscard]] const std::vector<std::string>& passed_over() const { return passed_over_; }
 
+  // Points that are no corners of faces, and are not among the vertices.
+  void leave_out_points(std::uint64_t count) { points_ += count; }
+  [[nodiscard]] std::uint64_t points() const { return points_; }
+
   [[nodiscard]] std::uint64_t vertices() const { return vertices_.size(); }
   [[nodiscard]] bool single() const { return single_; }
   [[nodiscard]] Job& job() const { return job_; }
@@ -62,6 +66,7 @@ class KeptMesh {
   VertexNumbers& numbers_;
   std::vector<bool> carried_;
   std::string name_;
+  std::uint64_t points_ = 0;
   bool single_ = true;
   bool attributes_dropped_ = false;
   std::vector<std::string> passed_over_;

@@ -23,6 +23,7 @@ struct InputFacts {
   std::string format;                     // for people: "PLY binary little-endian"
   std::optional<std::uint64_t> faces;     // records; a polygon may become several triangles
   std::optional<std::uint64_t> vertices;  // absent for formats without
+  std::uint64_t points = 0;               // besides them, left out
   bool polygons = false;                  // of the records may be
   bool double_positions = false;
   bool mixed_positions = false;  // doubles in some of several inputs, floats in others

@@ -48,7 +48,7 @@ InputOutlook Input::outlook(const SimplifyOptions& options, const AttributeWish&
 
 void refuse_without_faces(const MeshReader& reader, const std::string& purpose) {
   const InputFacts& facts = reader.facts();
-  const std::uint64_t points = facts.vertices.value_or(0);
+  const std::uint64_t points = facts.vertices.value_or(0) + facts.points;
   if (points == 0 || facts.faces != std::uint64_t{0})
     throw Error(ErrorKind::bad_input,
                 "'" + reader.name() + "' has no face that could be " + purpose);

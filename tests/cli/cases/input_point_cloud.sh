@@ -10,6 +10,12 @@ try() { local code=0; "$WINNOW" "$@" 2>&1 || code=$?; echo "=> $code"; }
 try simplify points.ply -o small.ply --cell 1
 try simplify points.obj -o small.ply --faces 100
 try convert points.ply -o other.stl
+cat >points.gltf <<'GLTF'
+{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0},{"attributes":{"POSITION":0},"mode":0}]}],
+"accessors":[{"componentType":5126,"count":512,"type":"VEC3"}]}
+GLTF
+try convert points.gltf -o other.stl
 try compare face.obj points.ply
 "$WINNOW" info points.obj | grep -E 'faces|vertices' | head -2
 ls small.ply other.stl 2>/dev/null || true
