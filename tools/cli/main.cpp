@@ -42,12 +42,18 @@ bool reader_left() {
   return ::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
-// The command line without the program's name; "help COMMAND" is "COMMAND --help".
+bool asks_for_help(const std::string& word) {
+  return word == "help" || word == "--help" || word == "-h";
+}
+
+// The command line without the program's name; "help COMMAND" is "COMMAND --help", and so is
+// "--help COMMAND".
 std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (!words.empty() && words.front() == "help") {
+  if (!words.empty() && asks_for_help(words.front())) {
     words.erase(words.begin());
     words.resize(std::min<std::size_t>(words.size(), 1));
+    if (!words.empty() && asks_for_help(words.front())) words.clear();
     words.emplace_back("--help");
   }
   return words;
