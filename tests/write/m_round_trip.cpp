@@ -1,6 +1,8 @@
 // What is written as .m is read back as the same mesh, to the last bit.
 #include "support/encoding.hpp"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 namespace winnow {
@@ -41,7 +43,7 @@ TEST_CASE("a .m holds normals and colours in braces") {
   std::vector<Attribute> colors;
   for (const char* name : {"red", "green", "blue"})
     colors.push_back({name, ScalarType::uint8, AttributeKind::color});
-  const std::array<double, 3> stored{255, 51, 0};
+  std::array<double, 3> stored{255, 51, 0};
   MeshVertex vertex;
   vertex.position = {1, 2, 3};
   vertex.normal = {0, 0.6F, -0.8F};
@@ -60,6 +62,9 @@ TEST_CASE("a .m holds normals and colours in braces") {
   CHECK(line(true, false) == "Vertex 1 1 2 3 {normal=(0 0.6 -0.8)}\n");
   CHECK(line(false, true) == "Vertex 1 1 2 3 {rgb=(1 0.2 0)}\n");
   CHECK(line(true, true) == "Vertex 1 1 2 3 {normal=(0 0.6 -0.8) rgb=(1 0.2 0)}\n");
+  // What a colour cannot be is clipped.
+  stored = {300, -51, NAN};
+  CHECK(line(false, true) == "Vertex 1 1 2 3 {rgb=(1 0 0)}\n");
 }
 
 }  // namespace winnow
