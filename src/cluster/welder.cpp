@@ -6,6 +6,7 @@
 #include "base/rounding.hpp"
 #include "base/text.hpp"
 #include "cluster/resolution.hpp"
+#include "cluster/two_sided.hpp"
 #include "cluster/weld_lattice.hpp"
 #include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
@@ -94,10 +95,12 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMem
   mesh.cells = mesh.vertices->size();
 }
 
+// Two-sided faces go to `sided`, too.
 void collect_faces(Job& job, RecordCursor<WeldedFaces>& faces, double rounding,
-                   std::uint64_t memory, ClusteredMesh& mesh) {
+                   std::uint64_t memory, Spool& sided, ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
   Appender<std::array<std::uint32_t, 3>> append(job, *mesh.faces);
+  Appender<TwoSidedFace> append_sided(job, sided);
   VertexIndex::Reader vertices(*mesh.vertices);
   const auto has_area = [&](const std::array<std::uint32_t, 3>& face) {
     Triangle corners;
@@ -112,12 +115,16 @@ void collect_faces(Job& job, RecordCursor<WeldedFaces>& faces, double rounding,
       continue;
     }
     const auto [a, b, c] = face.vertex;
+    if (face.balanced())
+      append_sided.add({mesh.face_count, std::min(face.first[0], face.first[1])});
     append.add(face.against() ? std::array{a, c, b} : face.vertex);
     mesh.fused += std::min(face.count[0], face.count[1]);
     ++mesh.face_count;
   }
   append.flush();
   mesh.faces->finish();
+  append_sided.flush();
+  sided.finish();
 }
 
 std::unique_ptr<Spool> collect_attributes(Job& job, AttributeMeans& means,
@@ -151,7 +158,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings,
   weld_vertices(job, reader, grid, memory, mesh);
 
   job.progress.begin("join faces", reader.facts().faces.value_or(0), "faces");
-  ThreadedRecords<WeldedFaces> faces(job, memory.lists);
+  auto faces = std::make_unique<ThreadedRecords<WeldedFaces>>(job, memory.lists);
   std::unique_ptr<AttributeMeans> means;
   if (!attributes.empty())
     means = AttributeMeans::make(job, attributes, AttributeMeans::Keys::numbers, memory.attributes);
@@ -167,7 +174,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings,
       job, reader,
       [&](const FaceBatch& batch) {
         Worker& worker = workers.local();
-        SortedList<WeldedFaces>& list = faces.local();
+        SortedList<WeldedFaces>& list = faces->local();
         if (settings.area != nullptr) settings.area->add(batch);
         const GoodFaces good(batch);
         ClusterCounts here;
@@ -193,8 +200,13 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings,
     means->spill();
   }
   for (const Worker* worker : workers.all()) counts.add(worker->counts);
-  MergedCursor<WeldedFaces> merged = faces.merged();
-  collect_faces(job, merged, coordinate_rounding(settings.single), memory.faces, mesh);
+  Spool sided(job, memory.faces / 16);
+  {
+    MergedCursor<WeldedFaces> merged = faces->merged();
+    collect_faces(job, merged, coordinate_rounding(settings.single), memory.faces, sided, mesh);
+  }
+  faces.reset();
+  agree_on_sides(job, sided, memory.lists, mesh);
   if (means != nullptr)
     mesh.attributes =
         collect_attributes(job, *means, attributes, memory.means, mesh.vertices->size());

@@ -1,4 +1,5 @@
 // A surface that is given in both senses: one of them is left everywhere, or both.
+#include "support/random.hpp"
 #include "support/refined_shape.hpp"
 
 #include <algorithm>
@@ -47,6 +48,26 @@ TEST_CASE("of a ball given in both senses one is left or both", "[shapes]") {
         }
       });
     }
+  }
+}
+
+TEST_CASE("of a ball whose pairs begin with either sense one is left or both", "[shapes]") {
+  Random random(31);
+  for (const std::size_t n : {7, 20}) {
+    Shape shape = shapes::double_sided(n);
+    const std::size_t pairs = shape.faces.size() / 2;
+    for (std::size_t i = 0; i < pairs; ++i) {
+      if (random.chance(0.5)) std::swap(shape.faces[i], shape.faces[pairs + i]);
+    }
+    for_each_pose([&](const Pose& pose) {
+      for (const SimplifyOptions& options : {to_count(pairs), to_count(200), to_error(0.02)}) {
+        const RefinedShape out = refine_shape(shape, pose, options);
+        CHECK(out.defects.discords == 0);
+        CHECK(out.defects.borders == 0);
+        CHECK(balanced(out.output));
+        CHECK(out.report.fused_faces == pairs);
+      }
+    });
   }
 }
 
