@@ -27,7 +27,7 @@ constexpr unsigned rounds = 3;
 // A vertex with more faces stays, because every move takes a look at all of them.
 constexpr std::size_t most_faces = 32;
 // A face whose height is below this part of its longest side is a line.
-constexpr double thinnest = 1e-6;
+constexpr double thinnest = 1e-10;
 // How far the reference is known around a face, as a part of its longest side, and around all faces
 // at its corners. Around a middle, mostly the first margin is enough.
 constexpr double face_margin = 0.35;

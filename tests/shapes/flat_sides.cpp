@@ -103,8 +103,9 @@ TEST_CASE("a straight pipe keeps its volume", "[shapes]") {
     double length;
     std::uint64_t faces;
   };
-  for (const Pipe& pipe : {Pipe{12, 400, 1000, 200}, Pipe{12, 400, 1000, 44},
-                           Pipe{24, 200, 1000, 200}, Pipe{24, 2000, 100'000, 1000}}) {
+  for (const Pipe& pipe :
+       {Pipe{12, 400, 1000, 200}, Pipe{12, 400, 1000, 44}, Pipe{24, 200, 1000, 200},
+        Pipe{24, 2000, 100'000, 1000}, Pipe{6, 1000, 1'000'000, 20}}) {
     CAPTURE(pipe.sides, pipe.rings, pipe.length, pipe.faces);
     const Shape shape = shapes::pipe(pipe.sides, pipe.rings, pipe.length);
     const std::optional<double> exact = volume(shape);

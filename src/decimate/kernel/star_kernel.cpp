@@ -9,7 +9,7 @@ namespace winnow {
 namespace {
 
 // A face this thin, as the sine of an angle, is a line: its normal is made of rounding.
-constexpr double thinnest = 1e-6;
+constexpr double thinnest = 1e-10;
 
 double larger(double a, double b) {
   return a > b ? a : b;
