@@ -89,31 +89,6 @@ class Cells {
   double reach_, edge_;
 };
 
-std::uint64_t mixed_bits(const Point& p) {
-  return std::bit_cast<std::uint64_t>(p[0]) + 3 * std::bit_cast<std::uint64_t>(p[1]) +
-         5 * std::bit_cast<std::uint64_t>(p[2]);
-}
-
-// Positions that were added lately: on a coherent mesh most corners repeat one of them.
-class RecentPositions {
- public:
-  RecentPositions() : recent_(std::size_t{1} << bits, Point{NAN, NAN, NAN}) {}
-
-  static constexpr std::uint64_t bytes = (std::uint64_t{1} << 12) * sizeof(Point);
-
-  bool add(const Point& p) {
-    Point& recent = recent_[quick_hash(mixed_bits(p)) >> (64 - bits)];
-    if (recent == p) return false;
-    recent = p;
-    return true;
-  }
-
- private:
-  static constexpr unsigned bits = 12;
-
-  std::vector<Point> recent_;
-};
-
 // The positions that moved, by their own, and where they moved to.
 struct Moved {
   std::unique_ptr<VertexIndex> from;

@@ -239,13 +239,17 @@ void take_surface(Job& job, MeshReader& reader, PickedPoints& picked) {
 
 }  // namespace
 
-Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions) {
-  if (positions == 0) return measure_box(job, reader);
+MostPositions measure_most(Job& job, MeshReader& reader, std::uint64_t positions) {
+  if (positions == 0) return {measure_box(job, reader), {}};
   job.progress.begin("measure", positions, "positions");
-  const PickedPoints picked = pick_points(job, reader, positions);
-  if (picked.points.size() < few_points) return picked.box;
+  PickedPoints picked = pick_points(job, reader, positions);
+  if (picked.points.size() < few_points) return {picked.box, std::move(picked.points)};
   const Box most = box_of_most(picked);
-  return reaches_beyond(picked.box, most, far_off) ? most : picked.box;
+  return {reaches_beyond(picked.box, most, far_off) ? most : picked.box, std::move(picked.points)};
+}
+
+Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions) {
+  return measure_most(job, reader, positions).box;
 }
 
 Box measure_surface(Job& job, MeshReader& reader, std::uint64_t positions) {

@@ -62,4 +62,12 @@ Box measure_surface(Job& job, MeshReader& reader, std::uint64_t positions);
 // order in the file. `positions`: about how many there are, as above; 0: not known, then all count.
 Box measure_box_of_most(Job& job, MeshReader& reader, std::uint64_t positions);
 
+// The same, and one finite position out of many, in any order; none where it is not known how many
+// there are.
+struct MostPositions {
+  Box box;
+  std::vector<Point> picked;
+};
+MostPositions measure_most(Job& job, MeshReader& reader, std::uint64_t positions);
+
 }  // namespace winnow

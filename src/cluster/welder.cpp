@@ -2,17 +2,24 @@
 
 #include <winnow/error.hpp>
 
+#include "base/pages.hpp"
 #include "base/per_slot.hpp"
 #include "base/rounding.hpp"
 #include "base/text.hpp"
 #include "cluster/resolution.hpp"
 #include "cluster/two_sided.hpp"
 #include "cluster/weld_lattice.hpp"
-#include "io/sorted_records.hpp"
+#include "io/parted_records.hpp"
 #include "io/spool_records.hpp"
 #include "read/for_each_batch.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace winnow {
 
@@ -26,18 +33,12 @@ struct WeldedFaces {
   std::array<std::uint32_t, 2> count;  // at most 2^32 - 1
   std::array<std::uint32_t, 2> first;
 
-  static bool before(const WeldedFaces& a, const WeldedFaces& b) {
-    if (a.vertex[0] != b.vertex[0]) return a.vertex[0] < b.vertex[0];
-    if (a.vertex[1] != b.vertex[1]) return a.vertex[1] < b.vertex[1];
-    return a.vertex[2] < b.vertex[2];
-  }
-  static bool combine(WeldedFaces& into, const WeldedFaces& from) {
+  void add(const WeldedFaces& more) {
     for (std::size_t sense = 0; sense < 2; ++sense) {
-      const std::uint64_t sum = std::uint64_t{into.count[sense]} + from.count[sense];
-      into.count[sense] = static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, UINT32_MAX));
-      into.first[sense] = std::min(into.first[sense], from.first[sense]);
+      const std::uint64_t sum = std::uint64_t{count[sense]} + more.count[sense];
+      count[sense] = static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, UINT32_MAX));
+      first[sense] = std::min(first[sense], more.first[sense]);
     }
-    return true;
   }
 
   [[nodiscard]] bool balanced() const { return count[0] == count[1]; }
@@ -46,46 +47,159 @@ struct WeldedFaces {
   }
 };
 
-WeldedFaces welded_face(const std::array<std::uint64_t, 3>& number, std::uint32_t face) {
-  WeldedFaces out{};
-  std::copy(number.begin(), number.end(), out.vertex.begin());
-  // Each exchange mirrors the face.
-  std::size_t sense = 0;
-  const auto order = [&](std::size_t low, std::size_t high) {
-    if (out.vertex[high] > out.vertex[low]) return;
-    std::swap(out.vertex[low], out.vertex[high]);
-    sense = 1 - sense;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
+// A face on its way there, from its lowest vertex on.
+struct NumberedCorners {
+  std::array<std::uint32_t, 3> vertex;
+  std::uint32_t face;  // low 32 bits of its number
+
+  [[nodiscard]] bool against() const { return vertex[1] > vertex[2]; }
+  [[nodiscard]] std::array<std::uint32_t, 3> ascending() const {
+    if (against()) return {vertex[0], vertex[2], vertex[1]};
+    return vertex;
+  }
+  [[nodiscard]] std::uint64_t rank() const { return vertex[0]; }
+  static bool before(const NumberedCorners& a, const NumberedCorners& b) {
+    return a.ascending() < b.ascending();
+  }
+  static bool combine(NumberedCorners& /*into*/, const NumberedCorners& /*from*/) { return false; }
+};
+
+NumberedCorners from_lowest(const std::array<std::uint32_t, 3>& vertex, std::uint32_t face) {
+  const auto [a, b, c] = vertex;
+  if (a < b && a < c) return {{a, b, c}, face};
+  if (b < c) return {{b, c, a}, face};
+  return {{c, a, b}, face};
+}
+
+WeldedFaces welded_face(const NumberedCorners& corners) {
+  WeldedFaces out{corners.ascending(), {}, {UINT32_MAX, UINT32_MAX}};
+  const std::size_t sense = corners.against() ? 1 : 0;
   out.count[sense] = 1;
-  out.first.fill(UINT32_MAX);
-  out.first[sense] = face;
+  out.first[sense] = corners.face;
   return out;
 }
 
-void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMemory& memory,
+// A position, and the low 32 bits of the number that the input gives it. Of floats where all are.
+template <typename Real>
+struct NumberedPosition {
+  CellKey key;
+  std::array<Real, 3> at;
+  std::uint32_t number;
+
+  [[nodiscard]] std::uint64_t rank() const { return key; }
+  [[nodiscard]] Point position() const { return {at[0], at[1], at[2]}; }
+  static bool before(const NumberedPosition& a, const NumberedPosition& b) {
+    return a.key != b.key ? a.key < b.key : a.at < b.at;
+  }
+  static bool combine(NumberedPosition& /*into*/, const NumberedPosition& /*from*/) {
+    return false;
+  }
+};
+
+// The ranges of keys that hold about as many of some keys each.
+class KeyRanges {
+ public:
+  KeyRanges(std::vector<CellKey> some, std::size_t ranges) {
+    std::sort(some.begin(), some.end());
+    for (std::size_t i = 1; i < ranges && !some.empty(); ++i)
+      begin_.push_back(some[i * some.size() / ranges]);
+  }
+
+  [[nodiscard]] std::size_t of(CellKey key) const {
+    return static_cast<std::size_t>(std::upper_bound(begin_.begin(), begin_.end(), key) -
+                                    begin_.begin());
+  }
+
+ private:
+  std::vector<CellKey> begin_;  // of all but the first
+};
+
+// The numbers of the vertices that the input's positions became, where there is room for them.
+class VertexNumbers {
+ public:
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  VertexNumbers() = default;
+  VertexNumbers(Job& job, std::uint64_t positions, std::uint64_t memory) {
+    if (positions == 0 || positions > UINT32_MAX || positions * sizeof(none) > memory) return;
+    pages_ = Pages::try_allocate(job.budget, positions * sizeof(none));
+    if (pages_) std::fill(numbers().begin(), numbers().end(), none);
+  }
+
+  explicit operator bool() const { return static_cast<bool>(pages_); }
+  [[nodiscard]] std::uint64_t bytes() const { return pages_.size(); }
+  void set(std::uint64_t position, std::uint32_t number) {
+    if (position < numbers().size()) numbers()[position] = number;
+  }
+  [[nodiscard]] std::uint32_t of(std::uint64_t position) const {
+    return position < numbers().size() ? numbers()[position] : none;
+  }
+
+ private:
+  [[nodiscard]] std::span<std::uint32_t> numbers() const { return pages_.as<std::uint32_t>(); }
+
+  Pages pages_;
+};
+
+// Reads the positions. Fills mesh.vertices and, where the input numbers them, `numbers`.
+template <typename Real>
+void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const std::vector<Point>& picked,
+                   std::uint64_t positions, const WeldMemory& memory, VertexNumbers& numbers,
                    ClusteredMesh& mesh) {
+  using Position = NumberedPosition<Real>;
   job.progress.begin("weld", reader.facts().vertices.value_or(0), "positions");
-  ThreadedRecords<KeyedPosition> points(job, memory.lists);
+  const PartsPlan plan =
+      PartedRecords<Position>::plan(memory.lists, job.threads, positions, sizeof(IndexedVertex));
+  std::vector<CellKey> keys;
+  for (const Point& p : picked) keys.push_back(key_of(grid, p));
+  const KeyRanges ranges(std::move(keys), plan.parts);
+  PartedRecords<Position> records(job, plan);
+  PerSlot<RecentPositions> recent(job.threads, [] { return std::make_unique<RecentPositions>(); });
   for_each_position_batch(job, reader, [&](const PositionView& view) {
-    SortedList<KeyedPosition>& list = points.local();
+    auto& lists = records.local();
+    RecentPositions& seen = recent.local();
     for (std::size_t i = 0; i < view.count; ++i) {
       const Point p = without_minus_zero({view.axis[0][i], view.axis[1][i], view.axis[2][i]});
-      if (finite(p)) list.add({key_of(grid, p), p});
+      if (!finite(p) || (!numbers && !seen.add(p))) continue;
+      const CellKey key = key_of(grid, p);
+      lists.add(ranges.of(key),
+                {key,
+                 {static_cast<Real>(p[0]), static_cast<Real>(p[1]), static_cast<Real>(p[2])},
+                 static_cast<std::uint32_t>(view.first + i)});
     }
   });
-  MergedCursor<KeyedPosition> merged = points.merged();
+  reader.rest();
+
   mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
-  Appender<IndexedVertex, VertexIndex> append(job, *mesh.vertices);
-  for (KeyedPosition point; merged.next(point);) {
-    IndexedVertex vertex;
-    vertex.key = point.key;
-    vertex.position = point.position;
-    append.add(vertex);
-  }
-  append.flush();
+  struct Stretch {
+    std::vector<IndexedVertex> vertices;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> places;  // of a number, in `vertices`
+  };
+  Point last{NAN, NAN, NAN};
+  records.template for_each_stretch<Stretch>(
+      [&](std::span<const Position> sorted, Stretch& out) {
+        out.vertices.clear();
+        out.places.clear();
+        for (const Position& record : sorted) {
+          const Point position = record.position();
+          if (out.vertices.empty() || out.vertices.back().position != position) {
+            out.vertices.emplace_back();
+            out.vertices.back().key = record.key;
+            out.vertices.back().position = position;
+          }
+          if (numbers)
+            out.places.emplace_back(record.number,
+                                    static_cast<std::uint32_t>(out.vertices.size() - 1));
+        }
+      },
+      [&](const Stretch& out) {
+        const std::size_t again = out.vertices.front().position == last ? 1 : 0;
+        const std::uint64_t first = mesh.vertices->size() - again;
+        mesh.vertices->append(std::span(out.vertices).subspan(again));
+        last = out.vertices.back().position;
+        for (const auto& [number, place] : out.places)
+          numbers.set(number, static_cast<std::uint32_t>(first + place));
+      });
   mesh.vertices->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(ErrorKind::failed, "the input has " + grouped(mesh.vertices->size()) +
@@ -96,7 +210,7 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const WeldMem
 }
 
 // Two-sided faces go to `sided`, too.
-void collect_faces(Job& job, RecordCursor<WeldedFaces>& faces, double rounding,
+void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, double rounding,
                    std::uint64_t memory, Spool& sided, ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
   Appender<std::array<std::uint32_t, 3>> append(job, *mesh.faces);
@@ -107,12 +221,10 @@ void collect_faces(Job& job, RecordCursor<WeldedFaces>& faces, double rounding,
     for (std::size_t i = 0; i < 3; ++i) corners[i] = vertices.at(face[i]).position;
     return !thinner_than_rounding(corners, doubled_area(corners), rounding);
   };
-  std::uint64_t seen = 0;
-  for (WeldedFaces face; faces.next(face);) {
-    if (++seen % chunk_records == 0) job.progress.check_cancelled();
+  const auto settle = [&](const WeldedFaces& face) {
     if (face.balanced() && !has_area(face.vertex)) {
       mesh.flat_pairs += face.count[0];
-      continue;
+      return;
     }
     const auto [a, b, c] = face.vertex;
     if (face.balanced())
@@ -120,7 +232,31 @@ void collect_faces(Job& job, RecordCursor<WeldedFaces>& faces, double rounding,
     append.add(face.against() ? std::array{a, c, b} : face.vertex);
     mesh.fused += std::min(face.count[0], face.count[1]);
     ++mesh.face_count;
-  }
+  };
+  std::optional<WeldedFaces> last;  // more of it may come
+  faces.for_each_stretch<std::vector<WeldedFaces>>(
+      [](std::span<const NumberedCorners> sorted, std::vector<WeldedFaces>& out) {
+        out.clear();
+        for (const NumberedCorners& corners : sorted) {
+          const WeldedFaces face = welded_face(corners);
+          if (!out.empty() && out.back().vertex == face.vertex) {
+            out.back().add(face);
+          } else {
+            out.push_back(face);
+          }
+        }
+      },
+      [&](const std::vector<WeldedFaces>& out) {
+        for (const WeldedFaces& face : out) {
+          if (last && last->vertex == face.vertex) {
+            last->add(face);
+            continue;
+          }
+          if (last) settle(*last);
+          last = face;
+        }
+      });
+  if (last) settle(*last);
   append.flush();
   mesh.faces->finish();
   append_sided.flush();
@@ -148,17 +284,28 @@ std::unique_ptr<Spool> collect_attributes(Job& job, AttributeMeans& means,
 
 }  // namespace
 
-ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings,
-                   const WeldMemory& memory, std::uint64_t available, ClusterCounts& counts) {
+ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, WeldMemory memory,
+                   std::uint64_t available, ClusterCounts& counts) {
   const CarriedAttributes& attributes = settings.attributes;
   ClusteredMesh mesh;
-  const Box box = measure_box_of_most(job, reader, reader.facts().vertices.value_or(available));
-  if (box.empty) return mesh;
-  const Grid grid = lattice_over(box);
-  weld_vertices(job, reader, grid, memory, mesh);
+  const std::uint64_t positions = reader.facts().vertices.value_or(available);
+  const MostPositions most = measure_most(job, reader, positions);
+  if (most.box.empty) return mesh;
+  const Grid grid = lattice_over(most.box);
+  // A third of what the lists would take, on a surface.
+  VertexNumbers numbers(job, reader.facts().vertices.value_or(0), memory.lists / 2);
+  memory.lists -= numbers.bytes();
+  if (reader.facts().double_positions) {
+    weld_vertices<double>(job, reader, grid, most.picked, positions, memory, numbers, mesh);
+  } else {
+    weld_vertices<float>(job, reader, grid, most.picked, positions, memory, numbers, mesh);
+  }
 
   job.progress.begin("join faces", reader.facts().faces.value_or(0), "faces");
-  auto faces = std::make_unique<ThreadedRecords<WeldedFaces>>(job, memory.lists);
+  const PartsPlan plan = PartedRecords<NumberedCorners>::plan(memory.lists, job.threads, available,
+                                                              sizeof(WeldedFaces));
+  auto faces = std::make_unique<PartedRecords<NumberedCorners>>(job, plan);
+  const std::uint64_t range = mesh.vertices->size() / plan.parts + 1;
   std::unique_ptr<AttributeMeans> means;
   if (!attributes.empty())
     means = AttributeMeans::make(job, attributes, AttributeMeans::Keys::numbers, memory.attributes);
@@ -174,7 +321,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings,
       job, reader,
       [&](const FaceBatch& batch) {
         Worker& worker = workers.local();
-        SortedList<WeldedFaces>& list = faces->local();
+        auto& lists = faces->local();
         if (settings.area != nullptr) settings.area->add(batch);
         const GoodFaces good(batch);
         ClusterCounts here;
@@ -184,27 +331,29 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings,
         here.first_bad = good.first_bad();
         worker.counts.add(here);
         for (const NumberedFace& face : good.faces()) {
-          std::array<std::uint64_t, 3> number{};
+          const std::size_t place = face.number - batch.first;
+          std::array<std::uint32_t, 3> number{};
           for (std::size_t i = 0; i < 3; ++i) {
             const Point p = without_minus_zero(face.corner[i]);
-            number[i] = worker.vertices.find(key_of(grid, p), p);
-            if (number[i] == VertexIndex::Reader::absent)
+            number[i] = numbers
+                            ? numbers.of(batch.first_vertex + batch.index[i][place])
+                            : static_cast<std::uint32_t>(worker.vertices.find(key_of(grid, p), p));
+            if (number[i] == VertexNumbers::none)
               throw Error(ErrorKind::bad_input, "the input was changed while it was read");
           }
-          const std::size_t place = face.number - batch.first;
-          list.add(welded_face(number, batch.number(place)));
-          if (means != nullptr) means->add(batch, place, number);
+          const NumberedCorners corners = from_lowest(number, batch.number(place));
+          lists.add(corners.vertex[0] / range, corners);
+          if (means != nullptr) means->add(batch, place, {number[0], number[1], number[2]});
         }
       },
       stop)) {
     means->spill();
   }
   for (const Worker* worker : workers.all()) counts.add(worker->counts);
+  reader.rest();
+  numbers = {};
   Spool sided(job, memory.faces / 16);
-  {
-    MergedCursor<WeldedFaces> merged = faces->merged();
-    collect_faces(job, merged, coordinate_rounding(settings.single), memory.faces, sided, mesh);
-  }
+  collect_faces(job, *faces, coordinate_rounding(settings.single), memory.faces, sided, mesh);
   faces.reset();
   agree_on_sides(job, sided, memory.lists, mesh);
   if (means != nullptr)

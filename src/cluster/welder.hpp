@@ -33,7 +33,7 @@ struct WeldSettings {
 // one sense as in the other, the first in the input decides, for all that are connected with it
 // (agree_on_sides()). If they also have no area, all are dropped: then each of their edges keeps an
 // even or odd number of faces.
-ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings,
-                   const WeldMemory& memory, std::uint64_t available, ClusterCounts& counts);
+ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, WeldMemory memory,
+                   std::uint64_t available, ClusterCounts& counts);
 
 }  // namespace winnow

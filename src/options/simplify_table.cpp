@@ -12,9 +12,8 @@ namespace {
 using Options = SimplifyOptions;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr NumberRange length{0, infinity, true, true, "a length above 0"};
-constexpr NumberRange part_of_diagonal{0, 1, true, true,
-                                       "a part of the diagonal above 0 and below 100%"};
+constexpr NumberRange length_range{0, infinity, true, true, "a length above 0"};
+constexpr NumberRange part_range{0, 1, true, true, "a part of the diagonal above 0 and below 100%"};
 
 // A number above 1; "full" is infinity.
 OptionValue<Options> detail() {
@@ -90,13 +89,13 @@ std::vector<Option<Options>> table() {
       {"cell", "LENGTH", fineness,
        "Size of a grid cell in model units; the only choice that reads a pipe just once",
        number<Options>(&Options::cell, "a length like 2.5, a bare number in the units of the model",
-                       length)},
+                       length_range)},
       {"grid", "N", fineness, "Number of grid cells along the longest side",
        count<Options>(&Options::grid, 1, axis_cells, "1 to 2,097,152 cells")},
       {"error", "E", fineness,
        "Stop at this error: 0.5 (model units) or 0.1% (of the diagonal). It is the RMS distance; "
        "boundaries stay within 1.5 times it.",
-       distance<Options>(&Options::error, length, part_of_diagonal)},
+       distance<Options>(&Options::error, length_range, part_range)},
 
       {"refine", "COST", refinement,
        "What an edge costs to collapse (default: quadric with `faces`, `ratio` and `error`, else "
@@ -135,7 +134,7 @@ std::vector<Option<Options>> table() {
       {"weld", "DISTANCE", input_group,
        "Join vertices closer than this: 0.01 (model units) or 0.001% (of the diagonal). Chains of "
        "such vertices are joined too.",
-       distance<Options>(&Options::weld, length, part_of_diagonal)},
+       distance<Options>(&Options::weld, length_range, part_range)},
       from_option<Options>(&Options::from),
 
       {"placement", "HOW", result_group,

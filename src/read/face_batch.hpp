@@ -34,6 +34,7 @@ struct FaceBatch {
   // The numbers of the corners' vertices, [corner][face], where the format has vertices; good for
   // as long as the batch is handed on.
   std::array<const std::uint32_t*, 3> index{};
+  std::uint64_t first_vertex = 0;  // what they count from: vertices of inputs before this one
   // The low 32 bits of the faces' numbers, where the reader changed their order; else null, and
   // they count from `first`. Valid as long as `index`.
   const std::uint32_t* numbers = nullptr;

@@ -109,6 +109,7 @@ class JoinedReader final : public MeshReader {
     std::array<std::uint32_t, FaceBatch::capacity> numbers{};
     reader_->decode_faces(batch, slice, [&](const FaceBatch& /*slice*/) {
       slice.first += before_;
+      slice.first_vertex = vertices_before_;
       if (slice.numbers != nullptr) {
         std::transform(
             slice.numbers, slice.numbers + slice.count, numbers.begin(),
@@ -138,8 +139,10 @@ class JoinedReader final : public MeshReader {
     if (reader_->next_part()) return true;
     if (current_ + 1 == names_.size()) return false;
     const std::uint64_t before = before_ + seen_;
+    const std::uint64_t vertices = vertices_before_ + reader_->facts().vertices.value_or(0);
     begin(current_ + 1);
     before_ = before;
+    vertices_before_ = vertices;
     return true;
   }
 
@@ -213,7 +216,7 @@ class JoinedReader final : public MeshReader {
 
   void begin(std::size_t part) {
     open(part);
-    before_ = seen_ = 0;
+    before_ = seen_ = vertices_before_ = 0;
     if (positions_) {
       reader_->begin_positions(corners_);
     } else {
@@ -246,9 +249,10 @@ class JoinedReader final : public MeshReader {
   std::vector<Place> place_;
   std::unique_ptr<MeshReader> reader_;
   std::size_t current_ = 0;
-  bool bare_ = false;         // this one
-  std::uint64_t before_ = 0;  // faces or positions of the files before
-  std::uint64_t seen_ = 0;    // of this one
+  bool bare_ = false;                  // this one
+  std::uint64_t before_ = 0;           // faces or positions of the files before
+  std::uint64_t vertices_before_ = 0;  // of the files before
+  std::uint64_t seen_ = 0;             // of this one
   bool positions_ = false;
   PassCorners corners_ = PassCorners::all;
 };

@@ -249,7 +249,6 @@ ClusteredMesh Clustering::welded(const std::string& reason) {
   ClusteredMesh mesh = weld(job_, reader_, settings, memory, available_, counts);
   take_counts(counts);
   report_.area.input = area.value();
-  reader_.rest();
   note_pairs(job_, mesh);
   if (mesh.face_count == 0) refuse_empty();
   if (mesh.face_count <= always_full)

@@ -65,7 +65,7 @@ TEST_CASE("of a ball whose pairs begin with either sense one is left or both", "
         CHECK(out.defects.discords == 0);
         CHECK(out.defects.borders == 0);
         CHECK(balanced(out.output));
-        CHECK(out.report.fused_faces == pairs);
+        CHECK(out.report.merged_opposite_faces == pairs);
       }
     });
   }

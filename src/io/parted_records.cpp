@@ -1,0 +1,29 @@
+#include "io/parted_records.hpp"
+
+namespace winnow {
+
+PartsPlan PartsPlan::divide(std::uint64_t memory, unsigned threads, std::uint64_t records,
+                            std::size_t record_bytes, std::size_t bytes_at_work) {
+  // What is sorted at once stays in a core's second cache.
+  constexpr std::uint64_t usual_records = std::uint64_t{1} << 16;
+  constexpr std::uint64_t most_parts = std::uint64_t{1} << 12;
+  constexpr std::uint64_t smallest_chunk = std::uint64_t{1} << 12;
+  constexpr std::uint64_t largest_chunk = std::uint64_t{1} << 15;
+  PartsPlan plan{};
+  // The first chunks of all lists take a third of the memory at the most.
+  const std::uint64_t lists = std::max<std::uint64_t>(memory / 3 / smallest_chunk / threads, 1);
+  plan.parts = std::min({records / usual_records + 1, most_parts, lists});
+  const std::uint64_t share = records / plan.parts + 1;
+  plan.chunk_bytes =
+      std::clamp(std::bit_floor(std::min(memory / 3 / threads / plan.parts, share * record_bytes)),
+                 smallest_chunk, largest_chunk);
+  // Parts may be twice as large as they should be.
+  plan.sorting =
+      std::min(memory / 2, at_work(threads) * 2 * std::max(share, usual_records) * bytes_at_work);
+  plan.largest_records =
+      std::max<std::uint64_t>(plan.sorting * 3 / 4 / at_work(threads) / bytes_at_work, 1);
+  plan.chunks = memory - plan.sorting;
+  return plan;
+}
+
+}  // namespace winnow
