@@ -4,6 +4,7 @@
 #include <winnow/simplify.hpp>
 
 #include "base/attribute.hpp"
+#include "base/rounding.hpp"
 #include "cluster/folds.hpp"
 #include "cluster/grid.hpp"
 #include "cluster/split_cells.hpp"
@@ -69,6 +70,7 @@ struct ClusteredMesh {
   std::uint64_t turned = 0;
   std::uint64_t fused = 0;       // pairs of opposite faces that left one face
   std::uint64_t flat_pairs = 0;  // those without area that left none; only where welded
+  std::optional<CoordinateRounding> rounding{};  // of the input's positions; only where welded
   // Only where clustered for refinement: the faces that several fell onto, a FusedFace each, in the
   // order of faces; and the keys of cells that no face of three cells touches, in ascending order.
   std::unique_ptr<Spool> several{};

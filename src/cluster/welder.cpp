@@ -9,6 +9,7 @@
 #include "cluster/resolution.hpp"
 #include "cluster/two_sided.hpp"
 #include "cluster/weld_lattice.hpp"
+#include "cluster/written_rounding.hpp"
 #include "io/parted_records.hpp"
 #include "io/spool_records.hpp"
 #include "read/for_each_batch.hpp"
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -143,7 +145,7 @@ class VertexNumbers {
 
 // Reads the positions. Fills mesh.vertices and, where the input numbers them, `numbers`.
 template <typename Real>
-void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const std::vector<Point>& picked,
+void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const MostPositions& most,
                    std::uint64_t positions, const WeldMemory& memory, VertexNumbers& numbers,
                    ClusteredMesh& mesh) {
   using Position = NumberedPosition<Real>;
@@ -151,16 +153,22 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const std::ve
   const PartsPlan plan =
       PartedRecords<Position>::plan(memory.lists, job.threads, positions, sizeof(IndexedVertex));
   std::vector<CellKey> keys;
-  for (const Point& p : picked) keys.push_back(key_of(grid, p));
+  for (const Point& p : most.picked) keys.push_back(key_of(grid, p));
   const KeyRanges ranges(std::move(keys), plan.parts);
   PartedRecords<Position> records(job, plan);
   PerSlot<RecentPositions> recent(job.threads, [] { return std::make_unique<RecentPositions>(); });
+  PerSlot<WrittenRounding> written(job.threads, [] { return std::make_unique<WrittenRounding>(); });
   for_each_position_batch(job, reader, [&](const PositionView& view) {
     auto& lists = records.local();
+    WrittenRounding& digits = written.local();
     RecentPositions& seen = recent.local();
     for (std::size_t i = 0; i < view.count; ++i) {
       const Point p = without_minus_zero({view.axis[0][i], view.axis[1][i], view.axis[2][i]});
-      if (!finite(p) || (!numbers && !seen.add(p))) continue;
+      if (!finite(p)) continue;
+      if constexpr (std::is_same_v<Real, double>) {
+        for (const double coordinate : p) digits.add(coordinate);
+      }
+      if (!numbers && !seen.add(p)) continue;
       const CellKey key = key_of(grid, p);
       lists.add(ranges.of(key),
                 {key,
@@ -169,6 +177,15 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const std::ve
     }
   });
   reader.rest();
+  mesh.rounding = coordinate_rounding(std::is_same_v<Real, float>);
+  if constexpr (std::is_same_v<Real, double>) {
+    WrittenRounding all;
+    for (const WrittenRounding* seen : written.all()) all.add(*seen);
+    double largest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      largest = std::max({largest, std::abs(most.box.low[axis]), std::abs(most.box.high[axis])});
+    mesh.rounding = all.rounding(most.box.longest_side(), largest);
+  }
 
   mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
   struct Stretch {
@@ -210,8 +227,8 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const std::ve
 }
 
 // Two-sided faces go to `sided`, too.
-void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, double rounding,
-                   std::uint64_t memory, Spool& sided, ClusteredMesh& mesh) {
+void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, std::uint64_t memory,
+                   Spool& sided, ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
   Appender<std::array<std::uint32_t, 3>> append(job, *mesh.faces);
   Appender<TwoSidedFace> append_sided(job, sided);
@@ -219,7 +236,7 @@ void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, double round
   const auto has_area = [&](const std::array<std::uint32_t, 3>& face) {
     Triangle corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = vertices.at(face[i]).position;
-    return !thinner_than_rounding(corners, doubled_area(corners), rounding);
+    return !thinner_than_rounding(corners, doubled_area(corners), *mesh.rounding);
   };
   const auto settle = [&](const WeldedFaces& face) {
     if (face.balanced() && !has_area(face.vertex)) {
@@ -296,10 +313,12 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
   VertexNumbers numbers(job, reader.facts().vertices.value_or(0), memory.lists / 2);
   memory.lists -= numbers.bytes();
   if (reader.facts().double_positions) {
-    weld_vertices<double>(job, reader, grid, most.picked, positions, memory, numbers, mesh);
+    weld_vertices<double>(job, reader, grid, most, positions, memory, numbers, mesh);
   } else {
-    weld_vertices<float>(job, reader, grid, most.picked, positions, memory, numbers, mesh);
+    weld_vertices<float>(job, reader, grid, most, positions, memory, numbers, mesh);
   }
+  if (settings.single)
+    mesh.rounding->relative = std::max(mesh.rounding->relative, rounding_of_float);
 
   job.progress.begin("join faces", reader.facts().faces.value_or(0), "faces");
   const PartsPlan plan = PartedRecords<NumberedCorners>::plan(memory.lists, job.threads, available,
@@ -353,7 +372,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
   reader.rest();
   numbers = {};
   Spool sided(job, memory.faces / 16);
-  collect_faces(job, *faces, coordinate_rounding(settings.single), memory.faces, sided, mesh);
+  collect_faces(job, *faces, memory.faces, sided, mesh);
   faces.reset();
   agree_on_sides(job, sided, memory.lists, mesh);
   if (means != nullptr)

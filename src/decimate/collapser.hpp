@@ -152,9 +152,9 @@ class Offers {
 
 // What collapses have to respect, besides the topology.
 struct CollapseRules {
-  double least_cosine = 0;   // of the angle by which one collapse may turn a face
-  double rounding = 0;       // of positions (base/rounding.hpp)
-  bool keep_pieces = false;  // no piece goes as a whole
+  double least_cosine = 0;        // of the angle by which one collapse may turn a face
+  CoordinateRounding rounding{};  // of positions
+  bool keep_pieces = false;       // no piece goes as a whole
   // The topology may change and faces may turn by more, at a price.
   bool free_topology = false;
 };

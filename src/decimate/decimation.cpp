@@ -15,7 +15,7 @@ namespace winnow {
 namespace {
 
 CollapseRules rules_of(const DecimationSettings& settings) {
-  const double rounding = coordinate_rounding(settings.single);
+  const CoordinateRounding rounding = settings.rounding_of_positions();
   return {settings.least_cosine, rounding, settings.keep_pieces, settings.free_topology};
 }
 
@@ -27,7 +27,7 @@ class ForgetfulDecimation final : public Decimation {
       : mesh_(mesh),
         settings_(settings),
         make_(std::move(make)),
-        star_(coordinate_rounding(settings.single)) {}
+        star_(settings.rounding_of_positions()) {}
 
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) override {
@@ -77,7 +77,7 @@ class RememberingDecimation final : public Decimation {
                         Arguments&&... arguments)
       : mesh_(mesh),
         settings_(settings),
-        star_(coordinate_rounding(settings.single)),
+        star_(settings.rounding_of_positions()),
         cost_(mesh, std::forward<Arguments>(arguments)...) {}
 
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
@@ -133,7 +133,7 @@ std::vector<ErrorBound::State> bound_states(TileMesh& mesh, std::span<const std:
   std::vector<ErrorBound::State> states(mesh.vertex_count());
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) states[v].planes = quadrics[v];
   if (bytes.empty()) {
-    ErrorBound::add_faces(mesh, coordinate_rounding(settings.single), states);
+    ErrorBound::add_faces(mesh, settings.rounding_of_positions(), states);
   } else {
     ErrorBound::forget_boxes(states);
   }
@@ -150,18 +150,22 @@ bool bounds_error(const DecimationSettings& settings) {
 std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std::byte> state,
                                              const DecimationSettings& settings) {
   if (settings.keep_borders) lock_borders(mesh);
-  const double rounding = coordinate_rounding(settings.single);
+  const CoordinateRounding rounding = settings.rounding_of_positions();
   if (settings.cost == CollapseCost::volume)
-    return forgetful(mesh, settings, [rounding](TileMesh& of) { return VolumeCost(of, rounding); });
+    return forgetful(mesh, settings,
+                     [rounding](TileMesh& of) { return VolumeCost(of, rounding.relative); });
   if (settings.cost == CollapseCost::importance)
     return forgetful(mesh, settings,
-                     [rounding](TileMesh& of) { return ImportanceCost(of, rounding); });
+                     [rounding](TileMesh& of) { return ImportanceCost(of, rounding.relative); });
   if (!bounds_error(settings)) {
     const bool single = settings.single;
-    return forgetful(mesh, settings, [single](TileMesh& of) { return QuadricCost(of, single); });
+    return forgetful(mesh, settings, [single, rounding](TileMesh& of) {
+      return QuadricCost(of, single, rounding);
+    });
   }
-  return std::make_unique<RememberingDecimation<QuadricCost>>(
-      mesh, settings, settings.single, *settings.error, bound_states(mesh, state, settings));
+  return std::make_unique<RememberingDecimation<QuadricCost>>(mesh, settings, settings.single,
+                                                              rounding, *settings.error,
+                                                              bound_states(mesh, state, settings));
 }
 
 bool Decimation::find_change(TileMesh& mesh, const EdgeStar& star, SurfaceChange& change) {

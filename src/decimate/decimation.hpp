@@ -26,6 +26,11 @@ struct DecimationSettings {
       false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone
   std::optional<double> error;  // how far the surface may come from what it was: error_bound.hpp
 
+  std::optional<CoordinateRounding> rounding;  // of positions; absent: that of their type
+
+  [[nodiscard]] CoordinateRounding rounding_of_positions() const {
+    return rounding.value_or(coordinate_rounding(single));
+  }
   bool operator==(const DecimationSettings&) const = default;
 };
 

@@ -6,7 +6,7 @@
 
 namespace winnow {
 
-EdgeStar::EdgeStar(double rounding)
+EdgeStar::EdgeStar(const CoordinateRounding& rounding)
     : rounding_(rounding),
       turn_(best_kernel(star_kernel_baseline, star_kernel_avx2, star_kernel_avx512)) {}
 
@@ -52,7 +52,7 @@ void EdgeStar::move(const TileMesh& mesh, const Point& to, double least_cosine) 
       }
       batch.stays[i] = face.stays ? 1 : 0;
     }
-    turn_(batch, count, {least_cosine, rounding_});
+    turn_(batch, count, {least_cosine, rounding_.relative, rounding_.absolute});
   }
 }
 

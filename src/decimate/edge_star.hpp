@@ -1,6 +1,7 @@
 // The faces around an edge that is to be collapsed.
 #pragma once
 
+#include "base/rounding.hpp"
 #include "decimate/edge_batch.hpp"
 #include "decimate/kernel/star_kernel.hpp"
 #include "decimate/tile_mesh.hpp"
@@ -16,7 +17,7 @@ namespace winnow {
 class EdgeStar {
  public:
   // `rounding`: of positions (base/rounding.hpp).
-  explicit EdgeStar(double rounding);
+  explicit EdgeStar(const CoordinateRounding& rounding);
 
   void find(const TileMesh& mesh, VertexNumber kept, VertexNumber removed);
 
@@ -57,7 +58,7 @@ class EdgeStar {
   VertexNumber kept_ = no_number, removed_ = no_number;
   std::vector<StarFace> faces_;
   std::size_t kept_faces_ = 0;
-  double rounding_;
+  CoordinateRounding rounding_;
   StarKernel turn_;
   std::vector<StarBatch> batches_;
 };

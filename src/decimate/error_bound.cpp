@@ -33,7 +33,8 @@ double distance(const Point& p, std::span<const std::array<Point, 2>> segments) 
 
 }  // namespace
 
-void ErrorBound::add_faces(const TileMesh& mesh, double rounding, std::vector<State>& states) {
+void ErrorBound::add_faces(const TileMesh& mesh, const CoordinateRounding& rounding,
+                           std::vector<State>& states) {
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
     const Triangle triangle = mesh.triangle(f);
     const Point doubled = doubled_area(triangle);

@@ -48,7 +48,8 @@ class ErrorBound {
   static constexpr std::uint64_t memory(std::uint64_t vertices) { return vertices * sizeof(State); }
 
   // Adds to `states` the planes of all faces, each with a third of its area.
-  static void add_faces(const TileMesh& mesh, double rounding, std::vector<State>& states);
+  static void add_faces(const TileMesh& mesh, const CoordinateRounding& rounding,
+                        std::vector<State>& states);
   // Nothing is known of where the vertices are that each stands for.
   static void forget_boxes(std::vector<State>& states);
   // Adds the lines of all edges with one face.

@@ -22,12 +22,12 @@ constexpr double piece_reach = 6;
 
 }  // namespace
 
-QuadricCost::QuadricCost(TileMesh& mesh, bool single)
+QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding)
     : mesh_(mesh),
       single_(single),
-      rounding_(coordinate_rounding(single)),
+      rounding_(rounding),
       planes_(mesh.vertex_count()),
-      farthest_(mesh, rounding_),
+      farthest_(mesh, rounding_.relative),
       at_border_(mesh.vertex_count(), 0),
       price_edges_(best_kernel(edge_kernel_baseline, edge_kernel_avx2, edge_kernel_avx512)) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_border_[v] = !mesh.all_edges_even(v);
@@ -42,8 +42,9 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single)
   }
 }
 
-QuadricCost::QuadricCost(TileMesh& mesh, bool single, double error, std::vector<State> states)
-    : QuadricCost(mesh, single) {
+QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding,
+                         double error, std::vector<State> states)
+    : QuadricCost(mesh, single, rounding) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) farthest_.set(v, states[v].farthest);
   bound_.emplace(mesh, error, std::move(states), at_border_);
 }

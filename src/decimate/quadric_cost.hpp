@@ -25,9 +25,10 @@ class QuadricCost {
   using State = ErrorBound::State;
 
   // `single`: vertices go to numbers that floats have.
-  QuadricCost(TileMesh& mesh, bool single);
+  QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding);
   // The same within an error; `states`: of each vertex.
-  QuadricCost(TileMesh& mesh, bool single, double error, std::vector<State> states);
+  QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding, double error,
+              std::vector<State> states);
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
     return vertices * (sizeof(VertexPlanes) + 1) + FarthestPoints::memory(vertices);
@@ -75,7 +76,7 @@ class QuadricCost {
 
   TileMesh& mesh_;
   bool single_;
-  double rounding_;
+  CoordinateRounding rounding_;
   std::vector<VertexPlanes> planes_;
   FarthestPoints farthest_;
   std::vector<std::uint8_t> at_border_;  // may be; a vertex that is not is at none

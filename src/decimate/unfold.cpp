@@ -53,7 +53,7 @@ double weight_of(std::size_t corner, std::size_t inner_point) {
   return inner_point == corner + 1 ? near_weight : far_weight;
 }
 
-bool is_line(const Triangle& t, double rounding) {
+bool is_line(const Triangle& t, const CoordinateRounding& rounding) {
   const Point normal = doubled_area(t);
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {

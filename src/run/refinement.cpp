@@ -142,6 +142,7 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   settings.attributes = clustered.attributes;
   settings.decimation.cost = collapse_cost(cost_of(options));
   settings.decimation.single = !doubles;
+  settings.decimation.rounding = clustered.mesh.rounding;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
   settings.decimation.keep_borders = options.boundary == Boundary::keep;
   settings.decimation.keep_pieces = options.keep_pieces;

@@ -14,6 +14,7 @@ namespace {
 constexpr const char* done = "straight";
 
 constexpr const char* attribute_count = "clustered.attributes";
+constexpr const char* rounding_relative = "clustered.rounding.relative";
 
 std::string attribute_key(std::size_t number, const char* what) {
   return std::string(attribute_count) + "." + std::to_string(number) + "." + what;
@@ -79,6 +80,10 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory, SimplifyRepor
   clustered.error = manifest.real("clustered.error");
   clustered.normals = manifest.number("clustered.normals") != 0;
   clustered.double_positions = manifest.number("clustered.double_positions") != 0;
+  if (manifest.has(rounding_relative)) {
+    clustered.mesh.rounding = {manifest.real(rounding_relative),
+                               manifest.real("clustered.rounding.absolute")};
+  }
   for (std::size_t i = 0; i < manifest.number(attribute_count); ++i) {
     Attribute& attribute = clustered.attributes.emplace_back();
     attribute.name = manifest.text(attribute_key(i, "name"));
@@ -101,6 +106,10 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered, SimplifyReport& re
   manifest.set("clustered.error", clustered.error);
   manifest.set("clustered.normals", std::uint64_t{clustered.normals});
   manifest.set("clustered.double_positions", std::uint64_t{clustered.double_positions});
+  if (clustered.mesh.rounding) {
+    manifest.set(rounding_relative, clustered.mesh.rounding->relative);
+    manifest.set("clustered.rounding.absolute", clustered.mesh.rounding->absolute);
+  }
   manifest.set(attribute_count, std::uint64_t{clustered.attributes.size()});
   for (std::size_t i = 0; i < clustered.attributes.size(); ++i) {
     const Attribute& attribute = clustered.attributes[i];

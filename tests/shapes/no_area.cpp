@@ -2,7 +2,10 @@
 #include "support/refined_shape.hpp"
 #include "support/text_meshes.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace winnow::test {
 
@@ -17,6 +20,18 @@ void check_cube(const Shape& shape) {
     CHECK(std::abs(volume(out.output).value_or(0) - 1) < 1e-5);
     CHECK(std::abs(area(out.output) - 6) < 1e-5);
   });
+}
+
+// As text of so many digits, or decimals, is read back.
+Shape written(Shape shape, const char* format) {
+  for (Point& p : shape.vertices) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::array<char, 64> text{};
+      std::snprintf(text.data(), text.size(), format, p[axis]);
+      p[axis] = std::strtod(text.data(), nullptr);
+    }
+  }
+  return shape;
 }
 
 // An OBJ whose one face is the border of a polygon.
@@ -51,6 +66,33 @@ TEST_CASE("a cube with faces of no area along its edges becomes twelve faces", "
     CAPTURE(n);
     check_cube(shapes::cube_with_caps(n));
   }
+}
+
+TEST_CASE("faces have no area beside the digits that positions were written with", "[shapes]") {
+  for (const double angle : {0.4, 1.1}) {
+    for (const char* format : {"%.7g", "%.8g", "%.9g", "%.12g", "%.14g", "%.9f"}) {
+      for (const Shape& cube : {shapes::capped_cube(10), shapes::cube_with_caps(8)}) {
+        CAPTURE(angle, format);
+        const Shape shape = written(turned(cube, angle), format);
+        const RefinedShape out = refine_shape(shape, {0, Numbers::doubles}, to_count(12));
+        CHECK(out.output.faces.size() == 12);
+        CHECK(is_closed(out));
+        CHECK(std::abs(volume(out.output).value_or(0) - 1) < 1e-5);
+      }
+    }
+  }
+}
+
+TEST_CASE("whole numbers of a double are meant as they are", "[shapes]") {
+  // Steps of one metre, far from the origin: no face of them is thin.
+  Shape box = shapes::plate(12, 1);
+  for (Point& p : box.vertices) {
+    for (double& coordinate : p) coordinate = std::round(12 * coordinate);
+    p = p + Point{500'000, 5'400'000, 0};
+  }
+  const RefinedShape out = refine_shape(box, {0, Numbers::doubles}, to_count(12));
+  CHECK(out.output.faces.size() == 12);
+  CHECK(volume(out.output).value_or(0) == Approx(12 * 12 * 12).epsilon(1e-9));
 }
 
 TEST_CASE("a square with a face of no area at its border becomes two faces", "[shapes]") {

@@ -20,7 +20,8 @@ double size_of(double a) {
 
 void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
   const double tx = batch.to[0], ty = batch.to[1], tz = batch.to[2];
-  const double least_cosine = rules.least_cosine, rounding = rules.rounding;
+  const double least_cosine = rules.least_cosine, rounding = rules.rounding,
+               absolute = rules.absolute;
   for (std::size_t i = 0; i < end; ++i) {
     const double fx = batch.from[0][i], fy = batch.from[1][i], fz = batch.from[2][i];
     const double wx = batch.second[0][i], wy = batch.second[1][i], wz = batch.second[2][i];
@@ -40,17 +41,17 @@ void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
     const double sx = larger(size_of(wx), size_of(xx));
     const double sy = larger(size_of(wy), size_of(xy));
     const double sz = larger(size_of(wz), size_of(xz));
-    const double ox = rounding * larger(sx, size_of(fx));
-    const double oy = rounding * larger(sy, size_of(fy));
-    const double oz = rounding * larger(sz, size_of(fz));
+    const double ox = rounding * larger(sx, size_of(fx)) + absolute;
+    const double oy = rounding * larger(sy, size_of(fy)) + absolute;
+    const double oz = rounding * larger(sz, size_of(fz)) + absolute;
     const double abx = size_of(ax) + size_of(bx), aby = size_of(ay) + size_of(by),
                  abz = size_of(az) + size_of(bz);
     const bool thin_before = (size_of(mx) <= aby * oz + abz * oy) &
                              (size_of(my) <= abz * ox + abx * oz) &
                              (size_of(mz) <= abx * oy + aby * ox);
-    const double px = rounding * larger(sx, size_of(tx));
-    const double py = rounding * larger(sy, size_of(ty));
-    const double pz = rounding * larger(sz, size_of(tz));
+    const double px = rounding * larger(sx, size_of(tx)) + absolute;
+    const double py = rounding * larger(sy, size_of(ty)) + absolute;
+    const double pz = rounding * larger(sz, size_of(tz)) + absolute;
     const double uvx = size_of(ux) + size_of(vx), uvy = size_of(uy) + size_of(vy),
                  uvz = size_of(uz) + size_of(vz);
     const bool thin = (size_of(nx) <= uvy * pz + uvz * py) & (size_of(ny) <= uvz * px + uvx * pz) &

@@ -24,11 +24,12 @@ struct StarBatch {
   double opened[capacity];  // 1 where a face that was thinner than rounding no longer is; else 0
 };
 
-// `least_cosine`: of the angle that a face may turn by. `rounding`: of a coordinate beside its
-// size, by the rule of base/rounding.hpp.
+// `least_cosine`: of the angle that a face may turn by. `rounding`, `absolute`: how far a
+// coordinate may be off, beside its size and whatever that is, by the rule of base/rounding.hpp.
 struct StarRules {
   double least_cosine;
   double rounding;
+  double absolute = 0;
 };
 
 // Of the first `count` faces; results of those behind, up to the next multiple of
