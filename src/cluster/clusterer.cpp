@@ -3,10 +3,12 @@
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "cluster/attribute_means.hpp"
+#include "cluster/border_sum.hpp"
 #include "cluster/cell_table.hpp"
 #include "cluster/face_list.hpp"
 #include "cluster/front_cache.hpp"
 #include "cluster/result_mesh.hpp"
+#include "io/sorted_records.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,12 +63,16 @@ class ClustererOf final : public Clusterer {
         memory_(memory),
         kernel_(best_corner_kernel()),
         table_memory_(job.budget.reserve(memory.table, "the table of cells")),
-        face_memory_(job.budget.reserve(memory.faces, "the list of faces")),
+        border_share_(settings.for_refinement ? 0 : memory.faces / 8),
+        face_memory_(job.budget.reserve(memory.faces - border_share_, "the list of faces")),
         table_(job, memory.table, memory.table_parts),
         face_runs_(job),
         workers_(job.threads, [this] {
-          return std::make_unique<Worker>(job_, memory_.faces / job_.threads, face_runs_);
+          return std::make_unique<Worker>(job_, (memory_.faces - border_share_) / job_.threads,
+                                          face_runs_);
         }) {
+    if (!settings.for_refinement)
+      borders_ = std::make_unique<ThreadedRecords<BorderSum>>(job, border_share_);
     if (settings.attributes.empty()) return;
     attributes_ = AttributeMeans::make(job, settings.attributes, AttributeMeans::Keys::cells,
                                        {memory.attributes, memory.table_parts});
@@ -130,6 +136,7 @@ class ClustererOf final : public Clusterer {
     }
     if (worker.corners.clamped) count_clamped(worker, faces);
     if (attributes_ != nullptr) attributes_->add(faces, worker.corners);
+    if (borders_ != nullptr) add_sides(worker, faces);
   }
 
   void add(const std::array<CellKey, 3>& cells) override {
@@ -168,6 +175,9 @@ class ClustererOf final : public Clusterer {
       worker->cache.empty_into([&](const Sum& line) { worker->give_way(line, table_); });
       table_.add(worker->pending);
       worker->pending.clear();
+      if (borders_ == nullptr) return;
+      SortedList<BorderSum>& list = borders_->local();
+      worker->borders.empty_into([&list](const BorderSum& sum) { list.add(sum); });
     });
     job_.progress.check_cancelled();
     ClusteredMesh mesh;
@@ -175,8 +185,12 @@ class ClustererOf final : public Clusterer {
       const std::unique_ptr<RecordCursor<Sum>> cells = table_.finish();
       std::unique_ptr<AttributeCursor> attributes;
       if (attributes_ != nullptr) attributes = attributes_->finish();
-      collect_vertices(job_, *cells, attributes.get(), settings_, memory_.vertices, mesh);
+      std::optional<MergedCursor<BorderSum>> borders;
+      if (borders_ != nullptr) borders.emplace(borders_->merged());
+      collect_vertices(job_, *cells, borders ? &*borders : nullptr, attributes.get(), settings_,
+                       memory_.vertices, mesh);
     }
+    borders_.reset();
     attributes_.reset();
     table_.release();
     table_memory_.release();
@@ -211,6 +225,7 @@ class ClustererOf final : public Clusterer {
     FrontCache<Sum> cache;
     std::vector<Sum> pending;  // entries that gave way, on their way to the table
     FaceList faces;
+    BorderCache borders;
     ClusterCounts counts;
     std::array<std::uint16_t, kernel_capacity + 1> inside, pairs, across, bad;
   };
@@ -247,6 +262,24 @@ class ClustererOf final : public Clusterer {
       if (kept) sum.weight |= CellSum::used_bit;
     }
     if (kept) worker.faces.add(cell_face(morton_key(a), morton_key(b), morton_key(c)));
+  }
+
+  // Of the faces that are clustered.
+  void add_sides(Worker& worker, const FaceBatch& faces) {
+    const CornerSums& seen = worker.corners;
+    SortedList<BorderSum>& list = borders_->local();
+    const auto take = [&list](const BorderSum& sum) { list.add(sum); };
+    for (std::size_t i = 0; i < faces.count; ++i) {
+      if (faces.status[i] != FaceStatus::good || seen.kind[i] > close_corners) continue;
+      std::array<PackedCell, 3> cell{};
+      LatticeFace place{};
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        cell[corner] = static_cast<PackedCell>(seen.cell[corner][i]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          place[corner][axis] = seen.place[corner][axis][i];
+      }
+      worker.borders.add(cell, place, take);
+    }
   }
 
   void count_bad(Worker& worker, const FaceBatch& faces, std::size_t i) {
@@ -297,9 +330,12 @@ class ClustererOf final : public Clusterer {
   ClusterSettings settings_;
   ClusterMemory memory_;
   CornerKernel kernel_;
-  Reservation table_memory_, face_memory_;
+  Reservation table_memory_;
+  std::uint64_t border_share_;
+  Reservation face_memory_;
   CellTable<Sum> table_;
-  std::unique_ptr<AttributeMeans> attributes_;  // none where none are carried
+  std::unique_ptr<AttributeMeans> attributes_;           // none where none are carried
+  std::unique_ptr<ThreadedRecords<BorderSum>> borders_;  // none for refinement
   SortedRuns<CellFace> face_runs_;
   PerSlot<Worker> workers_;
 };
@@ -309,7 +345,7 @@ class ClustererOf final : public Clusterer {
 std::uint64_t ClusterMemory::per_thread(bool quadrics) {
   const std::uint64_t line = quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
   return sizeof(CornerSums) + (line << FrontCache<CellSum>::index_bits) +
-         2 * pending_entries * line + sizeof(FaceBatch) +
+         2 * pending_entries * line + sizeof(FaceBatch) + BorderCache::bytes() +
          (std::uint64_t{256} << 10);  // stack, scratch of the kernel
 }
 

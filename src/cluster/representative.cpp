@@ -114,6 +114,14 @@ std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean
   return place;
 }
 
+void WholeCell::keep_to_border(std::array<double, 3>& place) const {
+  const std::array<double, 3> seen{place[0] - 0.5, place[1] - 0.5, place[2] - 0.5};
+  const std::array<double, 3> near = nearest_on_border(border_, seen);
+  if (near == seen) return;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = std::clamp(near[axis] + 0.5, part_.low[axis], part_.low[axis] + part_.size);
+}
+
 Quadric WholeCell::quadric(const Grid& grid, const Point& position) const {
   const double scale = static_cast<double>(weight_) * normal_scale;
   const double area = static_cast<double>(weight_) / (1 << area_bits) * grid.cell * grid.cell;
@@ -141,6 +149,7 @@ IndexedVertex WholeCell::vertex(const ClusterSettings& settings) const {
   vertex.key = key_;
   std::array<double, 3> place = mean_place();
   if (settings.placement == Placement::quadric) place = quadric_place(place);
+  keep_to_border(place);
   const double scale = static_cast<double>(weight_) * normal_scale;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // A little off the upper wall: what rounds up to it belongs to the next cell.

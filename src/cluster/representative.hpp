@@ -3,6 +3,7 @@
 
 #include "base/quadric.hpp"
 #include "base/wide.hpp"
+#include "cluster/border_sum.hpp"
 #include "cluster/cell_sum.hpp"
 #include "cluster/clusterer.hpp"
 #include "cluster/split_cells.hpp"
@@ -20,12 +21,14 @@ class WholeCell {
 
   void add(const CellSum& sum);  // of the same cell
   void add(const QuadricCellSum& sum);
+  void add(const BorderSum& sum) { border_.add(sum); }
 
   [[nodiscard]] CellKey key() const { return key_; }
   [[nodiscard]] bool used() const { return used_; }  // by an output face
 
-  // The mean of the corners, or, with quadrics, the point nearest to the planes; in its cell in any
-  // case, and rounded to what will be written, so that two cells never share a position.
+  // The mean of the corners, or, with quadrics, the point nearest to the planes; of that the
+  // nearest on the boundary that passes through the cell, if one does. In its cell in any case, and
+  // rounded to what will be written, so that two cells never share a position.
   [[nodiscard]] IndexedVertex vertex(const ClusterSettings& settings) const;
 
   // The planes of the cell's faces as a quadric in model units, seen from `position`. Cells do not
@@ -36,6 +39,7 @@ class WholeCell {
  private:
   [[nodiscard]] std::array<double, 3> mean_place() const;
   [[nodiscard]] std::array<double, 3> quadric_place(const std::array<double, 3>& mean) const;
+  void keep_to_border(std::array<double, 3>& place) const;
 
   CellKey key_;
   SplitCells::Part part_;  // of its cell
@@ -44,6 +48,7 @@ class WholeCell {
   std::array<Int128, 3> position_{}, normal_{};
   std::array<Int128, 5> squares_{};
   std::array<Int128, 3> moment_{};
+  BorderSum border_{};
 };
 
 }  // namespace winnow

@@ -100,8 +100,9 @@ bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
 }  // namespace
 
 template <typename Sum>
-void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attributes,
-                      const ClusterSettings& settings, std::uint64_t memory, ClusteredMesh& mesh) {
+void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BorderSum>* borders,
+                      AttributeCursor* attributes, const ClusterSettings& settings,
+                      std::uint64_t memory, ClusteredMesh& mesh) {
   const bool quadrics = settings.keep_quadrics && settings.placement == Placement::quadric;
   const std::size_t carried = settings.attributes.attributes.size();
   if (attributes != nullptr) {
@@ -116,6 +117,8 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attri
   if (settings.for_refinement) mesh.vanished = std::make_unique<Spool>(job, memory / 16);
   Sum next{};
   bool more = cells.next(next);
+  BorderSum border{};
+  bool more_borders = borders != nullptr && borders->next(border);
   struct Chunk {
     std::vector<WholeCell> cells;
     std::vector<IndexedVertex> vertices;
@@ -132,6 +135,9 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attri
         while (more && chunk.cells.size() < chunk_cells) {
           WholeCell cell(next.key, settings.split);
           for (; more && next.key == cell.key(); more = cells.next(next)) cell.add(next);
+          for (; more_borders && border.cell <= cell.key(); more_borders = borders->next(border)) {
+            if (border.cell == cell.key()) cell.add(border);
+          }
           ++mesh.cells;
           if (!cell.used()) {
             if (mesh.vanished != nullptr) chunk.vanished.push_back(cell.key());
@@ -173,11 +179,13 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, AttributeCursor* attri
   }
 }
 
-template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, AttributeCursor*,
-                                        const ClusterSettings&, std::uint64_t, ClusteredMesh&);
+template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, RecordCursor<BorderSum>*,
+                                        AttributeCursor*, const ClusterSettings&, std::uint64_t,
+                                        ClusteredMesh&);
 template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&,
-                                               AttributeCursor*, const ClusterSettings&,
-                                               std::uint64_t, ClusteredMesh&);
+                                               RecordCursor<BorderSum>*, AttributeCursor*,
+                                               const ClusterSettings&, std::uint64_t,
+                                               ClusteredMesh&);
 
 void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
                    ClusteredMesh& mesh) {
