@@ -100,9 +100,12 @@ struct SimplifyReport {
   } attributes;
 
   struct Topology {
-    // Once equal positions are one; only where nothing is clustered, of at most 2^20 faces.
+    // Once equal positions are one. Only where nothing is clustered; above 2^20 faces, only where
+    // the budget has room for all edges.
     std::optional<SurfaceEdges> input;
     SurfaceEdges output;
+    // Connected pieces, as many as the edges are known of; absent where the budget has no room.
+    std::optional<std::uint64_t> input_pieces, output_pieces;
     bool closed = false;  // the output: every side of a face meets one of the opposite direction
   } topology;
 
@@ -186,6 +189,8 @@ void for_each_result(Report& report, Field&& field) {
   field("clustered.reason", report.clustered.reason);
   field("topology.input", report.topology.input);
   field("topology.output", report.topology.output);
+  field("topology.pieces.input", report.topology.input_pieces);
+  field("topology.pieces.output", report.topology.output_pieces);
   field("topology.closed", report.topology.closed);
   field("area.input", report.area.input);
   field("area.output", report.area.output);

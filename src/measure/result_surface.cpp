@@ -6,6 +6,7 @@
 #include "measure/edge_count.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace winnow {
@@ -46,6 +47,41 @@ class InTurn {
   std::uint64_t run_ = 0;
 };
 
+// Vertices that faces join, in four bytes each.
+class JoinedVertices {
+ public:
+  explicit JoinedVertices(std::uint64_t vertices) : above_(vertices, unused) {}
+
+  static std::uint64_t bytes(std::uint64_t vertices) { return vertices * sizeof(std::uint32_t); }
+
+  void add(const Corners3& face) {
+    std::uint32_t lowest = top(face[0]);
+    for (const std::uint32_t vertex : {face[1], face[2]}) {
+      const std::uint32_t other = top(vertex);
+      if (other == lowest) continue;
+      above_[std::max(lowest, other)] = std::min(lowest, other);
+      lowest = std::min(lowest, other);
+      --pieces_;
+    }
+  }
+  [[nodiscard]] std::uint64_t pieces() const { return pieces_; }
+
+ private:
+  static constexpr std::uint32_t unused = UINT32_MAX;
+
+  std::uint32_t top(std::uint32_t vertex) {
+    if (above_[vertex] == unused) {
+      above_[vertex] = vertex;
+      ++pieces_;
+    }
+    while (above_[vertex] != vertex) vertex = above_[vertex] = above_[above_[vertex]];
+    return vertex;
+  }
+
+  std::vector<std::uint32_t> above_;
+  std::uint64_t pieces_ = 0;
+};
+
 Corners3 lowest_first(Corners3 face) {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   return face;
@@ -75,6 +111,14 @@ bool is_closed(Job& job, const ClusteredMesh& mesh) {
 ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t memory) {
   ResultSurface out;
   job.progress.begin("check", 2 * mesh.face_count, "faces");
+  std::optional<JoinedVertices> joined;
+  Reservation for_joined;
+  if (const std::uint64_t bytes = JoinedVertices::bytes(mesh.vertices->size());
+      bytes <= memory / 2) {
+    memory -= bytes;
+    for_joined = job.budget.reserve(bytes, "counting pieces");
+    joined.emplace(mesh.vertices->size());
+  }
   SortedRecords<PackedEdge> list(job, memory);
   std::uint64_t directions = 0;
   {
@@ -87,6 +131,7 @@ ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t 
       const Point v = vertices.position(face[2]) - a;
       out.area += length(cross(u, v)) / 2;
       directions += directions_of(face);
+      if (joined) joined->add(face);
       const auto [first, second, third] = lowest_first(face);
       list.add(edge_of(second, third));
       if (in_turn(first)) continue;
@@ -95,6 +140,9 @@ ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t 
     }
   }
   job.progress.advance(mesh.face_count);
+  if (joined) out.pieces = joined->pieces();
+  joined.reset();
+  for_joined.release();
   out.closed = mesh.face_count > 0 && directions == 0;
 
   MergedCursor<PackedEdge> sorted = list.merged();

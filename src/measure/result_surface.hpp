@@ -5,6 +5,7 @@
 #include "io/job.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace winnow {
 
@@ -12,6 +13,9 @@ struct ResultSurface {
   SurfaceEdges edges;
   bool closed = false;
   double area = 0;
+  // Connected ones, also by a vertex alone; absent where their count takes more than half of the
+  // memory.
+  std::optional<std::uint64_t> pieces;
 };
 
 // Counts edges exactly, by the numbers of their vertices, and sorts within `memory`, or in scratch.

@@ -251,8 +251,12 @@ ClusteredMesh Clustering::welded(const std::string& reason) {
   report_.area.input = area.value();
   note_pairs(job_, mesh);
   if (mesh.face_count == 0) refuse_empty();
-  if (mesh.face_count <= always_full)
-    report_.topology.input = measure_result(job_, mesh, plan_.cluster.table).edges;
+  // A third of the edges is sorted, in eight bytes each.
+  if (mesh.face_count <= always_full || 16 * mesh.face_count <= plan_.cluster.table) {
+    const ResultSurface surface = measure_result(job_, mesh, plan_.cluster.table);
+    report_.topology.input = surface.edges;
+    report_.topology.input_pieces = surface.pieces;
+  }
   return mesh;
 }
 

@@ -76,6 +76,7 @@ constexpr double lost_area = 0.01;
 // Faces that hardly share an edge: more than this part of so many edges are boundaries.
 constexpr double loose_edges = 0.9;
 constexpr std::uint64_t enough_edges = 100;
+constexpr std::uint64_t most_edges_noted = 3 << 20;  // of the 2^20 faces that are always counted
 
 std::string percentage(double part) {
   const double tenths = std::round(1000 * part) / 10;
@@ -87,9 +88,12 @@ void check_surface(Job& job, const ClusteredMesh& mesh, const SimplifyOptions& o
                    SimplifyReport& report) {
   const ResultSurface surface = measure_result(job, mesh, job.budget.left() / 2);
   report.topology.output = surface.edges;
+  report.topology.output_pieces = surface.pieces;
   report.topology.closed = surface.closed;
   report.area.output = surface.area;
-  const bool of_input = report.topology.input.has_value();
+  // Whatever the budget is, the note is the same.
+  const bool of_input =
+      report.topology.input.has_value() && report.topology.input->total <= most_edges_noted;
   const SurfaceEdges& edges = of_input ? *report.topology.input : surface.edges;
   if (edges.total >= enough_edges &&
       static_cast<double>(edges.boundary) > loose_edges * static_cast<double>(edges.total)) {

@@ -39,12 +39,14 @@ TEST_CASE("edges and area are reported as info counts them") {
       CHECK(topology["output"]["edges"] == one.info["edges"]["total"]);
       CHECK(topology["output"]["boundary"] == one.info["edges"]["boundary"]);
       CHECK(topology["output"]["non_manifold"] == one.info["edges"]["non_manifold"]);
+      CHECK(topology["pieces"]["output"] == one.info["parts"]);
       CHECK(one.report["area"]["output"].get<double>() == Approx(one.info["area"].get<double>()));
       CHECK(one.report["area"]["input"].get<double>() ==
             Approx(before["area"].get<double>()).epsilon(1e-6));
       if (!topology["input"].is_null()) {
         CHECK(topology["input"]["boundary"] == before["edges"]["boundary"]);
         CHECK(topology["input"]["edges"] == before["edges"]["total"]);
+        CHECK(topology["pieces"]["input"] == before["parts"]);
       }
       CHECK(topology["input"].is_null() == one.report["clustered"]["first"].get<bool>());
     }

@@ -184,6 +184,12 @@ void show(const SimplifyReport& report, std::ostream& out) {
     std::string edges = describe(report.topology.output);
     if (report.topology.input) edges = describe(*report.topology.input) + " -> " + edges;
     line("edges", edges + (report.topology.closed ? "  (closed)" : "  (not closed)"));
+    if (report.topology.output_pieces) {
+      std::string pieces = show_count(*report.topology.output_pieces);
+      if (report.topology.input_pieces)
+        pieces = show_count(*report.topology.input_pieces) + " -> " + pieces;
+      line("pieces", pieces);
+    }
     line("area", show_length(report.area.input) + " -> " + show_length(report.area.output));
   }
   if (const std::string lost = describe_lost(report); !lost.empty()) line("lost", lost);
