@@ -70,6 +70,16 @@ class Steps {
   std::uint64_t pending_ = 0;
 };
 
+// What collapsing leaves of a tile: a log, or what is left of the mesh.
+std::uint64_t result_memory(const RefineSettings& settings, std::uint64_t faces) {
+  const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
+  const std::size_t attributes = settings.attributes.size() * sizeof(double);
+  const std::uint64_t rest =
+      faces / 2 *
+      (sizeof(IndexedVertex) + Decimation::state_size(settings.decimation) + attributes);
+  return std::max(log, rest);
+}
+
 class Refiner {
  public:
   Refiner(Job& job, RefineSettings settings, const RefineMemory& memory, RefineReport& report,
@@ -364,7 +374,8 @@ class Refiner {
   }
 
   // Tiles from `first` on in order, several at once while their memory lasts: work(tile number) on
-  // any thread, finish in order.
+  // any thread, finish in order. While a tile takes long, results of others behind it wait, so that
+  // no thread has to.
   template <typename Item, typename Work, typename Finish>
   void for_each_tile(const Tiling& tiling, const IncomingFaces& incoming, std::size_t first,
                      const Work& work, const Finish& finish) {
@@ -375,9 +386,20 @@ class Refiner {
     const std::uint64_t at_once =
         std::clamp<std::uint64_t>(memory_.tiles / largest, 1, job_.threads);
     const Reservation reserved = job_.budget.reserve(at_once * largest, "refining a tile");
+    const std::uint64_t result =
+        largest_tile(tiling, incoming, [this](std::uint64_t vertices, std::uint64_t faces) {
+          return result_memory(settings_, std::max(2 * vertices, faces)) +
+                 faces * sizeof(FaceVertices);
+        });
+    // Where not all threads are at work, each that waits would be one more.
+    const std::uint64_t room =
+        at_once < job_.threads || at_once == 1 ? 0 : (memory_.tiles - at_once * largest) / result;
+    std::uint64_t waiting = std::min<std::uint64_t>(room, (job_.threads + 1) / 2);
+    const Reservation kept = job_.budget.try_reserve(waiting * result);
+    if (!kept) waiting = 0;
     std::size_t next = first;
     pipeline<std::pair<std::size_t, Item>>(
-        at_once,
+        at_once + waiting,
         [&](auto& item) {
           item.first = next++;
           return item.first < tiling.tiles();
@@ -513,14 +535,10 @@ class Refiner {
 
 std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices,
                           std::uint64_t faces) {
-  const std::size_t state_size = Decimation::state_size(settings.decimation);
-  const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
-  const std::size_t attributes = settings.attributes.size() * sizeof(double);
-  const std::uint64_t rest = faces / 2 * (sizeof(IndexedVertex) + state_size + attributes);
-  const std::uint64_t collapsing = Tile::memory(vertices, faces, state_size) +
-                                   Decimation::memory(settings.decimation, vertices) +
-                                   CarriedValues::memory(vertices, settings.attributes.size()) +
-                                   std::max(log, rest);
+  const std::uint64_t collapsing =
+      Tile::memory(vertices, faces, Decimation::state_size(settings.decimation)) +
+      Decimation::memory(settings.decimation, vertices) +
+      CarriedValues::memory(vertices, settings.attributes.size()) + result_memory(settings, faces);
   return unfolds(settings) ? std::max(collapsing, unfolded_tile_memory(vertices, faces))
                            : collapsing;
 }
