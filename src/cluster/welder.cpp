@@ -6,6 +6,7 @@
 #include "base/per_slot.hpp"
 #include "base/rounding.hpp"
 #include "base/text.hpp"
+#include "cluster/area_sum.hpp"
 #include "cluster/resolution.hpp"
 #include "cluster/two_sided.hpp"
 #include "cluster/weld_lattice.hpp"
@@ -43,6 +44,10 @@ struct WeldedFaces {
     }
   }
 
+  [[nodiscard]] bool joins(const WeldedFaces& other) const {
+    return vertex[0] == other.vertex[0] && vertex[1] == other.vertex[1] &&
+           vertex[2] == other.vertex[2];
+  }
   [[nodiscard]] bool balanced() const { return count[0] == count[1]; }
   [[nodiscard]] bool against() const {
     return balanced() ? first[1] < first[0] : count[0] < count[1];
@@ -61,7 +66,10 @@ struct NumberedCorners {
   }
   [[nodiscard]] std::uint64_t rank() const { return vertex[0]; }
   static bool before(const NumberedCorners& a, const NumberedCorners& b) {
-    return a.ascending() < b.ascending();
+    const auto [a0, a1, a2] = a.ascending();
+    const auto [b0, b1, b2] = b.ascending();
+    if (a0 != b0) return a0 < b0;
+    return a1 != b1 ? a1 < b1 : a2 < b2;
   }
   static bool combine(NumberedCorners& /*into*/, const NumberedCorners& /*from*/) { return false; }
 };
@@ -256,7 +264,7 @@ void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, std::uint64_
         out.clear();
         for (const NumberedCorners& corners : sorted) {
           const WeldedFaces face = welded_face(corners);
-          if (!out.empty() && out.back().vertex == face.vertex) {
+          if (!out.empty() && out.back().joins(face)) {
             out.back().add(face);
           } else {
             out.push_back(face);
@@ -265,7 +273,7 @@ void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, std::uint64_
       },
       [&](const std::vector<WeldedFaces>& out) {
         for (const WeldedFaces& face : out) {
-          if (last && last->vertex == face.vertex) {
+          if (last && last->joins(face)) {
             last->add(face);
             continue;
           }
@@ -325,6 +333,9 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
                                                               sizeof(WeldedFaces));
   auto faces = std::make_unique<PartedRecords<NumberedCorners>>(job, plan);
   const std::uint64_t range = mesh.vertices->size() / plan.parts + 1;
+  // Faces as small as those of a scan are added up fast.
+  const double unit = most.box.longest_side() / 4096;
+  AreaSum area(job.threads, unit * unit);
   std::unique_ptr<AttributeMeans> means;
   if (!attributes.empty())
     means = AttributeMeans::make(job, attributes, AttributeMeans::Keys::numbers, memory.attributes);
@@ -341,7 +352,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
       [&](const FaceBatch& batch) {
         Worker& worker = workers.local();
         auto& lists = faces->local();
-        if (settings.area != nullptr) settings.area->add(batch);
+        area.add(batch);
         const GoodFaces good(batch);
         ClusterCounts here;
         here.faces = batch.count;
@@ -369,6 +380,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
     means->spill();
   }
   for (const Worker* worker : workers.all()) counts.add(worker->counts);
+  if (settings.area != nullptr) *settings.area = area.value();
   reader.rest();
   numbers = {};
   Spool sided(job, memory.faces / 16);

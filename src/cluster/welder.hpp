@@ -1,7 +1,6 @@
 // The other way from faces to a mesh: nothing is clustered, only equal positions are welded.
 #pragma once
 
-#include "cluster/area_sum.hpp"
 #include "cluster/attribute_means.hpp"
 #include "cluster/clusterer.hpp"
 #include "read/mesh_reader.hpp"
@@ -18,8 +17,8 @@ struct WeldMemory {
 
 struct WeldSettings {
   CarriedAttributes attributes;
-  bool single = false;      // positions are going to be rounded to float
-  AreaSum* area = nullptr;  // where given: of the good faces
+  bool single = false;     // positions are going to be rounded to float
+  double* area = nullptr;  // where given: of the good faces
 };
 
 // Vertices in the order of their keys on a lattice over the box of most, those beside it as if at

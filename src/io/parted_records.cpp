@@ -4,8 +4,8 @@ namespace winnow {
 
 PartsPlan PartsPlan::divide(std::uint64_t memory, unsigned threads, std::uint64_t records,
                             std::size_t record_bytes, std::size_t bytes_at_work) {
-  // What is sorted at once stays in a core's second cache.
-  constexpr std::uint64_t usual_records = std::uint64_t{1} << 16;
+  // What is sorted at once stays in a core's second cache, and takes little beside the lists.
+  constexpr std::uint64_t usual_records = std::uint64_t{1} << 14;
   constexpr std::uint64_t most_parts = std::uint64_t{1} << 12;
   constexpr std::uint64_t smallest_chunk = std::uint64_t{1} << 12;
   constexpr std::uint64_t largest_chunk = std::uint64_t{1} << 15;

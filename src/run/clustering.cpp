@@ -244,11 +244,10 @@ ClusteredMesh Clustering::welded(const std::string& reason) {
   }
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   ClusterCounts counts;
-  AreaSum area(job_.threads, 0);
-  const WeldSettings settings{settings_.attributes, !settings_.double_positions, &area};
+  const WeldSettings settings{settings_.attributes, !settings_.double_positions,
+                              &report_.area.input};
   ClusteredMesh mesh = weld(job_, reader_, settings, memory, available_, counts);
   take_counts(counts);
-  report_.area.input = area.value();
   note_pairs(job_, mesh);
   if (mesh.face_count == 0) refuse_empty();
   // A third of the edges is sorted, in eight bytes each.
