@@ -78,7 +78,13 @@ void PlyLists::read(RawBatch& batch, std::uint64_t most, const RawBatch::Grow& g
   while (batch.count < most || (left_ > 0 && !strips_)) {
     if (batch.count == room) {
       room += std::clamp<std::uint64_t>(room / 4, 1, left_);
-      grow(room);
+      try {
+        grow(room);
+      } catch (const Error& error) {
+        // The budget to be named is that for all of it.
+        if (error.kind() == ErrorKind::resources) grow(batch.count + left_);
+        throw;
+      }
       batch.indices.reserve(3 * room);
       batch.status.reserve(room);
     } else if (batch.count > most && batch.count % (1 << 16) == 0) {
