@@ -16,6 +16,9 @@ constexpr double normal_scale = 1 << normal_bits;
 // (bench/RESULTS.md); below, nearly flat cells throw their vertex to the cell's wall.
 constexpr double pull = 5e-3;
 
+// What a boundary has to be off, in cells: more than its sums are rounded by.
+constexpr double least_step = 0x1p-12;
+
 // Solves the symmetric positive definite system m x = b by Cholesky's method.
 std::array<double, 3> solve(double xx, double xy, double xz, double yy, double yz, double zz,
                             const std::array<double, 3>& b) {
@@ -117,7 +120,11 @@ std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean
 void WholeCell::keep_to_border(std::array<double, 3>& place) const {
   const std::array<double, 3> seen{place[0] - 0.5, place[1] - 0.5, place[2] - 0.5};
   const std::array<double, 3> near = nearest_on_border(border_, seen);
-  if (near == seen) return;
+  // A vertex that is alone in its cell stays, to the bit.
+  double off = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    off = std::max(off, std::abs(near[axis] - seen[axis]));
+  if (off < least_step) return;
   for (std::size_t axis = 0; axis < 3; ++axis)
     place[axis] = std::clamp(near[axis] + 0.5, part_.low[axis], part_.low[axis] + part_.size);
 }
