@@ -1,12 +1,13 @@
 #include "measure/result_surface.hpp"
 
 #include "base/hash.hpp"
-#include "io/sorted_records.hpp"
+#include "io/parted_records.hpp"
 #include "io/spool_records.hpp"
 #include "measure/edge_count.hpp"
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace winnow {
@@ -18,6 +19,7 @@ using Corners3 = std::array<std::uint32_t, 3>;
 struct PackedEdge {
   std::uint64_t ends;  // the lower number in the higher half
 
+  [[nodiscard]] std::uint64_t rank() const { return ends; }
   static bool before(const PackedEdge& a, const PackedEdge& b) { return a.ends < b.ends; }
   static bool combine(PackedEdge& /*into*/, const PackedEdge& /*from*/) { return false; }
 };
@@ -87,6 +89,47 @@ Corners3 lowest_first(Corners3 face) {
   return face;
 }
 
+// The edges at their first vertices of faces that leave them to be counted in turn, in order.
+class EdgesInTurn {
+ public:
+  EdgesInTurn(const Job& job, const Spool& faces) : faces_(job, faces) { more_ = next_face(); }
+
+  bool next(std::uint64_t& edge) {
+    if (at_ == edges_.size() && !next_vertex()) return false;
+    edge = edges_[at_++];
+    return true;
+  }
+
+ private:
+  bool next_vertex() {
+    edges_.clear();
+    at_ = 0;
+    if (!more_) return false;
+    const std::uint32_t first = face_[0];
+    for (; more_ && face_[0] == first; more_ = next_face()) {
+      edges_.push_back(edge_of(first, face_[1]).ends);
+      edges_.push_back(edge_of(first, face_[2]).ends);
+    }
+    std::sort(edges_.begin(), edges_.end());
+    return true;
+  }
+
+  bool next_face() {
+    while (faces_.next(face_)) {
+      face_ = lowest_first(face_);
+      if (in_turn_(face_[0])) return true;
+    }
+    return false;
+  }
+
+  SpoolCursor<Corners3> faces_;
+  InTurn in_turn_;
+  Corners3 face_{};
+  bool more_;
+  std::vector<std::uint64_t> edges_;  // of one vertex
+  std::size_t at_ = 0;
+};
+
 // Each side adds a hash; that of the opposite direction takes it away.
 std::uint64_t directions_of(const Corners3& face) {
   std::uint64_t sum = 0;
@@ -119,7 +162,15 @@ ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t 
     for_joined = job.budget.reserve(bytes, "counting pieces");
     joined.emplace(mesh.vertices->size());
   }
-  SortedRecords<PackedEdge> list(job, memory);
+  // One edge a face, and few besides.
+  const PartsPlan plan =
+      PartedRecords<PackedEdge>::plan(memory, job.threads, mesh.face_count, sizeof(PackedEdge));
+  PartedRecords<PackedEdge> edges(job, plan);
+  const std::uint64_t range = mesh.vertices->size() / plan.parts + 1;
+  auto& lists = edges.local();
+  const auto add = [&](std::uint32_t u, std::uint32_t v) {
+    lists.add(std::min(u, v) / range, edge_of(u, v));
+  };
   std::uint64_t directions = 0;
   {
     VertexIndex::Reader vertices(*mesh.vertices);
@@ -133,10 +184,10 @@ ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t 
       directions += directions_of(face);
       if (joined) joined->add(face);
       const auto [first, second, third] = lowest_first(face);
-      list.add(edge_of(second, third));
+      add(second, third);
       if (in_turn(first)) continue;
-      list.add(edge_of(first, second));
-      list.add(edge_of(first, third));
+      add(first, second);
+      add(first, third);
     }
   }
   job.progress.advance(mesh.face_count);
@@ -145,36 +196,21 @@ ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t 
   for_joined.release();
   out.closed = mesh.face_count > 0 && directions == 0;
 
-  MergedCursor<PackedEdge> sorted = list.merged();
-  PackedEdge next{};
-  bool more = sorted.next(next);
+  EdgesInTurn turns(job, *mesh.faces);
   EdgeRuns runs;
-  std::vector<std::uint64_t> turn;  // edges of the vertex whose turn it is
-  const auto take_turn = [&] {
-    if (turn.empty()) return;
-    std::sort(turn.begin(), turn.end());
-    for (const std::uint64_t edge : turn) {
-      for (; more && next.ends < edge; more = sorted.next(next)) runs.add(next.ends);
-      runs.add(edge);
-    }
-    turn.clear();
-  };
-  SpoolCursor<Corners3> faces(job, *mesh.faces);
-  InTurn in_turn;
-  std::uint32_t of = 0;
-  for (Corners3 face; faces.next(face);) {
-    const auto [first, second, third] = lowest_first(face);
-    if (!in_turn(first)) continue;
-    if (first != of) take_turn();
-    of = first;
-    turn.push_back(edge_of(first, second).ends);
-    turn.push_back(edge_of(first, third).ends);
-  }
-  take_turn();
-  for (std::uint64_t seen = 0; more; more = sorted.next(next)) {
-    if (++seen % chunk_records == 0) job.progress.check_cancelled();
-    runs.add(next.ends);
-  }
+  std::uint64_t next = 0;
+  bool more = turns.next(next);
+  edges.for_each_stretch<std::vector<PackedEdge>>(
+      [](std::span<const PackedEdge> sorted, std::vector<PackedEdge>& copy) {
+        copy.assign(sorted.begin(), sorted.end());
+      },
+      [&](const std::vector<PackedEdge>& sorted) {
+        for (const PackedEdge& edge : sorted) {
+          for (; more && next <= edge.ends; more = turns.next(next)) runs.add(next);
+          runs.add(edge.ends);
+        }
+      });
+  for (; more; more = turns.next(next)) runs.add(next);
   out.edges = runs.finish();
   return out;
 }
