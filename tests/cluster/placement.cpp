@@ -88,27 +88,35 @@ TEST_CASE("quadric placement keeps corners and edges where the mean rounds them 
 }
 
 TEST_CASE("the mean is that of the corners, by their areas") {
-  // Two triangles in one cell, one of them with twice the area, and a neighbour that makes the cell
-  // used.
+  // Closed corners of cubes: two within one cell, and a large one with a corner there, which makes
+  // the cell used.
   const Grid grid = {{0, 0, 0}, 10, 0.1};
-  const std::vector<Triangle> faces{
-      {Point{1, 1, 1}, Point{3, 1, 1}, Point{1, 3, 1}},
-      {Point{5, 5, 6}, Point{7, 5, 6}, Point{5, 9, 6}},
-      {Point{9.5, 9.5, 9.5}, Point{10.5, 9.5, 9.5}, Point{9.5, 10.5, 9.5}}};
+  std::vector<Triangle> faces;
+  const auto add_corner = [&](const Point& at, double leg) {
+    const Point x = at + Point{leg, 0, 0}, y = at + Point{0, leg, 0}, z = at + Point{0, 0, leg};
+    for (const Triangle& face :
+         {Triangle{at, y, x}, Triangle{at, z, y}, Triangle{at, x, z}, Triangle{x, y, z}})
+      faces.push_back(face);
+  };
+  add_corner({1, 1, 1}, 2);
+  add_corner({5, 4, 3}, 3);
+  add_corner({8, 8, 9}, 10);
   Point weighted{};
   double weights = 0;
-  for (const Triangle& face : faces) {
-    const double area = length(area_vector(face));
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const bool equilateral = i % 4 == 3;
+    const double area = length(area_vector(faces[i]));
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      if (face[corner][0] >= 10 || face[corner][1] >= 10) continue;
+      const Point& p = faces[i][corner];
+      if (*std::max_element(p.begin(), p.end()) >= 10) continue;
       // Right-angled at the first corner: half of the area lies there, and a quarter at the others.
-      const double weight = area * (corner == 0 ? 0.5 : 0.25);
-      weighted = weighted + weight * face[corner];
+      const double weight = area * (equilateral ? 1.0 / 3 : corner == 0 ? 0.5 : 0.25);
+      weighted = weighted + weight * p;
       weights += weight;
     }
   }
   const PlainMesh mesh = cluster(faces, {grid, Placement::mean, true});
-  REQUIRE(mesh.vertices.size() == 3);
+  REQUIRE(mesh.vertices.size() == 4);
   for (std::size_t axis = 0; axis < 3; ++axis)
     CHECK(mesh.vertices[0].position[axis] == Approx(weighted[axis] / weights).epsilon(1e-5));
 }

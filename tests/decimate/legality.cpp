@@ -189,8 +189,8 @@ TEST_CASE("a face turns by no more than the bound") {
     }
     // And it must not become a line.
     CHECK_FALSE(legality.keeps_faces(star, {3, 4, {1, 0, 0}}));
-    CHECK_FALSE(legality.keeps_faces(star, {3, 4, {1, 1e-7, 0}}));
-    CHECK(legality.keeps_faces(star, {3, 4, {1, 1e-4, 0}}));
+    CHECK_FALSE(legality.keeps_faces(star, {3, 4, {1, 1e-11, 0}}));
+    CHECK(legality.keeps_faces(star, {3, 4, {1, 1e-8, 0}}));
   }
 }
 

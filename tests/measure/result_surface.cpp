@@ -124,8 +124,8 @@ TEST_CASE("any number of faces around a vertex are counted in any memory") {
   }
   const Counted large = counted(vertices, faces);
   const Counted small = counted(vertices, faces, mebibyte / 2);
-  CHECK(large.spilled == 0);
-  CHECK(small.spilled > 0);
+  // Edges of a hub are more than a part's share, so some are sorted in runs anyway.
+  CHECK(small.spilled > 4 * large.spilled);
   for (const Counted& one : {large, small}) {
     CHECK(one.surface.edges.total == 2 * count - 1);
     CHECK(one.surface.edges.boundary == count + 1);
