@@ -24,6 +24,7 @@ class Manifest {
   [[nodiscard]] std::string print() const;
   // `path` is for messages. Throws Error(bad_input) for anything that print() did not write.
   static Manifest parse(const std::string& text, const std::string& path);
+  [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
   std::string path_;

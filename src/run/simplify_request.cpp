@@ -153,8 +153,13 @@ SimplifyRequest request_in(const Manifest& manifest) {
   request.inputs = inputs_in(manifest);
   request.output = manifest.text("output");
   for (const Option<SimplifyOptions>& option : simplify_options()) {
-    if (manifest.has(option_key(option.name)))
-      option.set(request.options, manifest.text(option_key(option.name)));
+    const std::string key = option_key(option.name);
+    if (!manifest.has(key)) continue;
+    try {
+      option.set(request.options, manifest.text(key));
+    } catch (const Error&) {
+      damaged_checkpoint(manifest.path(), "'" + key + "' is no value of that option");
+    }
   }
   return request;
 }
