@@ -22,7 +22,10 @@ PartsPlan PartsPlan::divide(std::uint64_t memory, unsigned threads, std::uint64_
       std::min(memory / 2, at_work(threads) * 2 * std::max(share, usual_records) * bytes_at_work);
   plan.largest_records =
       std::max<std::uint64_t>(plan.sorting * 3 / 4 / at_work(threads) / bytes_at_work, 1);
-  plan.chunks = memory - plan.sorting;
+  // Whole steps of growing pages.
+  constexpr std::uint64_t step = std::uint64_t{1} << 16;
+  const std::uint64_t first_chunks = threads * plan.parts * plan.chunk_bytes;
+  plan.chunks = (std::max(memory - plan.sorting, first_chunks) + step - 1) / step * step;
   return plan;
 }
 

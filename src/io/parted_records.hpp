@@ -130,7 +130,10 @@ class PartedRecords {
             const std::uint64_t records = count(item.part);
             if (records == 0) continue;
             if (records <= plan_.largest_records) return true;
-            large.emplace(job_, plan_.sorting / 4);
+            // In memory where there is room.
+            large.emplace(
+                job_, std::max({plan_.sorting / 4, SortedRecords<Record>::least_memory,
+                                std::min(2 * records * sizeof(Record), job_.budget.left() / 2)}));
             for_each_chunk(item.part, [&](std::span<const Record> chunk) {
               for (const Record& record : chunk) large->add(record);
             });

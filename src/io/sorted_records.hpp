@@ -15,6 +15,8 @@ namespace winnow {
 template <typename Record>
 class SortedRecords {
  public:
+  static constexpr std::uint64_t least_memory = std::uint64_t{1} << 16;
+
   SortedRecords(Job& job, std::uint64_t memory)
       : reserved_(job.budget.reserve(memory, "sorting")), runs_(job), list_(job, memory, runs_) {}
 
