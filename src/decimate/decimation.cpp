@@ -7,6 +7,7 @@
 #include "decimate/quadric_placement.hpp"
 #include "decimate/volume_cost.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -31,13 +32,26 @@ class ForgetfulDecimation final : public Decimation {
 
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) override {
+    mesh_.link();
     auto cost = make_(mesh_);
     Collapser collapser(mesh_, cost, rules_of(settings_));
     collapser.run(limits, counting(mesh_, done), turn);
     add(collapser.changes());
     largest_error_ = cost.largest_error();
   }
-  void repeat(const Collapse& edge) override {
+  void repeat(std::span<const Collapse> edges) override {
+    const auto of_piece = [](const Collapse& edge) { return edge.of_piece(); };
+    if (!mesh_.linked() && !settings_.free_topology &&
+        std::none_of(edges.begin(), edges.end(), of_piece))
+      return mesh_.collapse_all(edges);
+    mesh_.link();
+    for (const Collapse& edge : edges) repeat(edge);
+  }
+  void save(VertexNumber /*v*/, std::byte* /*into*/) const override {}
+  [[nodiscard]] double largest_error() const override { return largest_error_; }
+
+ private:
+  void repeat(const Collapse& edge) {
     if (edge.of_piece()) return repeat_piece(mesh_, edge.kept);
     if (settings_.free_topology) {
       star_.find(mesh_, edge.kept, edge.removed);
@@ -49,10 +63,7 @@ class ForgetfulDecimation final : public Decimation {
       mesh_.collapse(edge);
     }
   }
-  void save(VertexNumber /*v*/, std::byte* /*into*/) const override {}
-  [[nodiscard]] double largest_error() const override { return largest_error_; }
 
- private:
   TileMesh& mesh_;
   DecimationSettings settings_;
   MakeCost make_;
@@ -86,7 +97,10 @@ class RememberingDecimation final : public Decimation {
     collapser.run(limits, counting(mesh_, done), turn);
     add(collapser.changes());
   }
-  void repeat(const Collapse& edge) override {
+  void repeat(std::span<const Collapse> edges) override {
+    for (const Collapse& edge : edges) repeat(edge);
+  }
+  void repeat(const Collapse& edge) {
     if (edge.of_piece()) return repeat_piece(mesh_, edge.kept);
     star_.find(mesh_, edge.kept, edge.removed);
     const bool changes = settings_.free_topology && find_change(mesh_, star_, change_);
@@ -149,6 +163,7 @@ bool bounds_error(const DecimationSettings& settings) {
 
 std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std::byte> state,
                                              const DecimationSettings& settings) {
+  if (settings.keep_borders || bounds_error(settings)) mesh.link();
   if (settings.keep_borders) lock_borders(mesh);
   const CoordinateRounding rounding = settings.rounding_of_positions();
   if (settings.cost == CollapseCost::volume)
@@ -201,7 +216,7 @@ std::size_t Decimation::state_size(const DecimationSettings& settings) {
 std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64_t vertices) {
   std::uint64_t forgetful = 0;
   if (settings.cost == CollapseCost::quadric) forgetful = QuadricCost::memory(vertices);
-  return forgetful + vertices * state_size(settings) + Offers::memory(vertices);
+  return forgetful + vertices * state_size(settings) + Collapser<QuadricCost>::memory(vertices);
 }
 
 }  // namespace winnow

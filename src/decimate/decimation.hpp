@@ -59,8 +59,9 @@ class Decimation {
     run(limits, done, {});
   }
 
-  // Repeats a collapse of an earlier run of the same settings.
-  virtual void repeat(const Collapse& edge) = 0;
+  // Repeats collapses of an earlier run of the same settings.
+  virtual void repeat(std::span<const Collapse> edges) = 0;
+  void repeat(const Collapse& edge) { repeat(std::span(&edge, 1)); }
 
   // Writes state_size() bytes.
   virtual void save(VertexNumber v, std::byte* into) const = 0;

@@ -42,9 +42,24 @@ inline double weight_of(const VertexPlanes& planes) {
   return planes.xx + planes.yy + planes.zz;
 }
 
+inline void set_planes(double (&sums)[6][EdgeBatch::capacity], std::size_t i,
+                       const VertexPlanes& planes) {
+  sums[0][i] = planes.xx;
+  sums[1][i] = planes.xy;
+  sums[2][i] = planes.xz;
+  sums[3][i] = planes.yy;
+  sums[4][i] = planes.yz;
+  sums[5][i] = planes.zz;
+}
+
+inline void set_low(EdgeBatch& batch, std::size_t i, const Point& low, const VertexPlanes& planes) {
+  for (std::size_t axis = 0; axis < 3; ++axis) batch.low[axis][i] = low[axis];
+  set_planes(batch.low_planes, i, planes);
+}
+
+// Of all edges.
 inline void set_low(EdgeBatch& batch, const Point& low, const VertexPlanes& planes) {
-  std::copy(low.begin(), low.end(), batch.low);
-  batch.low_planes = planes;
+  for (std::size_t i = 0; i < EdgeBatch::capacity; ++i) set_low(batch, i, low, planes);
 }
 
 // `stays`: this end takes whatever is collapsed into it, where it is.
@@ -52,12 +67,7 @@ inline void set_high(EdgeBatch& batch, std::size_t i, const Point& high, const V
                      bool stays) {
   batch.to_high[i] = stays ? 1.0 : 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) batch.high[axis][i] = high[axis];
-  batch.xx[i] = planes.xx;
-  batch.xy[i] = planes.xy;
-  batch.xz[i] = planes.xz;
-  batch.yy[i] = planes.yy;
-  batch.yz[i] = planes.yz;
-  batch.zz[i] = planes.zz;
+  set_planes(batch.high_planes, i, planes);
 }
 
 inline Point position_of(const EdgeBatch& batch, std::size_t i) {

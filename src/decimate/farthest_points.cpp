@@ -14,7 +14,7 @@ namespace {
 // as its distance: next to nothing where the surface is as near as it is elsewhere, much where the
 // distance comes near the length of the edges. With less than this, tips are lost; with more, the
 // error in the mean grows (bench/RESULTS.md).
-constexpr double weight = 5;
+constexpr double weight = 8;
 
 // How many times the rounding of coordinates a point may be off: positions and the planes that they
 // lie in are rounded, again and again.

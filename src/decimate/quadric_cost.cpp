@@ -5,6 +5,7 @@
 #include "decimate/quadric_placement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace winnow {
@@ -120,6 +121,43 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
   return cheapest;
 }
 
+void QuadricCost::price_edges(std::span<const FaceNumber> faces, PricedEdges& edges) {
+  edges.clear();
+  std::array<FaceEdge, EdgeBatch::capacity + 3> told;
+  std::size_t count = 0;
+  for (const FaceNumber f : faces) {
+    const FaceVertices& face = mesh_.face(f);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      // An edge is told by the face in which it leads from its lower end to the higher, or by its
+      // only one. Which it is is a coin toss, so there is no branch on it.
+      const VertexNumber a = face[i];
+      const VertexNumber b = face[(1U << i) & 3U];
+      bool tells = a < b;
+      if ((at_border_[a] & at_border_[b]) != 0) tells |= mesh_.faces_at(a, b, 2) == 1;
+      told[count] = {f, i};
+      count += static_cast<std::size_t>(tells & !mesh_.locked(a) & !mesh_.locked(b));
+    }
+    if (count < EdgeBatch::capacity) continue;
+    price(std::span(told).first(EdgeBatch::capacity), edges);
+    count -= EdgeBatch::capacity;
+    std::copy_n(told.begin() + EdgeBatch::capacity, count, told.begin());
+  }
+  price(std::span(told).first(count), edges);
+}
+
+// No more than a batch.
+void QuadricCost::price(std::span<const FaceEdge> told, PricedEdges& edges) {
+  std::array<VertexNumber, EdgeBatch::capacity> lows{};
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    const auto [low, high] = told[i].ends(mesh_);
+    lows[i] = low;
+    set_low(batch_, i, mesh_.position(low), planes_[low]);
+    set_high(batch_, i, mesh_.position(high), planes_[high], false);
+  }
+  price_edges_(batch_, told.size(), single_);
+  for (std::size_t i = 0; i < told.size(); ++i) edges.add(told[i], lows[i], batch_.price[i]);
+}
+
 double QuadricCost::closer_price(const PricedCollapse& now, const EdgeStar& star, double price,
                                  const SurfaceChange* change) {
   // As place() has found it.
@@ -223,31 +261,38 @@ void QuadricCost::collapsing(const PricedCollapse& now, const EdgeStar& star) {
 
 // changed(vertex) for each one beside the collapse.
 template <typename Changed>
-void QuadricCost::settle(const Collapse& edge, const Changed& changed) {
-  const VertexNumber kept = edge.kept;
-  planes_[kept] = planes_of_kept_;
-  at_border_[kept] |= at_border_[edge.removed];
+void QuadricCost::for_each_changed(const Collapse& edge, const Changed& changed) {
   if (!into_hub_) {
-    if (at_border_now_) {
-      for (const VertexNumber w : mesh_.open_neighbours(kept)) add_border(kept, w, 1);
-    }
-    for (const VertexNumber w : mesh_.neighbours(kept)) changed(w);
+    for (const VertexNumber w : mesh_.neighbours(edge.kept)) changed(w);
     return;
   }
   mesh_.mark_anew();
-  mesh_.mark(kept);
+  mesh_.mark(edge.kept);
   mesh_.mark(edge.removed);
   for (const auto& [number, w, x, stays] : handed_over_) {
     for (const VertexNumber v : {w, x}) {
-      if (!mesh_.mark(v)) continue;
-      if (at_border_now_ && mesh_.faces_at(kept, v, 2) == 1) add_border(kept, v, 1);
-      changed(v);
+      if (mesh_.mark(v)) changed(v);
     }
   }
 }
 
+void QuadricCost::collapsed(const Collapse& edge) {
+  const VertexNumber kept = edge.kept;
+  planes_[kept] = planes_of_kept_;
+  at_border_[kept] |= at_border_[edge.removed];
+  if (!at_border_now_) return;
+  if (into_hub_) {
+    for_each_changed(edge, [&](VertexNumber v) {
+      if (mesh_.faces_at(kept, v, 2) == 1) add_border(kept, v, 1);
+    });
+  } else {
+    for (const VertexNumber w : mesh_.open_neighbours(kept)) add_border(kept, w, 1);
+  }
+}
+
 void QuadricCost::collapsed(const Collapse& edge, Offers& offers) {
-  settle(edge, [&](VertexNumber v) { offers.make_stale(v); });
+  collapsed(edge);
+  for_each_changed(edge, [&](VertexNumber v) { offers.make_stale(v); });
   if (into_hub_) {
     // It may be one no more.
     offers.make_stale(edge.kept);
@@ -263,7 +308,7 @@ void QuadricCost::repeat(const Collapse& edge, EdgeStar& star, const SurfaceChan
   (void)closer_price({edge, 0}, star, 0, change);
   collapsing({edge, 0}, star);
   mesh_.collapse(edge);
-  settle(edge, [](VertexNumber) {});
+  collapsed(edge);
 }
 
 void QuadricCost::faces_gone(std::span<const FaceVertices> faces) {

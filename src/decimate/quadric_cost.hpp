@@ -10,6 +10,7 @@
 #include "decimate/error_bound.hpp"
 #include "decimate/farthest_points.hpp"
 #include "decimate/legality.hpp"
+#include "decimate/priced_edges.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -36,6 +37,8 @@ class QuadricCost {
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
   [[nodiscard]] PricedCollapse place(VertexNumber low, VertexNumber high);
+  // All edges of these faces that may be collapsed. No vertex is a hub.
+  void price_edges(std::span<const FaceNumber> faces, PricedEdges& edges);
   // The same at the other end, where nothing is lost there either. Asked only of what place() gave
   // last.
   [[nodiscard]] std::optional<PricedCollapse> other_place(const PricedCollapse& now) const;
@@ -55,6 +58,7 @@ class QuadricCost {
   void faces_gone(std::span<const FaceVertices> faces);
   void collapsing(const PricedCollapse& now, const EdgeStar& star);
   void collapsed(const Collapse& edge, Offers& offers);
+  void collapsed(const Collapse& edge);
   // A collapse of an earlier run, whose star this is: what collapsing() and collapsed() do but for
   // offers.
   void repeat(const Collapse& edge, EdgeStar& star, const SurfaceChange* change);
@@ -68,11 +72,12 @@ class QuadricCost {
 
  private:
   [[nodiscard]] VertexPlanes planes_of(FaceNumber f) const;
+  void price(std::span<const FaceEdge> told, PricedEdges& edges);
   void take_anew(VertexNumber v);
   void add_border(VertexNumber a, VertexNumber b, double sign);
   void take_borders(const Collapse& edge, const EdgeStar& star);
   template <typename Changed>
-  void settle(const Collapse& edge, const Changed& changed);
+  void for_each_changed(const Collapse& edge, const Changed& changed);
 
   TileMesh& mesh_;
   bool single_;

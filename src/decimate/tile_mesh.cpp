@@ -7,15 +7,20 @@
 namespace winnow {
 
 TileMesh::TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces,
-                   std::vector<std::uint8_t> locked)
+                   std::vector<std::uint8_t> locked, bool linked)
     : position_(std::move(positions)),
       face_(std::move(faces)),
       flags_(std::move(locked)),
-      first_(position_.size(), no_number),
-      degree_(position_.size(), 0),
-      link_(3 * face_.size()),
-      mark_(position_.size(), 0),
       live_faces_(face_.size()) {
+  if (linked) link();
+}
+
+void TileMesh::link() {
+  if (linked()) return;
+  first_.assign(position_.size(), no_number);
+  degree_.assign(position_.size(), 0);
+  link_.resize(3 * face_.size());
+  mark_.assign(position_.size(), 0);
   // From the back, so that every chain begins with the vertex's lowest face.
   for (FaceNumber f = face_count(); f-- > 0;) {
     for (std::uint32_t i = 3; i-- > 0;) {
@@ -38,6 +43,7 @@ std::uint64_t TileMesh::memory(std::uint64_t vertices, std::uint64_t faces) {
 void TileMesh::update_hub(VertexNumber v) {
   const bool many = degree_[v] > (hub(v) ? hub_no_more : most_faces_beside_hubs);
   const unsigned hub = many || (flags_[v] & fixed_hub) != 0 ? hub_now : 0U;
+  hubs_ += (hub != 0) - (flags_[v] & hub_now) / hub_now;
   flags_[v] = static_cast<std::uint8_t>((flags_[v] & ~hub_now) | hub);
 }
 
@@ -178,6 +184,21 @@ unsigned TileMesh::collapse(const Collapse& edge) {
   update_hub(removed);
   live_faces_ -= gone;
   return gone;
+}
+
+void TileMesh::collapse_all(std::span<const Collapse> edges) {
+  std::vector<VertexNumber> into(position_.size());
+  for (VertexNumber v = 0; v < vertex_count(); ++v) into[v] = v;
+  for (const Collapse& edge : edges) position_[edge.kept] = edge.position;
+  // From the back: what is removed is not met any more.
+  for (std::size_t i = edges.size(); i-- > 0;) into[edges[i].removed] = into[edges[i].kept];
+  for (FaceVertices& face : face_) {
+    if (face[0] == no_number) continue;
+    for (VertexNumber& v : face) v = into[v];
+    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) continue;
+    face[0] = no_number;
+    --live_faces_;
+  }
 }
 
 void TileMesh::remove_face(FaceNumber f) {

@@ -64,9 +64,12 @@ enum Lock : std::uint8_t {
 
 class TileMesh {
  public:
-  // `locked`: the Lock of each vertex.
+  // `locked`: the Lock of each vertex. Not `linked`: until link() no vertex knows its faces.
   TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces,
-           std::vector<std::uint8_t> locked);
+           std::vector<std::uint8_t> locked, bool linked = true);
+
+  void link();
+  [[nodiscard]] bool linked() const { return first_.size() == position_.size(); }
 
   // Bytes in use at the most while collapsing, for the plan.
   static std::uint64_t memory(std::uint64_t vertices, std::uint64_t faces);
@@ -88,6 +91,7 @@ class TileMesh {
   [[nodiscard]] bool has_faces(VertexNumber v) const { return first_[v] != no_number; }
   [[nodiscard]] std::uint32_t degree(VertexNumber v) const { return degree_[v]; }  // its faces
   [[nodiscard]] bool hub(VertexNumber v) const { return (flags_[v] & hub_now) != 0; }
+  [[nodiscard]] std::uint32_t hubs() const { return hubs_; }  // how many there are
   [[nodiscard]] const FaceVertices& face(FaceNumber f) const { return face_[f]; }
   [[nodiscard]] bool removed(FaceNumber f) const { return face_[f][0] == no_number; }
   [[nodiscard]] Triangle triangle(FaceNumber f) const {
@@ -200,6 +204,9 @@ class TileMesh {
   // how many faces went. Walks around `removed` alone.
   unsigned collapse(const Collapse& edge);
 
+  // The same for many edges, none of them of a piece, of a mesh that is not linked.
+  void collapse_all(std::span<const Collapse> edges);
+
   // Of faces at `v` that have the same other two corners, those in opposite senses go in pairs, and
   // of those in one sense one stays. Adds the ones that go to `gone`. Returns how many.
   unsigned remove_pairs(VertexNumber v, std::vector<FaceVertices>& gone);
@@ -254,6 +261,7 @@ class TileMesh {
   std::vector<std::uint32_t> mark_;  // which question a vertex was last met by
   std::uint32_t last_mark_ = 0;
   std::uint32_t marking_ = 0;  // by mark()
+  std::uint32_t hubs_ = 0;
   std::vector<VertexNumber> neighbours_;
   std::uint64_t live_faces_ = 0;
   mutable std::uint64_t steps_ = 0;

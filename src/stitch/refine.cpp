@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "stitch/blocked_faces.hpp"
 #include "stitch/collapse_log.hpp"
+#include "stitch/price_estimate.hpp"
 #include "stitch/reorder.hpp"
 #include "stitch/saved_mesh.hpp"
 #include "stitch/smaller_mesh.hpp"
@@ -34,7 +35,11 @@ constexpr double few_frozen = 0.25;
 constexpr std::uint64_t last_round = 4;
 // No tile goes below this part of its share of the wanted faces in the first round: what flat tiles
 // can give beyond is left to the later rounds.
-constexpr double deepest = 1.0 / 8;
+constexpr double deepest = 1.0 / 4;
+// Of a mesh of one tile so many times the wanted faces, and this part of all, are left to be chosen
+// in the order of prices.
+constexpr double sweeps_beside_wanted = 1.3;
+constexpr double sweeps_beside_faces = 0.02;
 // One face in so many may have corners in several tiles; with more, tiles are larger, up to so many
 // times.
 constexpr std::uint64_t most_seams = 4;
@@ -42,6 +47,8 @@ constexpr std::uint64_t largest_tiles = 64;
 // How much dearer than the dearest collapse of the last round those of the next may be, before it
 // is tried again: with more, and then without a limit.
 constexpr double first_headroom = 2;
+// The same beside the price that the tiles of the first round will be cut at, as it is estimated.
+constexpr double headroom_of_estimate = 2;
 constexpr double more_headroom = 64;
 // Where the count is missed, a collapse may be so many times as dear as the dearest of a result
 // that met it: twice as far off. With 1 four faces in a hundred more are left, hardly nearer to the
@@ -288,6 +295,11 @@ class Refiner {
         tried = try_all(whole, tiling, incoming, limits, ++attempt);
         continue;
       }
+      if (log.removed() < wanted && !tried.complete_to(limits.price)) {
+        limits.share = 0;
+        tried = try_all(whole, tiling, incoming, limits, ++attempt, &tried);
+        continue;
+      }
       if (log.removed() < wanted) find_dearest_allowed(whole, tiling, incoming);
       const double dearest = log.price_of(std::min(wanted, log.removed()));
       dearest_ = std::min(dearest, dearest_allowed_);
@@ -301,6 +313,19 @@ class Refiner {
     }
   }
 
+  // In later rounds few collapses are left, of which the order matters; and an error is watched in
+  // the order of prices.
+  [[nodiscard]] bool in_sweeps() const {
+    return report_.rounds == 1 && !settings_.decimation.error;
+  }
+
+  // Of a mesh of one tile. Where as few are wanted as there can be, all is done in sweeps.
+  [[nodiscard]] std::uint64_t left_by_sweeps(std::uint64_t faces) const {
+    if (settings_.faces == 0) return 0;
+    return static_cast<std::uint64_t>(sweeps_beside_faces * static_cast<double>(faces) +
+                                      sweeps_beside_wanted * static_cast<double>(settings_.faces));
+  }
+
   // What is left when each tile has collapsed what it can: down to the count where it is the only
   // one.
   RefinedMesh run_through(const RefinedMesh& whole, const Tiling& tiling,
@@ -309,8 +334,10 @@ class Refiner {
                         [&](std::size_t, Decimation& decimation, CarriedValues& values) {
                           Steps steps(job_.progress);
                           std::uint64_t collapses = 0;
+                          CollapseLimits limits{settings_.faces, dearest_allowed_};
+                          if (in_sweeps()) limits.sweeps_to = left_by_sweeps(whole.mesh.face_count);
                           decimation.run(
-                              {settings_.faces, dearest_allowed_},
+                              limits,
                               [&](const DoneCollapse& done) {
                                 ++collapses;
                                 values.collapsed(done.edge);
@@ -346,10 +373,9 @@ class Refiner {
                      const CollapseLog& log, const std::vector<std::uint64_t>& counts) {
     return make_smaller(whole, tiling, incoming,
                         [&](std::size_t tile, Decimation& decimation, CarriedValues& values) {
-                          for (const Collapse& edge : log.edges(tile, counts[tile])) {
-                            decimation.repeat(edge);
-                            values.collapsed(edge);
-                          }
+                          const std::vector<Collapse> edges = log.edges(tile, counts[tile]);
+                          decimation.repeat(edges);
+                          for (const Collapse& edge : edges) values.collapsed(edge);
                           job_.progress.check_cancelled();
                           tell(counts[tile], log.error(tile, counts[tile]));
                         });
@@ -362,9 +388,13 @@ class Refiner {
     const auto few = static_cast<std::uint64_t>(few_frozen * static_cast<double>(settings_.faces));
     const bool last = report_.rounds >= last_round || (report_.rounds > 1 && frozen <= few);
     const auto free = static_cast<double>(faces - frozen);
-    const double left =
-        spare * static_cast<double>(settings_.faces) * free / static_cast<double>(faces);
+    const double left = left_by_tiles(faces) * free;
     return last || left >= free ? faces - settings_.faces : static_cast<std::uint64_t>(free - left);
+  }
+
+  // The part of the faces that can change which a round leaves that is not the last.
+  [[nodiscard]] double left_by_tiles(std::uint64_t faces) const {
+    return spare * static_cast<double>(settings_.faces) / static_cast<double>(faces);
   }
 
   void tell(std::uint64_t collapses, double largest_error) {
@@ -432,6 +462,10 @@ class Refiner {
     // Two attempts may be there at once.
     all.log = std::make_unique<CollapseLog>(job_, memory_.logs / 2);
     TriedTiles kept(attempt == no_attempt ? nullptr : checkpoint_, report_.rounds, attempt);
+    // Only where tiles go beyond all prices: what they do up to a price does not hang on it.
+    const double left = left_by_tiles(whole.mesh.face_count);
+    PriceEstimate estimate(1 - left);
+    const bool estimates = most.share > 0 && left < 1;
     std::size_t known = 0;
     const auto take = [&](const TriedTile& tried) {
       all.log->append(tried.edges, tried.prices);
@@ -459,6 +493,9 @@ class Refiner {
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
           CollapseLimits limits{0, most.price};
+          if (in_sweeps()) limits.sweeps_to = 0;
+          if (estimates)
+            limits.price = std::min(limits.price, headroom_of_estimate * estimate.price());
           const double share = most.share * static_cast<double>(settings_.faces) /
                                static_cast<double>(whole.mesh.face_count);
           if (share > worth_a_limit) {
@@ -478,8 +515,11 @@ class Refiner {
                 steps.add(done.faces);
               },
               check_);
+          if (limits.price < most.price) tried.reached = limits.price;
           if (limits.faces > 0 && mesh.live_faces() <= limits.faces)
-            tried.reached = tried.prices.empty() ? 0 : tried.prices.back().price;
+            tried.reached =
+                std::min(tried.reached, tried.prices.empty() ? 0 : tried.prices.back().price);
+          if (estimates) estimate.add(tried.prices, tile.own_faces - tried.frozen);
         },
         [&](std::size_t, const TriedTile& tried) {
           take(tried);
@@ -501,7 +541,8 @@ class Refiner {
         [&](std::size_t number, TileRest& rest) {
           Tile tile = load_tile(whole, tiling, incoming, number, known_state_size(),
                                 settings_.attributes.size());
-          TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
+          TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked),
+                        false);
           const std::unique_ptr<Decimation> decimation =
               Decimation::make(mesh, tile.state, settings_.decimation);
           CarriedValues values = carried_values(tile, settings_.attributes);

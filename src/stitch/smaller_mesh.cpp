@@ -19,28 +19,28 @@ std::array<float, 3> normal_along(const Point& sum) {
           static_cast<float>(sum[2] / size)};
 }
 
-namespace {
-
-std::array<float, 3> normal_of(const TileMesh& mesh, VertexNumber v) {
-  Point sum{};
-  mesh.for_each_face(v, [&](FaceNumber f) { sum = sum + doubled_area(mesh.triangle(f)); });
-  return normal_along(sum);
-}
-
-}  // namespace
-
 TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
                  const CarriedValues& values, std::size_t state_size) {
   TileRest rest;
+  std::vector<std::uint8_t> has_faces(mesh.vertex_count(), 0);
+  std::vector<Point> normals(mesh.vertex_count(), Point{});
+  for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.removed(f)) continue;
+    const Point normal = doubled_area(mesh.triangle(f));
+    for (const VertexNumber v : mesh.face(f)) {
+      has_faces[v] = 1;
+      normals[v] = normals[v] + normal;
+    }
+  }
   std::vector<std::uint32_t> place(tile.own_vertices, no_number);
   for (VertexNumber v = 0; v < tile.own_vertices; ++v) {
     const bool hub = std::binary_search(tile.hubs.begin(), tile.hubs.end(), v);
     // The faces of a hub may all be other tiles'.
-    if (!mesh.has_faces(v) && !hub) continue;
+    if (has_faces[v] == 0 && !hub) continue;
     place[v] = static_cast<std::uint32_t>(rest.vertices.size());
     IndexedVertex vertex = tile.vertices[v];
     vertex.position = mesh.position(v);
-    vertex.normal = normal_of(mesh, v);
+    vertex.normal = normal_along(normals[v]);
     rest.vertices.push_back(vertex);
     rest.state.resize(rest.state.size() + state_size);
     decimation.save(v, rest.state.data() + rest.state.size() - state_size);

@@ -75,12 +75,13 @@ TEST_CASE("an edge goes to the lowest point of its planes, at the error there") 
     EdgeBatch batch{};
     const Point low{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
     const Point high{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
-    set_low(batch, low, some_planes(random, 1));
+    const VertexPlanes low_planes = some_planes(random, 1);
+    set_low(batch, low, low_planes);
     const VertexPlanes high_planes = some_planes(random, 1);
     set_high(batch, 0, high, high_planes, false);
     edge_kernel_baseline(batch, 1, false);
 
-    const Quadric at_low = quadric_of(batch.low_planes);
+    const Quadric at_low = quadric_of(low_planes);
     const Quadric at_high = quadric_of(high_planes);
     const double weight = at_low.weight() + at_high.weight();
     const Point place = position_of(batch, 0);

@@ -36,15 +36,18 @@ double larger_size(double a, double b) {
 // The lowest point of the planes of both ends, pulled to the middle of the edge: as lowest_point()
 // of base/quadric.hpp. And whether nothing is lost at an end.
 void place(EdgeBatch& batch, std::size_t end, double rounding) {
-  const double lx = batch.low[0], ly = batch.low[1], lz = batch.low[2];
-  const VertexPlanes p = batch.low_planes;
   for (std::size_t i = 0; i < end; ++i) {
+    const double lx = batch.low[0][i], ly = batch.low[1][i], lz = batch.low[2][i];
     const double hx = batch.high[0][i], hy = batch.high[1][i], hz = batch.high[2][i];
     const double ex = hx - lx, ey = hy - ly, ez = hz - lz;
-    const double qxx = batch.xx[i], qxy = batch.xy[i], qxz = batch.xz[i];
-    const double qyy = batch.yy[i], qyz = batch.yz[i], qzz = batch.zz[i];
-    const double xx = qxx + p.xx, xy = qxy + p.xy, xz = qxz + p.xz;
-    const double yy = qyy + p.yy, yz = qyz + p.yz, zz = qzz + p.zz;
+    const auto& p = batch.low_planes;
+    const auto& q = batch.high_planes;
+    const double pxx = p[0][i], pxy = p[1][i], pxz = p[2][i];
+    const double pyy = p[3][i], pyz = p[4][i], pzz = p[5][i];
+    const double qxx = q[0][i], qxy = q[1][i], qxz = q[2][i];
+    const double qyy = q[3][i], qyz = q[4][i], qzz = q[5][i];
+    const double xx = qxx + pxx, xy = qxy + pxy, xz = qxz + pxz;
+    const double yy = qyy + pyy, yz = qyz + pyz, zz = qzz + pzz;
     const double weight = xx + yy + zz;
     // The planes of each end go through it, so only those of the other lose anything there.
     const double qx = qxx * ex + qxy * ey + qxz * ez;
@@ -98,9 +101,8 @@ void round_to_floats(EdgeBatch& batch, std::size_t end) {
 
 // An end where nothing is lost takes the collapse, to the bit.
 void price(EdgeBatch& batch, std::size_t end) {
-  const double lx = batch.low[0], ly = batch.low[1], lz = batch.low[2];
-  const VertexPlanes p = batch.low_planes;
   for (std::size_t i = 0; i < end; ++i) {
+    const double lx = batch.low[0][i], ly = batch.low[1][i], lz = batch.low[2][i];
     const double hx = batch.high[0][i], hy = batch.high[1][i], hz = batch.high[2][i];
     const double at_low = batch.at_low[i], at_high = batch.at_high[i];
     const bool forced = batch.to_high[i] != 0;
@@ -120,17 +122,21 @@ void price(EdgeBatch& batch, std::size_t end) {
     const double ty = y - ly;
     const double tz = z - lz;
     const double ux = tx - ex, uy = ty - ey, uz = tz - ez;
-    const double qxx = batch.xx[i], qxy = batch.xy[i], qxz = batch.xz[i];
-    const double qyy = batch.yy[i], qyz = batch.yz[i], qzz = batch.zz[i];
+    const auto& p = batch.low_planes;
+    const auto& q = batch.high_planes;
+    const double pxx = p[0][i], pxy = p[1][i], pxz = p[2][i];
+    const double pyy = p[3][i], pyz = p[4][i], pzz = p[5][i];
+    const double qxx = q[0][i], qxy = q[1][i], qxz = q[2][i];
+    const double qyy = q[3][i], qyz = q[4][i], qzz = q[5][i];
     // The planes of each end go through it.
-    const double low_error = tx * (p.xx * tx + p.xy * ty + p.xz * tz) +
-                             ty * (p.xy * tx + p.yy * ty + p.yz * tz) +
-                             tz * (p.xz * tx + p.yz * ty + p.zz * tz);
+    const double low_error = tx * (pxx * tx + pxy * ty + pxz * tz) +
+                             ty * (pxy * tx + pyy * ty + pyz * tz) +
+                             tz * (pxz * tx + pyz * ty + pzz * tz);
     const double high_error = ux * (qxx * ux + qxy * uy + qxz * uz) +
                               uy * (qxy * ux + qyy * uy + qyz * uz) +
                               uz * (qxz * ux + qyz * uy + qzz * uz);
     const double error = low_error + high_error;
-    const double weight = p.xx + p.yy + p.zz + (qxx + qyy + qzz);
+    const double weight = pxx + pyy + pzz + (qxx + qyy + qzz);
     const double square = ex * ex + ey * ey + ez * ez;
     const double lost = error > 0 ? error : 0;
     const double length = edge_length_share * weight * square;

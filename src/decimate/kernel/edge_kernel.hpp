@@ -1,5 +1,5 @@
-// What the edges from one vertex cost by the planes of its faces and of the other ends'
-// (quadric_cost.hpp), and where each would be collapsed to. As cluster/kernel/corner_kernel.hpp:
+// What edges cost by the planes of the faces at both ends (quadric_cost.hpp), and where each would
+// be collapsed to. As cluster/kernel/corner_kernel.hpp:
 // compiled once for each instruction set, the same results from all, and no function may be defined
 // here.
 #pragma once
@@ -13,16 +13,13 @@ struct VertexPlanes {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 };
 
-// Edges from `low`, one array for each number of their other ends.
+// Some edges, one array for each number of their ends.
 struct EdgeBatch {
   static constexpr std::size_t capacity = 16;
 
-  double low[3];
-  VertexPlanes low_planes;
-
-  double high[3][capacity];
-  double xx[capacity], xy[capacity], xz[capacity], yy[capacity], yz[capacity], zz[capacity];
-  double to_high[capacity];  // 1 where the edge may only be collapsed into its other end; else 0
+  double low[3][capacity], high[3][capacity];
+  double low_planes[6][capacity], high_planes[6][capacity];  // xx, xy, xz, yy, yz, zz
+  double to_high[capacity];  // 1 where the edge may only be collapsed into its high end; else 0
 
   // Results.
   double price[capacity];
