@@ -3,9 +3,9 @@
 
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
-#include "read/packed_records.hpp"
-#include "read/parts.hpp"
-#include "read/vertex_store.hpp"
+#include "read/indexed/packed_records.hpp"
+#include "read/indexed/parts.hpp"
+#include "read/indexed/vertex_store.hpp"
 
 #include <cstdint>
 #include <functional>

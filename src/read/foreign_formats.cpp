@@ -3,8 +3,8 @@
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
-#include "read/text_lines.hpp"
-#include "read/text_tokens.hpp"
+#include "read/text/lines.hpp"
+#include "read/text/tokens.hpp"
 
 #include <algorithm>
 #include <array>

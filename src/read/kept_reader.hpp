@@ -3,9 +3,9 @@
 // and every pass after the first is free of parsing, from files and pipes alike.
 #pragma once
 
-#include "read/indexed_reader.hpp"
-#include "read/kept_faces.hpp"
-#include "read/vertex_numbers.hpp"
+#include "read/indexed/reader.hpp"
+#include "read/indexed/kept_faces.hpp"
+#include "read/indexed/vertex_numbers.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -4,8 +4,8 @@
 #include "base/text.hpp"
 #include "read/foreign_formats.hpp"
 #include "read/formats.hpp"
-#include "read/text_mesh.hpp"
-#include "read/text_tokens.hpp"
+#include "read/text/mesh.hpp"
+#include "read/text/tokens.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "io/arena.hpp"
 #include "io/block_sums.hpp"
 #include "read/corner_streams.hpp"
-#include "read/kept_faces.hpp"
+#include "read/indexed/kept_faces.hpp"
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
 #include "run/input.hpp"

@@ -1,6 +1,6 @@
 // Whether floats say the same as decimal numbers do.
-#include "read/decimal.hpp"
-#include "read/text_tokens.hpp"
+#include "read/text/decimal.hpp"
+#include "read/text/tokens.hpp"
 #include "support/random.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 // Words of text files as numbers.
-#include "read/text_tokens.hpp"
+#include "read/text/tokens.hpp"
 #include "support/job.hpp"
 #include "support/random.hpp"
 #include "support/sources.hpp"

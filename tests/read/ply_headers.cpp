@@ -1,5 +1,5 @@
 // Headers as programs write them.
-#include "read/ply_header.hpp"
+#include "read/ply/header.hpp"
 #include "support/job.hpp"
 #include "support/ply_file.hpp"
 #include "support/reading.hpp"

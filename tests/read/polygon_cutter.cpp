@@ -1,5 +1,5 @@
 // Polygons as triangles: they cover the polygon, no more and no less, and keep its sense.
-#include "read/polygon_cutter.hpp"
+#include "read/polygons/polygon_cutter.hpp"
 
 #include "support/random.hpp"
 

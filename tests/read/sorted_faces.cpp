@@ -1,8 +1,8 @@
 // Faces whose vertices are near each other though the next face is anywhere: where any order will
 // do, they come sorted by their vertices; each once, and the same.
-#include "read/sorted_faces.hpp"
+#include "read/indexed/sorted_faces.hpp"
 
-#include "read/kept_faces.hpp"
+#include "read/indexed/kept_faces.hpp"
 #include "support/files.hpp"
 #include "support/ply_file.hpp"
 #include "support/reading.hpp"

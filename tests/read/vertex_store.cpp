@@ -1,5 +1,5 @@
 // Vertices by index: the same positions however they are kept, within the memory they were given.
-#include "read/vertex_store.hpp"
+#include "read/indexed/vertex_store.hpp"
 
 #include "support/files.hpp"
 #include "support/job.hpp"

@@ -1,6 +1,6 @@
 #include "support/attributes.hpp"
 
-#include "read/ply_scalar.hpp"
+#include "read/ply/scalar.hpp"
 #include "support/files.hpp"
 #include "support/program.hpp"
 #include "support/sources.hpp"

@@ -4,7 +4,7 @@
 
 #include "base/scalar_type.hpp"
 #include "base/vector.hpp"
-#include "read/ply_header.hpp"
+#include "read/ply/header.hpp"
 
 #include <array>
 #include <cstdint>

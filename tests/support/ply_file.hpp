@@ -1,7 +1,7 @@
 // PLY files in every style there is.
 #pragma once
 
-#include "read/ply_header.hpp"
+#include "read/ply/header.hpp"
 #include "support/polygons.hpp"
 
 #include <array>

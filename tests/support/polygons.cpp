@@ -1,6 +1,6 @@
 #include "support/polygons.hpp"
 
-#include "read/polygon_cutter.hpp"
+#include "read/polygons/polygon_cutter.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // What is written as PLY is read back.
 #include <winnow/error.hpp>
 
-#include "read/ply_header.hpp"
+#include "read/ply/header.hpp"
 #include "support/encoding.hpp"
 #include "support/reading.hpp"
 #include "support/sources.hpp"

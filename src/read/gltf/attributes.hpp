@@ -1,0 +1,54 @@
+// What the vertices of a glTF's scene carry.
+//
+// COLOR_0 is light, by the specification: a factor of the base colour, which is linear. It is kept
+// as the file has it and called AttributeKind::light, so that eight bits of it stay what they are;
+// what is written as a colour (PLY, OBJ, OFF) is encoded as sRGB then.
+#pragma once
+
+#include "read/attribute_choice.hpp"
+#include "read/gltf/accessor.hpp"
+#include "read/gltf/document.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace winnow {
+
+// Of all primitives in the scene together.
+struct GltfAttributes {
+  // Normals and colours, where all primitives have them. Colours are of the widest type that any
+  // has, and have an alpha if any has.
+  bool normals = false, colors = false, alpha = false;
+  ScalarType color_type = ScalarType::uint8;
+  std::vector<std::string> unread;  // in words
+};
+GltfAttributes attributes_of(const GltfDocument& document);
+
+// nx, ny and nz as floats; red, green, blue and alpha.
+AttributeOffer offer_of(const GltfAttributes& attributes);
+
+// The numbers of what is offered, primitive by primitive.
+class GltfVertexAttributes {
+ public:
+  // `carried`: of each attribute that is offered whether it is wanted.
+  GltfVertexAttributes(GltfBytes& bytes, const GltfDocument& document,
+                       const GltfAttributes& attributes, const GltfPrimitive& primitive,
+                       const std::vector<bool>& carried, const GltfTurn& turn,
+                       const std::string& name);
+
+  // What the next `count` vertices carry, vertex by vertex, into `out`: as many as the next() of
+  // other accessors gives.
+  void next(std::size_t count, std::vector<double>& out);
+
+ private:
+  [[nodiscard]] bool any(std::size_t begin, std::size_t end) const;
+
+  const GltfAttributes& attributes_;
+  const std::vector<bool>& carried_;
+  const GltfTurn& turn_;
+  std::size_t first_color_;  // among what is offered
+  std::optional<GltfElements> normals_, colors_;
+};
+
+}  // namespace winnow
