@@ -12,11 +12,11 @@ std::string grouped(std::uint64_t count);      // "1,234,567"
 std::string shortest(double value);  // the shortest text that reads back as the same double
 
 // The small letter of a capital one of ASCII, and the other way round, whatever the locale.
-constexpr char small_letter(char c) {
+constexpr char ascii_to_lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-constexpr char capital_letter(char c) {
+constexpr char ascii_to_upper(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 

@@ -102,7 +102,7 @@ class AttributeMeansOf final : public AttributeMeans {
     const std::vector<Worker*> all = workers_.all();
     parallel_for(all.size(), [&all, this](std::size_t w) {
       Worker* worker = all[w];
-      worker->cache.empty_into([&](const Sum& line) { give_way(*worker, line); });
+      worker->cache.empty_into([&](const Sum& line) { evict(*worker, line); });
       table_.add(worker->pending);
       worker->pending.clear();
     });
@@ -125,7 +125,7 @@ class AttributeMeansOf final : public AttributeMeans {
                    const Weights& weight, std::size_t from, std::size_t to) {
     std::uint64_t total = 0;
     for (std::size_t c = from; c < to; ++c) total += weight[c];
-    Sum& sum = worker.cache.entry(key, total, [&](const Sum& line) { give_way(worker, line); });
+    Sum& sum = worker.cache.entry(key, total, [&](const Sum& line) { evict(worker, line); });
     sum.weight += total;
     for (std::size_t k = 0; k < scales_.size(); ++k) {
       if (scales_[k].is_label()) {
@@ -150,7 +150,7 @@ class AttributeMeansOf final : public AttributeMeans {
     }
   }
 
-  void give_way(Worker& worker, const Sum& line) {
+  void evict(Worker& worker, const Sum& line) {
     worker.pending.push_back(line);
     if (keys_ == Keys::cells) worker.pending.back().key = morton_key(PackedCell{line.key});
     if (worker.pending.size() < pending_sums) return;

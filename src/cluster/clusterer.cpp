@@ -3,7 +3,7 @@
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "cluster/attribute_means.hpp"
-#include "cluster/border_sum.hpp"
+#include "cluster/boundary_sum.hpp"
 #include "cluster/cell_table.hpp"
 #include "cluster/face_list.hpp"
 #include "cluster/front_cache.hpp"
@@ -63,16 +63,16 @@ class ClustererOf final : public Clusterer {
         memory_(memory),
         kernel_(best_corner_kernel()),
         table_memory_(job.budget.reserve(memory.table, "the table of cells")),
-        border_share_(settings.for_refinement ? 0 : memory.faces / 8),
-        face_memory_(job.budget.reserve(memory.faces - border_share_, "the list of faces")),
+        boundary_share_(settings.for_refinement ? 0 : memory.faces / 8),
+        face_memory_(job.budget.reserve(memory.faces - boundary_share_, "the list of faces")),
         table_(job, memory.table, memory.table_parts),
         face_runs_(job),
         workers_(job.threads, [this] {
-          return std::make_unique<Worker>(job_, (memory_.faces - border_share_) / job_.threads,
+          return std::make_unique<Worker>(job_, (memory_.faces - boundary_share_) / job_.threads,
                                           face_runs_);
         }) {
     if (!settings.for_refinement)
-      borders_ = std::make_unique<ThreadedRecords<BorderSum>>(job, border_share_);
+      boundaries_ = std::make_unique<ThreadedRecords<BoundarySum>>(job, boundary_share_);
     if (settings.attributes.empty()) return;
     attributes_ = AttributeMeans::make(job, settings.attributes, AttributeMeans::Keys::cells,
                                        {memory.attributes, memory.table_parts});
@@ -113,7 +113,7 @@ class ClustererOf final : public Clusterer {
       across += (kind == three_cells) & good;
       bad += (kind > three_cells) | !good;
     }
-    const auto give_way = [&](const Sum& line) { worker.give_way(line, table_); };
+    const auto evict = [&](const Sum& line) { worker.evict(line, table_); };
     // Neighbours in the file are mostly neighbours in space: what follows in the same cell is added
     // up before the cell is looked for.
     for (std::size_t k = 0; k < inside;) {
@@ -121,22 +121,22 @@ class ClustererOf final : public Clusterer {
       Sum run{};
       do add_face(run, worker.corners, worker.inside[k++]);
       while (k < inside && worker.corners.cell[0][worker.inside[k]] == cell);
-      worker.cache.entry(static_cast<PackedCell>(cell), run.weight, give_way).add(run);
+      worker.cache.entry(static_cast<PackedCell>(cell), run.weight, evict).add(run);
     }
-    for (std::size_t k = 0; k < pairs; ++k) add_pair(worker, worker.pairs[k], give_way);
-    for (std::size_t k = 0; k < across; ++k) add_corners(worker, worker.across[k], give_way);
+    for (std::size_t k = 0; k < pairs; ++k) add_pair(worker, worker.pairs[k], evict);
+    for (std::size_t k = 0; k < across; ++k) add_corners(worker, worker.across[k], evict);
     for (std::size_t k = 0; k < bad; ++k) {
       const std::size_t i = worker.bad[k];
       if (worker.corners.kind[i] == close_corners && faces.status[i] == FaceStatus::good &&
           !faces.repeats_a_corner(i)) {
-        add_corners(worker, i, give_way);
+        add_corners(worker, i, evict);
       } else {
         count_bad(worker, faces, i);
       }
     }
     if (worker.corners.clamped) count_clamped(worker, faces);
     if (attributes_ != nullptr) attributes_->add(faces, worker.corners);
-    if (borders_ != nullptr) add_sides(worker, faces);
+    if (boundaries_ != nullptr) add_sides(worker, faces);
   }
 
   void add(const std::array<CellKey, 3>& cells) override {
@@ -172,12 +172,12 @@ class ClustererOf final : public Clusterer {
     const std::vector<Worker*> all = workers_.all();
     parallel_for(all.size(), [&all, this](std::size_t w) {
       Worker* worker = all[w];
-      worker->cache.empty_into([&](const Sum& line) { worker->give_way(line, table_); });
+      worker->cache.empty_into([&](const Sum& line) { worker->evict(line, table_); });
       table_.add(worker->pending);
       worker->pending.clear();
-      if (borders_ == nullptr) return;
-      SortedList<BorderSum>& list = borders_->local();
-      worker->borders.empty_into([&list](const BorderSum& sum) { list.add(sum); });
+      if (boundaries_ == nullptr) return;
+      SortedList<BoundarySum>& list = boundaries_->local();
+      worker->boundaries.empty_into([&list](const BoundarySum& sum) { list.add(sum); });
     });
     job_.progress.check_cancelled();
     ClusteredMesh mesh;
@@ -185,12 +185,12 @@ class ClustererOf final : public Clusterer {
       const std::unique_ptr<RecordCursor<Sum>> cells = table_.finish();
       std::unique_ptr<AttributeCursor> attributes;
       if (attributes_ != nullptr) attributes = attributes_->finish();
-      std::optional<MergedCursor<BorderSum>> borders;
-      if (borders_ != nullptr) borders.emplace(borders_->merged());
-      collect_vertices(job_, *cells, borders ? &*borders : nullptr, attributes.get(), settings_,
-                       memory_.vertices, mesh);
+      std::optional<MergedCursor<BoundarySum>> boundaries;
+      if (boundaries_ != nullptr) boundaries.emplace(boundaries_->merged());
+      collect_vertices(job_, *cells, boundaries ? &*boundaries : nullptr, attributes.get(),
+                       settings_, memory_.vertices, mesh);
     }
-    borders_.reset();
+    boundaries_.reset();
     attributes_.reset();
     table_.release();
     table_memory_.release();
@@ -213,7 +213,7 @@ class ClustererOf final : public Clusterer {
       pending.reserve(pending_entries);
     }
 
-    void give_way(const Sum& line, CellTable<Sum>& table) {
+    void evict(const Sum& line, CellTable<Sum>& table) {
       pending.push_back(line);
       pending.back().key = morton_key(PackedCell{line.key});
       if (pending.size() < pending_entries) return;
@@ -225,14 +225,14 @@ class ClustererOf final : public Clusterer {
     FrontCache<Sum> cache;
     std::vector<Sum> pending;  // entries that gave way, on their way to the table
     FaceList faces;
-    BorderCache borders;
+    BoundaryCache boundaries;
     ClusterCounts counts;
     std::array<std::uint16_t, kernel_capacity + 1> inside, pairs, across, bad;
   };
 
   // Of a face with two corners in one cell.
   template <typename GiveWay>
-  void add_pair(Worker& worker, std::size_t i, const GiveWay& give_way) {
+  void add_pair(Worker& worker, std::size_t i, const GiveWay& evict) {
     const CornerSums& face = worker.corners;
     const auto corner = static_cast<std::size_t>(face.kind[i] - alone_a);
     Sum alone{};
@@ -240,16 +240,16 @@ class ClustererOf final : public Clusterer {
     Sum both{};
     add_face(both, face, i);
     both.subtract(alone);
-    worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]), alone.weight, give_way)
+    worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]), alone.weight, evict)
         .add(alone);
     const std::size_t another = corner == 0 ? 1 : 0;
-    worker.cache.entry(static_cast<PackedCell>(face.cell[another][i]), both.weight, give_way)
+    worker.cache.entry(static_cast<PackedCell>(face.cell[another][i]), both.weight, evict)
         .add(both);
   }
 
   // Of any face, corner by corner.
   template <typename GiveWay>
-  void add_corners(Worker& worker, std::size_t i, const GiveWay& give_way) {
+  void add_corners(Worker& worker, std::size_t i, const GiveWay& evict) {
     const CornerSums& face = worker.corners;
     const auto a = static_cast<PackedCell>(face.cell[0][i]);
     const auto b = static_cast<PackedCell>(face.cell[1][i]);
@@ -257,7 +257,7 @@ class ClustererOf final : public Clusterer {
     const bool kept = (a != b) & (a != c) & (b != c);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       Sum& sum = worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]),
-                                    static_cast<std::uint64_t>(face.weight[corner][i]), give_way);
+                                    static_cast<std::uint64_t>(face.weight[corner][i]), evict);
       add_corner(sum, face, corner, i);
       if (kept) sum.weight |= CellSum::used_bit;
     }
@@ -267,8 +267,8 @@ class ClustererOf final : public Clusterer {
   // Of the faces that are clustered.
   void add_sides(Worker& worker, const FaceBatch& faces) {
     const CornerSums& seen = worker.corners;
-    SortedList<BorderSum>& list = borders_->local();
-    const auto take = [&list](const BorderSum& sum) { list.add(sum); };
+    SortedList<BoundarySum>& list = boundaries_->local();
+    const auto take = [&list](const BoundarySum& sum) { list.add(sum); };
     for (std::size_t i = 0; i < faces.count; ++i) {
       if (faces.status[i] != FaceStatus::good || seen.kind[i] > close_corners) continue;
       std::array<PackedCell, 3> cell{};
@@ -278,7 +278,7 @@ class ClustererOf final : public Clusterer {
         for (std::size_t axis = 0; axis < 3; ++axis)
           place[corner][axis] = seen.place[corner][axis][i];
       }
-      worker.borders.add(cell, place, take);
+      worker.boundaries.add(cell, place, take);
     }
   }
 
@@ -331,11 +331,11 @@ class ClustererOf final : public Clusterer {
   ClusterMemory memory_;
   CornerKernel kernel_;
   Reservation table_memory_;
-  std::uint64_t border_share_;
+  std::uint64_t boundary_share_;
   Reservation face_memory_;
   CellTable<Sum> table_;
-  std::unique_ptr<AttributeMeans> attributes_;           // none where none are carried
-  std::unique_ptr<ThreadedRecords<BorderSum>> borders_;  // none for refinement
+  std::unique_ptr<AttributeMeans> attributes_;                // none where none are carried
+  std::unique_ptr<ThreadedRecords<BoundarySum>> boundaries_;  // none for refinement
   SortedRuns<CellFace> face_runs_;
   PerSlot<Worker> workers_;
 };
@@ -345,7 +345,7 @@ class ClustererOf final : public Clusterer {
 std::uint64_t ClusterMemory::per_thread(bool quadrics) {
   const std::uint64_t line = quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
   return sizeof(CornerSums) + (line << FrontCache<CellSum>::index_bits) +
-         2 * pending_entries * line + sizeof(FaceBatch) + BorderCache::bytes() +
+         2 * pending_entries * line + sizeof(FaceBatch) + BoundaryCache::bytes() +
          (std::uint64_t{256} << 10);  // stack, scratch of the kernel
 }
 

@@ -22,12 +22,12 @@ class FrontCache {
   FrontCache() : lines_(std::size_t{1} << index_bits) {}
 
   // The entry of `cell`, with room for `weight` more. An entry that has to go is handed to
-  // `give_way`.
+  // `evict`.
   template <typename GiveWay>
-  Sum& entry(PackedCell cell, std::uint64_t weight, GiveWay&& give_way) {
+  Sum& entry(PackedCell cell, std::uint64_t weight, GiveWay&& evict) {
     Sum& line = lines_[quick_hash(cell) >> (64 - index_bits)];
     if (__builtin_expect(line.key != cell || !line.has_room(weight) || line.empty(), 0)) {
-      if (!line.empty()) give_way(line);
+      if (!line.empty()) evict(line);
       line = {};
       line.key = cell;
     }
@@ -35,9 +35,9 @@ class FrontCache {
   }
 
   template <typename GiveWay>
-  void empty_into(GiveWay&& give_way) {
+  void empty_into(GiveWay&& evict) {
     for (Sum& line : lines_) {
-      if (!line.empty()) give_way(line);
+      if (!line.empty()) evict(line);
       line = {};
     }
   }

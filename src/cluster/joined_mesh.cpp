@@ -55,13 +55,13 @@ class VertexCursor {
 
 // Of the vertices of one of two meshes that are merged: which are kept, and their numbers
 // afterwards.
-class KeptVertices {
+class BufferedVertices {
  public:
   static std::uint64_t memory(std::uint64_t vertices) {
     return vertices / 64 * sizeof(Block) + sizeof(Block);
   }
 
-  explicit KeptVertices(std::uint64_t vertices) : blocks_(vertices / 64 + 1) {}
+  explicit BufferedVertices(std::uint64_t vertices) : blocks_(vertices / 64 + 1) {}
 
   // In order, for those that are kept; `before`: how many vertices of the other mesh come before
   // it.
@@ -133,8 +133,8 @@ class Joiner {
         split_(split),
         shift_(shift),
         attributes_(attributes),
-        reserved_(job.budget.reserve(KeptVertices::memory(coarse.vertices->size()) +
-                                         KeptVertices::memory(fine.vertices->size()) +
+        reserved_(job.budget.reserve(BufferedVertices::memory(coarse.vertices->size()) +
+                                         BufferedVertices::memory(fine.vertices->size()) +
                                          64 * split.size(),
                                      "joining parts of cells")),
         kept_coarse_(coarse.vertices->size()),
@@ -294,7 +294,7 @@ class Joiner {
   unsigned shift_;
   std::size_t attributes_;
   Reservation reserved_;
-  KeptVertices kept_coarse_, kept_fine_;
+  BufferedVertices kept_coarse_, kept_fine_;
   ClusteredMesh out_;
 };
 

@@ -163,7 +163,7 @@ class NearWeld {
       }
     };
     for_each_face_batch(job_, reader, sink, {});
-    reader.rest();
+    reader.release_memory();
     MergedCursor<KeyedPosition> merged = sorted.merged();
     Appender<KeyedPosition> append(job_, positions_);
     for (KeyedPosition position; merged.next(position);) append.add(position);
@@ -337,7 +337,7 @@ class MovingReader final : public NearWeldedReader {
   bool next_part() override { return reader_->next_part(); }
   std::optional<std::array<double, 3>> first_finite_position() override { return first_; }
   std::vector<AttributeRange> attribute_ranges() override { return reader_->attribute_ranges(); }
-  void rest() override { reader_->rest(); }
+  void release_memory() override { reader_->release_memory(); }
   void check_whole() const override { reader_->check_whole(); }
   [[nodiscard]] std::uint64_t bytes() const override { return reader_->bytes(); }
   [[nodiscard]] const std::string& name() const override { return reader_->name(); }

@@ -117,9 +117,9 @@ std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean
   return place;
 }
 
-void WholeCell::keep_to_border(std::array<double, 3>& place) const {
+void WholeCell::keep_to_boundary(std::array<double, 3>& place) const {
   const std::array<double, 3> seen{place[0] - 0.5, place[1] - 0.5, place[2] - 0.5};
-  const std::array<double, 3> near = nearest_on_border(border_, seen);
+  const std::array<double, 3> near = nearest_on_boundary(boundary_, seen);
   // A vertex that is alone in its cell stays, to the bit.
   double off = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -156,7 +156,7 @@ IndexedVertex WholeCell::vertex(const ClusterSettings& settings) const {
   vertex.key = key_;
   std::array<double, 3> place = mean_place();
   if (settings.placement == Placement::quadric) place = quadric_place(place);
-  keep_to_border(place);
+  keep_to_boundary(place);
   const double scale = static_cast<double>(weight_) * normal_scale;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // A little off the upper wall: what rounds up to it belongs to the next cell.

@@ -3,7 +3,7 @@
 
 #include "base/quadric.hpp"
 #include "base/wide.hpp"
-#include "cluster/border_sum.hpp"
+#include "cluster/boundary_sum.hpp"
 #include "cluster/cell_sum.hpp"
 #include "cluster/clusterer.hpp"
 #include "cluster/split_cells.hpp"
@@ -21,7 +21,7 @@ class WholeCell {
 
   void add(const CellSum& sum);  // of the same cell
   void add(const QuadricCellSum& sum);
-  void add(const BorderSum& sum) { border_.add(sum); }
+  void add(const BoundarySum& sum) { boundary_.add(sum); }
 
   [[nodiscard]] CellKey key() const { return key_; }
   [[nodiscard]] bool used() const { return used_; }  // by an output face
@@ -39,7 +39,7 @@ class WholeCell {
  private:
   [[nodiscard]] std::array<double, 3> mean_place() const;
   [[nodiscard]] std::array<double, 3> quadric_place(const std::array<double, 3>& mean) const;
-  void keep_to_border(std::array<double, 3>& place) const;
+  void keep_to_boundary(std::array<double, 3>& place) const;
 
   CellKey key_;
   SplitCells::Part part_;  // of its cell
@@ -48,7 +48,7 @@ class WholeCell {
   std::array<Int128, 3> position_{}, normal_{};
   std::array<Int128, 5> squares_{};
   std::array<Int128, 3> moment_{};
-  BorderSum border_{};
+  BoundarySum boundary_{};
 };
 
 }  // namespace winnow

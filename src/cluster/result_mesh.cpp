@@ -100,7 +100,7 @@ bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
 }  // namespace
 
 template <typename Sum>
-void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BorderSum>* borders,
+void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BoundarySum>* boundaries,
                       AttributeCursor* attributes, const ClusterSettings& settings,
                       std::uint64_t memory, ClusteredMesh& mesh) {
   const bool quadrics = settings.keep_quadrics && settings.placement == Placement::quadric;
@@ -117,8 +117,8 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BorderSum
   if (settings.for_refinement) mesh.vanished = std::make_unique<Spool>(job, memory / 16);
   Sum next{};
   bool more = cells.next(next);
-  BorderSum border{};
-  bool more_borders = borders != nullptr && borders->next(border);
+  BoundarySum boundary{};
+  bool more_boundaries = boundaries != nullptr && boundaries->next(boundary);
   struct Chunk {
     std::vector<WholeCell> cells;
     std::vector<IndexedVertex> vertices;
@@ -135,8 +135,9 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BorderSum
         while (more && chunk.cells.size() < chunk_cells) {
           WholeCell cell(next.key, settings.split);
           for (; more && next.key == cell.key(); more = cells.next(next)) cell.add(next);
-          for (; more_borders && border.cell <= cell.key(); more_borders = borders->next(border)) {
-            if (border.cell == cell.key()) cell.add(border);
+          for (; more_boundaries && boundary.cell <= cell.key();
+               more_boundaries = boundaries->next(boundary)) {
+            if (boundary.cell == cell.key()) cell.add(boundary);
           }
           ++mesh.cells;
           if (!cell.used()) {
@@ -179,11 +180,11 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BorderSum
   }
 }
 
-template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, RecordCursor<BorderSum>*,
+template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, RecordCursor<BoundarySum>*,
                                         AttributeCursor*, const ClusterSettings&, std::uint64_t,
                                         ClusteredMesh&);
 template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&,
-                                               RecordCursor<BorderSum>*, AttributeCursor*,
+                                               RecordCursor<BoundarySum>*, AttributeCursor*,
                                                const ClusterSettings&, std::uint64_t,
                                                ClusteredMesh&);
 

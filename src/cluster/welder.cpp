@@ -184,7 +184,7 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const MostPos
                  static_cast<std::uint32_t>(view.first + i)});
     }
   });
-  reader.rest();
+  reader.release_memory();
   mesh.rounding = coordinate_rounding(std::is_same_v<Real, float>);
   if constexpr (std::is_same_v<Real, double>) {
     WrittenRounding all;
@@ -381,7 +381,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
   }
   for (const Worker* worker : workers.all()) counts.add(worker->counts);
   if (settings.area != nullptr) *settings.area = area.value();
-  reader.rest();
+  reader.release_memory();
   numbers = {};
   Spool sided(job, memory.faces / 16);
   collect_faces(job, *faces, memory.faces, sided, mesh);

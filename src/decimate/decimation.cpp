@@ -22,9 +22,9 @@ CollapseRules rules_of(const DecimationSettings& settings) {
 
 // By a cost that knows the mesh alone: made when it is needed, by make(mesh).
 template <typename MakeCost>
-class ForgetfulDecimation final : public Decimation {
+class MemorylessDecimation final : public Decimation {
  public:
-  ForgetfulDecimation(TileMesh& mesh, const DecimationSettings& settings, MakeCost make)
+  MemorylessDecimation(TileMesh& mesh, const DecimationSettings& settings, MakeCost make)
       : mesh_(mesh),
         settings_(settings),
         make_(std::move(make)),
@@ -76,16 +76,16 @@ class ForgetfulDecimation final : public Decimation {
 template <typename MakeCost>
 std::unique_ptr<Decimation> forgetful(TileMesh& mesh, const DecimationSettings& settings,
                                       MakeCost make) {
-  return std::make_unique<ForgetfulDecimation<MakeCost>>(mesh, settings, std::move(make));
+  return std::make_unique<MemorylessDecimation<MakeCost>>(mesh, settings, std::move(make));
 }
 
 // By a cost that remembers.
 template <typename Cost>
-class RememberingDecimation final : public Decimation {
+class AccumulatingDecimation final : public Decimation {
  public:
   template <typename... Arguments>
-  RememberingDecimation(TileMesh& mesh, const DecimationSettings& settings,
-                        Arguments&&... arguments)
+  AccumulatingDecimation(TileMesh& mesh, const DecimationSettings& settings,
+                         Arguments&&... arguments)
       : mesh_(mesh),
         settings_(settings),
         star_(settings.rounding_of_positions()),
@@ -132,17 +132,17 @@ std::vector<State> states_of(const TileMesh& mesh, std::span<const std::byte> by
   return states;
 }
 
-void lock_borders(TileMesh& mesh) {
+void lock_boundaries(TileMesh& mesh) {
   Legality legality(mesh, 0);
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
-    if (legality.at_border(v)) mesh.lock(v);
+    if (legality.at_boundary(v)) mesh.lock(v);
   }
 }
 
 // Before the first round the state is that of cells, if any: their quadrics.
 std::vector<ErrorBound::State> bound_states(TileMesh& mesh, std::span<const std::byte> bytes,
                                             const DecimationSettings& settings) {
-  if (settings.borders_known) return states_of<ErrorBound::State>(mesh, bytes);
+  if (settings.boundaries_known) return states_of<ErrorBound::State>(mesh, bytes);
   const std::vector<Quadric> quadrics = states_of<Quadric>(mesh, bytes);
   std::vector<ErrorBound::State> states(mesh.vertex_count());
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) states[v].planes = quadrics[v];
@@ -151,7 +151,7 @@ std::vector<ErrorBound::State> bound_states(TileMesh& mesh, std::span<const std:
   } else {
     ErrorBound::forget_boxes(states);
   }
-  ErrorBound::add_borders(mesh, states);
+  ErrorBound::add_boundaries(mesh, states);
   return states;
 }
 
@@ -163,8 +163,8 @@ bool bounds_error(const DecimationSettings& settings) {
 
 std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std::byte> state,
                                              const DecimationSettings& settings) {
-  if (settings.keep_borders || bounds_error(settings)) mesh.link();
-  if (settings.keep_borders) lock_borders(mesh);
+  if (settings.keep_boundaries || bounds_error(settings)) mesh.link();
+  if (settings.keep_boundaries) lock_boundaries(mesh);
   const CoordinateRounding rounding = settings.rounding_of_positions();
   if (settings.cost == CollapseCost::volume)
     return forgetful(mesh, settings,
@@ -178,9 +178,9 @@ std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std
       return QuadricCost(of, single, rounding);
     });
   }
-  return std::make_unique<RememberingDecimation<QuadricCost>>(mesh, settings, settings.single,
-                                                              rounding, *settings.error,
-                                                              bound_states(mesh, state, settings));
+  return std::make_unique<AccumulatingDecimation<QuadricCost>>(mesh, settings, settings.single,
+                                                               rounding, *settings.error,
+                                                               bound_states(mesh, state, settings));
 }
 
 bool Decimation::find_change(TileMesh& mesh, const EdgeStar& star, SurfaceChange& change) {

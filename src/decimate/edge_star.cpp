@@ -24,7 +24,7 @@ void EdgeStar::find(const TileMesh& mesh, VertexNumber kept, VertexNumber remove
       faces_.push_back({f, w, x, w != removed && x != removed});
     });
   }
-  kept_faces_ = faces_.size();
+  buffered_faces_ = faces_.size();
   mesh.for_each_corner(removed, [&](FaceNumber f, VertexNumber w, VertexNumber x) {
     if (w != kept && x != kept) faces_.push_back({f, w, x, true});
   });
@@ -42,7 +42,7 @@ void EdgeStar::move(const TileMesh& mesh, const Point& to, double least_cosine) 
     const std::size_t count = std::min(capacity, faces_.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       const StarFace& face = faces_[first + i];
-      const Point& from = first + i < kept_faces_ ? of_kept : of_removed;
+      const Point& from = first + i < buffered_faces_ ? of_kept : of_removed;
       const Point& second = mesh.position(face.w);
       const Point& third = mesh.position(face.x);
       for (std::size_t axis = 0; axis < 3; ++axis) {

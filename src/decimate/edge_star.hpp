@@ -27,10 +27,10 @@ class EdgeStar {
   // The faces of one end, of a hub those at the edge, and those of the other without the ones at
   // the edge, which are told once.
   [[nodiscard]] std::span<const StarFace> of_kept() const {
-    return std::span(faces_).first(kept_faces_);
+    return std::span(faces_).first(buffered_faces_);
   }
   [[nodiscard]] std::span<const StarFace> of_removed() const {
-    return std::span(faces_).subspan(kept_faces_);
+    return std::span(faces_).subspan(buffered_faces_);
   }
   [[nodiscard]] std::span<const StarFace> faces() const { return faces_; }
 
@@ -57,7 +57,7 @@ class EdgeStar {
 
   VertexNumber kept_ = no_number, removed_ = no_number;
   std::vector<StarFace> faces_;
-  std::size_t kept_faces_ = 0;
+  std::size_t buffered_faces_ = 0;
   CoordinateRounding rounding_;
   StarKernel turn_;
   std::vector<StarBatch> batches_;

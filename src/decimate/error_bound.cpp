@@ -12,8 +12,8 @@ namespace winnow {
 
 namespace {
 
-// How far a border may move, beside the error.
-constexpr double border_share = 1.5;
+// How far a boundary may move, beside the error.
+constexpr double boundary_share = 1.5;
 
 // The next float in this direction, but for 0.
 float outwards(double x, int direction) {
@@ -46,11 +46,11 @@ void ErrorBound::add_faces(const TileMesh& mesh, const CoordinateRounding& round
   }
 }
 
-void ErrorBound::add_borders(TileMesh& mesh, std::vector<State>& states) {
+void ErrorBound::add_boundaries(TileMesh& mesh, std::vector<State>& states) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.all_edges_even(v)) continue;
     for (const VertexNumber w : mesh.open_neighbours(v))
-      states[v].planes.add_line(mesh.position(w) - mesh.position(v), border_line_weight);
+      states[v].planes.add_line(mesh.position(w) - mesh.position(v), boundary_line_weight);
   }
 }
 
@@ -79,7 +79,7 @@ bool ErrorBound::allows(const EdgeStar& star, const SurfaceChange& change) const
   const auto closes = [&](VertexNumber v) {
     return smaller(std::array{star.kept(), star.removed(), v});
   };
-  return !change.pinches_border &&
+  return !change.pinches_boundary &&
          std::all_of(change.across.begin(), change.across.end(), closes) &&
          std::all_of(change.pairs.begin(), change.pairs.end(), [&](const FaceVertices& face) {
            return smaller(std::array{star.kept(), face[0], face[1], face[2]});
@@ -100,16 +100,16 @@ bool ErrorBound::allows(const Collapse& edge, const EdgeStar& star, const Surfac
   planes_ = state_[edge.kept].planes.from(edge.position - mesh_.position(edge.kept));
   planes_.add(state_[edge.removed].planes.from(edge.position - mesh_.position(edge.removed)));
   planes_.c = std::max(0.0, planes_.c);
-  border_starts_.clear();
+  boundary_starts_.clear();
   if (planes_.c > error_ * error_ * planes_.weight()) return false;
-  return !(at_border_[edge.kept] | at_border_[edge.removed]) ||
-         moves_border_little(edge, star, change);
+  return !(at_boundary_[edge.kept] | at_boundary_[edge.removed]) ||
+         moves_boundary_little(edge, star, change);
 }
 
-// Compares the border's edges at the two ends with those at the one that is left. A piece whose
-// border goes altogether moves it by more than any bound. One that closes is let go.
-bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star,
-                                     const SurfaceChange* change) {
+// Compares the boundary's edges at the two ends with those at the one that is left. A piece whose
+// boundary goes altogether moves it by more than any bound. One that closes is let go.
+bool ErrorBound::moves_boundary_little(const Collapse& edge, const EdgeStar& star,
+                                       const SurfaceChange* change) {
   const VertexNumber kept = edge.kept;
   const VertexNumber removed = edge.removed;
   const Point& to = edge.position;
@@ -120,7 +120,7 @@ bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star,
   const auto leave = [&](VertexNumber a, VertexNumber b) {
     const VertexNumber start = is_end(a) ? kept : a;
     after_.push_back({is_end(a) ? to : mesh_.position(a), is_end(b) ? to : mesh_.position(b)});
-    border_starts_.push_back(start);
+    boundary_starts_.push_back(start);
   };
   for (const StarFace& face : star.faces()) {
     const FaceVertices& corner = mesh_.face(face.number);
@@ -128,7 +128,7 @@ bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star,
       const VertexNumber a = corner[i];
       const VertexNumber b = corner[(i + 1) % 3];
       if (!is_end(a) && !is_end(b)) continue;
-      const bool open = at_border_[a] && at_border_[b] && mesh_.faces_at(a, b, 2) == 1;
+      const bool open = at_boundary_[a] && at_boundary_[b] && mesh_.faces_at(a, b, 2) == 1;
       const auto closes = [&](VertexNumber v) {
         if (is_end(v)) return true;
         return change != nullptr &&
@@ -137,7 +137,7 @@ bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star,
       if (open && change != nullptr && !change->across.empty() && closes(a) && closes(b)) continue;
       if (open) {
         before_.push_back({mesh_.position(a), mesh_.position(b)});
-        off = std::max(off, state_[a].border_off);
+        off = std::max(off, state_[a].boundary_off);
       }
       if (is_end(a) && is_end(b)) continue;
       if (face.stays) {
@@ -159,8 +159,8 @@ bool ErrorBound::moves_border_little(const Collapse& edge, const EdgeStar& star,
   for (const auto& [a, b] : before_) {
     for (const Point& p : {a, b, 0.5 * (a + b)}) moved = std::max(moved, distance(p, after_));
   }
-  border_off_ = off + moved;
-  return border_off_ <= border_share * error_;
+  boundary_off_ = off + moved;
+  return boundary_off_ <= boundary_share * error_;
 }
 
 void ErrorBound::collapsing(const Collapse& edge) {
@@ -175,8 +175,8 @@ void ErrorBound::collapsing(const Collapse& edge) {
   }
   if (planes_.weight() > 0)
     largest_square_ = std::max(largest_square_, planes_.c / planes_.weight());
-  for (const VertexNumber v : border_starts_)
-    state_[v].border_off = std::max(state_[v].border_off, border_off_);
+  for (const VertexNumber v : boundary_starts_)
+    state_[v].boundary_off = std::max(state_[v].boundary_off, boundary_off_);
 }
 
 double ErrorBound::largest_error() const {

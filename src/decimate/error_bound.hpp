@@ -1,16 +1,16 @@
 // What --error promises, watched while edges are collapsed: how far the surface may come from all
-// that was collapsed into it, and how far its border from the border that was.
+// that was collapsed into it, and how far its boundary from the boundary that was.
 //
 // - The mean squared distance of a vertex from the planes of all faces that it stands for, weighted
 //   by their areas, is at most the square of the error (the quadrics of Garland and Heckbert 1997,
 //   never forgotten).
-// - The farthest point that a vertex remembers (farthest_points.hpp) is within one and a half times
+// - The farthest point that a vertex remembers (witness_points.hpp) is within one and a half times
 //   the error.
 // - A piece of the surface goes only if the box of all its vertices that there were is smaller than
 //   the error, on each axis.
-// - Handles and borders close, where they may, if what closes is smaller likewise.
-// - A border is within one and a half times the error of what it was, both ways: each edge of it
-//   has the sum of the distances by which the border around it has moved, which by the triangle
+// - Handles and boundaries close, where they may, if what closes is smaller likewise.
+// - A boundary is within one and a half times the error of what it was, both ways: each edge of it
+//   has the sum of the distances by which the boundary around it has moved, which by the triangle
 //   inequality is no less.
 #pragma once
 
@@ -32,18 +32,18 @@ class ErrorBound {
  public:
   // What a vertex remembers between two rounds.
   struct State {
-    Quadric planes;         // seen from it
-    Point farthest{};       // the point of FarthestPoints, seen from it
-    double border_off = 0;  // of the border's edges that begin there
+    Quadric planes;           // seen from it
+    Point farthest{};         // the point of WitnessPoints, seen from it
+    double boundary_off = 0;  // of the boundary's edges that begin there
     // The box of all vertices that it stands for, seen from it and rounded outwards.
     std::array<float, 3> low{}, high{};
   };
 
-  // `states`: of each vertex. `at_border`: of each vertex whether it may be at one; kept up to date
-  // by the owner.
+  // `states`: of each vertex. `at_boundary`: of each vertex whether it may be at one; kept up to
+  // date by the owner.
   ErrorBound(TileMesh& mesh, double error, std::vector<State> states,
-             const std::vector<std::uint8_t>& at_border)
-      : mesh_(mesh), error_(error), state_(std::move(states)), at_border_(at_border) {}
+             const std::vector<std::uint8_t>& at_boundary)
+      : mesh_(mesh), error_(error), state_(std::move(states)), at_boundary_(at_boundary) {}
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) { return vertices * sizeof(State); }
 
@@ -53,7 +53,7 @@ class ErrorBound {
   // Nothing is known of where the vertices are that each stands for.
   static void forget_boxes(std::vector<State>& states);
   // Adds the lines of all edges with one face.
-  static void add_borders(TileMesh& mesh, std::vector<State>& states);
+  static void add_boundaries(TileMesh& mesh, std::vector<State>& states);
 
   // Of the collapse of this edge, whose star this is. `change`: what it changes, or null.
   [[nodiscard]] bool allows(const Collapse& edge, const EdgeStar& star,
@@ -79,18 +79,18 @@ class ErrorBound {
   using Segment = std::array<Point, 2>;
   void add_box(VertexNumber v, Box& box) const;
   [[nodiscard]] bool smaller(std::span<const VertexNumber> vertices) const;
-  [[nodiscard]] bool moves_border_little(const Collapse& edge, const EdgeStar& star,
-                                         const SurfaceChange* change);
+  [[nodiscard]] bool moves_boundary_little(const Collapse& edge, const EdgeStar& star,
+                                           const SurfaceChange* change);
 
   TileMesh& mesh_;
   double error_;
   std::vector<State> state_;
-  const std::vector<std::uint8_t>& at_border_;
+  const std::vector<std::uint8_t>& at_boundary_;
   double largest_square_ = 0;
   // Of the collapse that was asked about last.
   Quadric planes_;
-  double border_off_ = 0;
-  std::vector<VertexNumber> border_starts_;  // of its edges afterwards
+  double boundary_off_ = 0;
+  std::vector<VertexNumber> boundary_starts_;  // of its edges afterwards
   std::vector<Segment> before_, after_;
 };
 

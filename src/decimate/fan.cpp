@@ -88,7 +88,7 @@ FanShape shape_of(const FanView& fan) {
   return shape;
 }
 
-double border_height(const FanView& fan) {
+double boundary_height(const FanView& fan) {
   const Point& a = fan.seen.front();
   const Point& b = fan.seen.back();
   const Point along = b - a;

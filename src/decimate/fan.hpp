@@ -15,7 +15,7 @@ namespace winnow {
 // What a fan looks like from its vertex.
 struct FanView {
   std::span<const Point> seen;  // the neighbours, in order, whichever way round
-  bool closed = true;           // else the fan begins and ends at a border
+  bool closed = true;           // else the fan begins and ends at a boundary
   Point off{};                  // what rounding leaves unknown of each coordinate
 
   // Face i lies between neighbours i and next(i).
@@ -28,8 +28,8 @@ class Fan {
   // `rounding`: of positions (base/rounding.hpp).
   explicit Fan(double rounding) : rounding_(rounding) {}
 
-  // Whether `v` may be removed: its faces are a disk around it, or half of one at a border, and it
-  // is neither locked nor a hub.
+  // Whether `v` may be removed: its faces are a disk around it, or half of one at a boundary, and
+  // it is neither locked nor a hub.
   bool find(const TileMesh& mesh, VertexNumber v);
 
   [[nodiscard]] std::span<const VertexNumber> neighbours() const { return ring_; }
@@ -89,9 +89,9 @@ struct FanShape {
 };
 FanShape shape_of(const FanView& fan);
 
-// How far the vertex of an open fan is from the line between its two neighbours along the border,
+// How far the vertex of an open fan is from the line between its two neighbours along the boundary,
 // which ends at these; 0 where that is no more than rounding.
-double border_height(const FanView& fan);
+double boundary_height(const FanView& fan);
 
 // What is flat costs less than all that has a shape, at any scale: only its own order is left,
 // short edges first.

@@ -8,8 +8,8 @@ namespace winnow {
 
 namespace {
 
-// Of the square of a distance at a border: what the same distance costs on a surface, about.
-constexpr double weight_of_border_square = 2;
+// Of the square of a distance at a boundary: what the same distance costs on a surface, about.
+constexpr double weight_of_boundary_square = 2;
 // Needles that are steeper than this are all alike.
 constexpr double least_cosine_of_slope = 0x1p-10;
 
@@ -42,16 +42,16 @@ double turning_error(const FanView& fan, std::size_t into) {
 ImportancePrice::ImportancePrice(const FanView& fan)
     : fan_(fan), importance_(visual_importance(shape_of(fan))) {
   if (fan.closed) return;
-  const double height = border_height(fan);
-  border_ = weight_of_border_square * height * height;
+  const double height = boundary_height(fan);
+  boundary_ = weight_of_boundary_square * height * height;
 }
 
 double ImportancePrice::of_piece(const PieceLoss& loss) {
-  return std::numbers::pi * loss.area + weight_of_border_square * std::sqrt(loss.border);
+  return std::numbers::pi * loss.area + weight_of_boundary_square * std::sqrt(loss.boundary);
 }
 
 double ImportancePrice::operator()(std::size_t into) const {
-  return importance_ * turning_error(fan_, into) + border_;
+  return importance_ * turning_error(fan_, into) + boundary_;
 }
 
 }  // namespace winnow

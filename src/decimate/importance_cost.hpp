@@ -10,7 +10,8 @@
 // - The importance is a slope. The paper's w = 1 - |k| falls with the square of the slope, so the
 //   same distance costs the less the larger the faces are, and large blunt parts lose too much. By
 //   the slope the cost goes with the square of the distance.
-// - A border vertex costs the square of its distance from the line that is left. The paper adds the
+// - A boundary vertex costs the square of its distance from the line that is left. The paper adds
+// the
 //   length times the turn, which is no area, and its turn is that at the vertex that stays.
 // - Costs do not accumulate. The paper raises the costs of the neighbours to that of the vertex
 //   that goes. This is the least of all, so no vertex gets another turn by it.
@@ -39,7 +40,7 @@ class ImportancePrice {
  private:
   FanView fan_;
   double importance_;
-  double border_ = 0;
+  double boundary_ = 0;
 };
 
 using ImportanceCost = RemovalCost<ImportancePrice>;

@@ -6,7 +6,7 @@
 
 namespace winnow {
 
-bool Legality::at_border(VertexNumber v) {
+bool Legality::at_boundary(VertexNumber v) {
   met_.clear();
   mesh_.for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
     met_.insert(met_.end(), {w, x});
@@ -29,7 +29,7 @@ bool Legality::keeps_surface(const EdgeStar& star) {
   if (meeting.faces == 0 || meeting.common != meeting.faces || meeting.falls_together) return false;
   if (!leaves_faces(star)) return false;
   if (meeting.faces != 2 || mesh_.all_edges_even(star.removed())) return true;
-  // A hub may be at a border: to know would take a walk.
+  // A hub may be at a boundary: to know would take a walk.
   return mesh_.open_neighbours(star.removed()).empty() ||
          (!hub && mesh_.open_neighbours(star.kept()).empty());
 }
@@ -62,8 +62,8 @@ bool Legality::find_change(const EdgeStar& star, SurfaceChange& change) {
   }
   // An edge that was postponed may be one no more.
   if (at_edge == 0 || falls_together_whole(star, change)) return false;
-  change.pinches_border = at_edge == 2 && !mesh_.open_neighbours(star.removed()).empty() &&
-                          !mesh_.open_neighbours(star.kept()).empty();
+  change.pinches_boundary = at_edge == 2 && !mesh_.open_neighbours(star.removed()).empty() &&
+                            !mesh_.open_neighbours(star.kept()).empty();
   return true;
 }
 

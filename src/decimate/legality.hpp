@@ -10,14 +10,14 @@
 namespace winnow {
 
 // Beside the edge's own faces, the ends of an edge meet in other vertices, faces of one fall onto
-// faces of the other, or the edge runs from border to border.
+// faces of the other, or the edge runs from boundary to boundary.
 struct SurfaceChange {
   std::vector<VertexNumber>
       across;  // triangles of such a vertex and the edge have no face and close
   std::vector<FaceVertices> pairs;  // of the end that goes; each falls onto one of the other
-  bool pinches_border = false;
+  bool pinches_boundary = false;
 
-  [[nodiscard]] bool none() const { return across.empty() && pairs.empty() && !pinches_border; }
+  [[nodiscard]] bool none() const { return across.empty() && pairs.empty() && !pinches_boundary; }
 };
 
 // Counts the handles and the holes that close.
@@ -30,10 +30,10 @@ class Legality {
   Legality(TileMesh& mesh, double least_cosine) : mesh_(mesh), least_cosine_(least_cosine) {}
 
   // The link condition (Dey et al. 1999): ends that meet in more vertices than the edge's own faces
-  // have would fold the surface onto itself. An edge between two vertices at borders collapses only
-  // if it is of the border itself, which it would pinch otherwise. No edge with more than two faces
-  // comes about where there was none. A face whose other two edges are border goes, unless nothing
-  // of its piece were left.
+  // have would fold the surface onto itself. An edge between two vertices at boundaries collapses
+  // only if it is of the boundary itself, which it would pinch otherwise. No edge with more than
+  // two faces comes about where there was none. A face whose other two edges are boundary goes,
+  // unless nothing of its piece were left.
   [[nodiscard]] bool keeps_surface(const EdgeStar& star);
 
   // What a collapse that does not keep the surface would change. False where it is not to be made
@@ -46,7 +46,7 @@ class Legality {
   [[nodiscard]] bool keeps_faces(EdgeStar& star, const Collapse& edge) const;
 
   // Whether some edge at `v` has more or less than two faces.
-  [[nodiscard]] bool at_border(VertexNumber v);
+  [[nodiscard]] bool at_boundary(VertexNumber v);
 
  private:
   [[nodiscard]] bool leaves_faces(const EdgeStar& star) const;

@@ -71,7 +71,7 @@ PieceLoss loss_of(const TileMesh& mesh, const Piece& piece) {
     if (faces != 1) return;
     const Point a = mesh.position(edge.first) - middle;
     const Point b = mesh.position(edge.second) - middle;
-    loss.border += dot(b - a, b - a) * mean_square(a, b);
+    loss.boundary += dot(b - a, b - a) * mean_square(a, b);
   });
   return loss;
 }
@@ -79,7 +79,7 @@ PieceLoss loss_of(const TileMesh& mesh, const Piece& piece) {
 std::uint64_t handles_of(const TileMesh& mesh, const Piece& piece) {
   std::size_t edges = 0;
   bool surface = true;
-  // Of each vertex the lowest known of its border loop.
+  // Of each vertex the lowest known of its boundary loop.
   std::vector<VertexNumber> loop(piece.vertices);
   std::sort(loop.begin(), loop.end());
   const std::vector<VertexNumber> vertices = loop;
@@ -88,19 +88,19 @@ std::uint64_t handles_of(const TileMesh& mesh, const Piece& piece) {
                                     vertices.begin());
   };
   std::vector<std::size_t> open(vertices.size(), 0);
-  std::vector<PieceEdge> border;
+  std::vector<PieceEdge> boundary;
   for_each_edge(edges_of(mesh, piece), [&](const PieceEdge& edge, std::size_t faces) {
     ++edges;
     surface &= faces <= 2;
     if (faces != 1) return;
-    border.push_back(edge);
+    boundary.push_back(edge);
     ++open[place(edge.first)];
     ++open[place(edge.second)];
   });
   for (const std::size_t at_vertex : open) surface &= at_vertex == 0 || at_vertex == 2;
   if (!surface) return 0;
-  std::size_t loops = border.size();
-  for (const auto& [a, b] : border) {
+  std::size_t loops = boundary.size();
+  for (const auto& [a, b] : boundary) {
     const VertexNumber kept = std::min(loop[place(a)], loop[place(b)]);
     const VertexNumber gone = std::max(loop[place(a)], loop[place(b)]);
     if (kept != gone) --loops;

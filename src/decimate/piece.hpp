@@ -54,7 +54,7 @@ struct Piece {
 struct PieceLoss {
   double area = 0;
   double surface = 0;   // the integral of the squared distance from the middle
-  double border = 0;    // the same along edges with one face, times their lengths
+  double boundary = 0;  // the same along edges with one face, times their lengths
   double farthest = 0;  // the square of the distance of the farthest vertex from the middle
 };
 PieceLoss loss_of(const TileMesh& mesh, const Piece& piece);
@@ -67,7 +67,7 @@ struct TopologyChanges {
   std::uint64_t pieces = 0;
   double area = 0;            // of these pieces, as they were when they went
   std::uint64_t handles = 0;  // of these pieces, and those that closed
-  std::uint64_t holes = 0;    // border loops that closed
+  std::uint64_t holes = 0;    // boundary loops that closed
 
   void add(const TopologyChanges& more) {
     pieces += more.pieces;

@@ -29,17 +29,17 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& 
       rounding_(rounding),
       planes_(mesh.vertex_count()),
       farthest_(mesh, rounding_.relative),
-      at_border_(mesh.vertex_count(), 0),
+      at_boundary_(mesh.vertex_count(), 0),
       price_edges_(best_kernel(edge_kernel_baseline, edge_kernel_avx2, edge_kernel_avx512)) {
-  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_border_[v] = !mesh.all_edges_even(v);
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_boundary_[v] = !mesh.all_edges_even(v);
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
     const VertexPlanes planes = planes_of(f);
     for (const VertexNumber v : mesh.face(f)) add(planes_[v], planes);
   }
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
-    if (!at_border_[v]) continue;
+    if (!at_boundary_[v]) continue;
     for (const VertexNumber w : mesh.open_neighbours(v))
-      add_line(planes_[v], mesh.position(w) - mesh.position(v), border_line_weight);
+      add_line(planes_[v], mesh.position(w) - mesh.position(v), boundary_line_weight);
   }
 }
 
@@ -47,7 +47,7 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& 
                          double error, std::vector<State> states)
     : QuadricCost(mesh, single, rounding) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) farthest_.set(v, states[v].farthest);
-  bound_.emplace(mesh, error, std::move(states), at_border_);
+  bound_.emplace(mesh, error, std::move(states), at_boundary_);
 }
 
 // Of one face, for each of its corners: a third of the area.
@@ -62,26 +62,27 @@ VertexPlanes QuadricCost::planes_of(FaceNumber f) const {
 
 // The line of an edge with one face. It needs no face to stand upright on, which may be none but a
 // line.
-void QuadricCost::add_border(VertexNumber a, VertexNumber b, double sign) {
-  if (!at_border_[a] || !at_border_[b]) return;
+void QuadricCost::add_boundary(VertexNumber a, VertexNumber b, double sign) {
+  if (!at_boundary_[a] || !at_boundary_[b]) return;
   const Point edge = mesh_.position(b) - mesh_.position(a);
-  add_line(planes_[a], edge, sign * border_line_weight);
-  add_line(planes_[b], edge, sign * border_line_weight);
+  add_line(planes_[a], edge, sign * boundary_line_weight);
+  add_line(planes_[b], edge, sign * boundary_line_weight);
 }
 
 // The lines of edges that a collapse changes: all of them are at an end. Of a hub, only those at a
 // face that goes.
-void QuadricCost::take_borders(const Collapse& edge, const EdgeStar& star) {
-  for (const VertexNumber w : mesh_.open_neighbours(edge.removed)) add_border(edge.removed, w, -1);
+void QuadricCost::take_boundaries(const Collapse& edge, const EdgeStar& star) {
+  for (const VertexNumber w : mesh_.open_neighbours(edge.removed))
+    add_boundary(edge.removed, w, -1);
   if (!into_hub_) {
     for (const VertexNumber w : mesh_.open_neighbours(edge.kept)) {
-      if (w != edge.removed) add_border(edge.kept, w, -1);
+      if (w != edge.removed) add_boundary(edge.kept, w, -1);
     }
     return;
   }
   for (const StarFace& face : star.of_kept()) {
     const VertexNumber across = face.w == edge.removed ? face.x : face.w;
-    if (mesh_.faces_at(edge.kept, across, 2) == 1) add_border(edge.kept, across, -1);
+    if (mesh_.faces_at(edge.kept, across, 2) == 1) add_boundary(edge.kept, across, -1);
   }
 }
 
@@ -133,7 +134,7 @@ void QuadricCost::price_edges(std::span<const FaceNumber> faces, PricedEdges& ed
       const VertexNumber a = face[i];
       const VertexNumber b = face[(1U << i) & 3U];
       bool tells = a < b;
-      if ((at_border_[a] & at_border_[b]) != 0) tells |= mesh_.faces_at(a, b, 2) == 1;
+      if ((at_boundary_[a] & at_boundary_[b]) != 0) tells |= mesh_.faces_at(a, b, 2) == 1;
       told[count] = {f, i};
       count += static_cast<std::size_t>(tells & !mesh_.locked(a) & !mesh_.locked(b));
     }
@@ -184,8 +185,8 @@ double QuadricCost::largest_error() const {
 double QuadricCost::piece_price(const TileMesh& mesh, const Piece& piece) const {
   if (bound_ && !bound_->allows(piece)) return std::numeric_limits<double>::infinity();
   const PieceLoss loss = loss_of(mesh, piece);
-  return std::max(piece_weight * (loss.surface + border_line_weight * loss.border),
-                  FarthestPoints::price_of(piece_reach * piece_reach * loss.farthest));
+  return std::max(piece_weight * (loss.surface + boundary_line_weight * loss.boundary),
+                  WitnessPoints::price_of(piece_reach * piece_reach * loss.farthest));
 }
 
 double QuadricCost::change_price(const EdgeStar& star, const Collapse& edge,
@@ -203,9 +204,9 @@ double QuadricCost::change_price(const EdgeStar& star, const Collapse& edge,
   for (const VertexNumber c : change.across) price += loss({a, b, mesh_.position(c)});
   for (const FaceVertices& face : change.pairs)
     price += 2 * loss({edge.position, mesh_.position(face[1]), mesh_.position(face[2])});
-  if (change.pinches_border) {
+  if (change.pinches_boundary) {
     const double square = dot(b - a, b - a);
-    price += border_line_weight * square * square / 12;
+    price += boundary_line_weight * square * square / 12;
   }
   return price;
 }
@@ -223,9 +224,9 @@ void QuadricCost::take_anew(VertexNumber v) {
   planes_[v] = {};
   mesh_.for_each_face(v, [&](FaceNumber f) { add(planes_[v], planes_of(f)); });
   if (!mesh_.all_edges_even(v)) {
-    at_border_[v] = 1;
+    at_boundary_[v] = 1;
     for (const VertexNumber w : mesh_.open_neighbours(v))
-      add_line(planes_[v], mesh_.position(w) - mesh_.position(v), border_line_weight);
+      add_line(planes_[v], mesh_.position(w) - mesh_.position(v), boundary_line_weight);
   }
 }
 
@@ -246,8 +247,8 @@ void QuadricCost::collapsing(const PricedCollapse& now, const EdgeStar& star) {
   into_hub_ = mesh_.hub(kept);
   handed_over_.clear();
   const auto faces = star.faces();
-  at_border_now_ = (at_border_[kept] | at_border_[removed]) != 0;
-  if (at_border_now_) take_borders(now.edge, star);
+  at_boundary_now_ = (at_boundary_[kept] | at_boundary_[removed]) != 0;
+  if (at_boundary_now_) take_boundaries(now.edge, star);
   planes_of_kept_ = into_hub_ ? planes_[kept] : VertexPlanes{};
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const VertexPlanes change = star.change(i);
@@ -279,14 +280,14 @@ void QuadricCost::for_each_changed(const Collapse& edge, const Changed& changed)
 void QuadricCost::collapsed(const Collapse& edge) {
   const VertexNumber kept = edge.kept;
   planes_[kept] = planes_of_kept_;
-  at_border_[kept] |= at_border_[edge.removed];
-  if (!at_border_now_) return;
+  at_boundary_[kept] |= at_boundary_[edge.removed];
+  if (!at_boundary_now_) return;
   if (into_hub_) {
     for_each_changed(edge, [&](VertexNumber v) {
-      if (mesh_.faces_at(kept, v, 2) == 1) add_border(kept, v, 1);
+      if (mesh_.faces_at(kept, v, 2) == 1) add_boundary(kept, v, 1);
     });
   } else {
-    for (const VertexNumber w : mesh_.open_neighbours(kept)) add_border(kept, w, 1);
+    for (const VertexNumber w : mesh_.open_neighbours(kept)) add_boundary(kept, w, 1);
   }
 }
 

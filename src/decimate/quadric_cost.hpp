@@ -2,15 +2,15 @@
 // each weighted by its area: the quadrics of Garland and Heckbert (1997), of the faces as they are
 // now. That quadrics forget what was collapsed before (Lindstrom and Turk 1998) takes a quarter off
 // the error at the same count (bench/RESULTS.md). What is forgotten that way and must not be:
-// farthest_points.hpp.
+// witness_points.hpp.
 #pragma once
 
 #include "decimate/collapser.hpp"
 #include "decimate/edge_batch.hpp"
 #include "decimate/error_bound.hpp"
-#include "decimate/farthest_points.hpp"
 #include "decimate/legality.hpp"
 #include "decimate/priced_edges.hpp"
+#include "decimate/witness_points.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -32,7 +32,7 @@ class QuadricCost {
               std::vector<State> states);
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
-    return vertices * (sizeof(VertexPlanes) + 1) + FarthestPoints::memory(vertices);
+    return vertices * (sizeof(VertexPlanes) + 1) + WitnessPoints::memory(vertices);
   }
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
@@ -74,8 +74,8 @@ class QuadricCost {
   [[nodiscard]] VertexPlanes planes_of(FaceNumber f) const;
   void price(std::span<const FaceEdge> told, PricedEdges& edges);
   void take_anew(VertexNumber v);
-  void add_border(VertexNumber a, VertexNumber b, double sign);
-  void take_borders(const Collapse& edge, const EdgeStar& star);
+  void add_boundary(VertexNumber a, VertexNumber b, double sign);
+  void take_boundaries(const Collapse& edge, const EdgeStar& star);
   template <typename Changed>
   void for_each_changed(const Collapse& edge, const Changed& changed);
 
@@ -83,8 +83,8 @@ class QuadricCost {
   bool single_;
   CoordinateRounding rounding_;
   std::vector<VertexPlanes> planes_;
-  FarthestPoints farthest_;
-  std::vector<std::uint8_t> at_border_;  // may be; a vertex that is not is at none
+  WitnessPoints farthest_;
+  std::vector<std::uint8_t> at_boundary_;  // may be; a vertex that is not is at none
   std::optional<ErrorBound> bound_;
   EdgeKernel price_edges_;
   EdgeBatch batch_{};
@@ -93,7 +93,7 @@ class QuadricCost {
   VertexPlanes planes_of_kept_;        // afterwards
   std::vector<StarFace> handed_over_;  // to a hub
   bool into_hub_ = false;
-  bool at_border_now_ = false;
+  bool at_boundary_now_ = false;
 };
 
 }  // namespace winnow

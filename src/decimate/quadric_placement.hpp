@@ -14,8 +14,8 @@ namespace winnow {
 // counts, by this part of the planes' weight.
 inline constexpr double edge_length_share = 1e-6;
 
-// Of the line of an edge at a border, with the square of its length, beside the areas of faces.
-inline constexpr double border_line_weight = 0.5;
+// Of the line of an edge at a boundary, with the square of its length, beside the areas of faces.
+inline constexpr double boundary_line_weight = 0.5;
 
 // The lowest point of a quadric seen from `low`, an end of `edge`, as a position. `pull` draws it
 // towards the middle of the edge where the planes leave it free, as a part of their weight.

@@ -23,7 +23,7 @@ class RemovalCost {
     if (!fan_.find(mesh_, v)) return cheapest;
     const FanView view = fan_.view();
     const Price price(view);
-    // A vertex at a border goes along that.
+    // A vertex at a boundary goes along that.
     const std::size_t step = view.closed ? 1 : view.seen.size() - 1;
     for (std::size_t i = 0; i < view.seen.size(); i += step) {
       const VertexNumber w = fan_.neighbours()[i];

@@ -7,9 +7,9 @@ namespace winnow {
 
 namespace {
 
-// Of the area that a border loses. With 1 borders shrink by more than surfaces do, with 100 they
-// keep a tenth of all faces (bench/RESULTS.md).
-constexpr double weight_of_border_area = 10;
+// Of the area that a boundary loses. With 1 boundaries shrink by more than surfaces do, with 100
+// they keep a tenth of all faces (bench/RESULTS.md).
+constexpr double weight_of_boundary_area = 10;
 // Needles that are sharper than this share of the half space are all alike.
 constexpr double sharpest = 0x1p-20;
 
@@ -30,18 +30,18 @@ double share_of_angle(const FanShape& shape) {
 VolumePrice::VolumePrice(const FanView& fan) : fan_(fan), share_(share_of_angle(shape_of(fan))) {
   if (fan.closed) return;
   // A triangle's mean distance from its side is a third of its height.
-  const double height = border_height(fan);
+  const double height = boundary_height(fan);
   const double area = (length(fan.seen.front()) + length(fan.seen.back())) * height / 2;
-  border_ = weight_of_border_area * area * height / 3;
+  boundary_ = weight_of_boundary_area * area * height / 3;
 }
 
 double VolumePrice::of_piece(const PieceLoss& loss) {
-  const double border = weight_of_border_area * std::pow(loss.border, 0.75);
-  return std::sqrt(loss.area * loss.surface) + border;
+  const double boundary = weight_of_boundary_area * std::pow(loss.boundary, 0.75);
+  return std::sqrt(loss.area * loss.surface) + boundary;
 }
 
 double VolumePrice::operator()(std::size_t into) const {
-  return (swept_volume(fan_, into) + border_) / share_;
+  return (swept_volume(fan_, into) + boundary_) / share_;
 }
 
 }  // namespace winnow

@@ -13,7 +13,7 @@
 //   those compete whose angle is at least the median of all, which a tile does not know.
 // - The angle is that of the circular cone whose normals cancel out as much as those of the faces.
 //   It is known where the paper's solid angle is not, at hyperbolic vertices: these may go as well.
-// - A border counts by the area that it loses. The paper leaves borders open.
+// - A boundary counts by the area that it loses. The paper leaves boundaries open.
 #pragma once
 
 #include "decimate/removal_cost.hpp"
@@ -40,7 +40,7 @@ class VolumePrice {
  private:
   FanView fan_;
   double share_;
-  double border_ = 0;
+  double boundary_ = 0;
 };
 
 using VolumeCost = RemovalCost<VolumePrice>;

@@ -219,7 +219,7 @@ void ByteSink::put(std::span<const std::byte> bytes) {
   }
 }
 
-void ByteSink::settle() {
+void ByteSink::flush_and_sync() {
   pass_on(buffer_);
   buffer_.clear();
   if (compressor_ != nullptr) {
@@ -233,7 +233,7 @@ void ByteSink::settle() {
 }
 
 void ByteSink::finish() {
-  settle();
+  flush_and_sync();
   if (aside_.empty()) {
     const int fd = std::exchange(fd_, -1);
     if (::close(fd) != 0 && errno != EINTR) fail(errno);

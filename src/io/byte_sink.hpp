@@ -35,11 +35,11 @@ class ByteSink {
   void write(std::span<const std::byte> bytes);
   // Everything that can fail for want of room; of several files, all are settled before any is
   // finished.
-  void settle();
+  void flush_and_sync();
   void finish();
 
-  // Names the file that settle() brought to the disk, also when it is under its own name; empty
-  // where it is written straight.
+  // Names the file that flush_and_sync() brought to the disk, also when it is under its own name;
+  // empty where it is written straight.
   [[nodiscard]] std::string identity() const;
   // Whether the file of this name is that one.
   static bool is(const std::string& path, const std::string& identity);

@@ -96,7 +96,7 @@ std::string_view compression_ending(std::string_view path) {
   for (const std::string_view ending : {".gz", ".zst"}) {
     if (path.size() >= ending.size() &&
         std::equal(ending.rbegin(), ending.rend(), path.rbegin(),
-                   [](char known, char given) { return known == small_letter(given); }))
+                   [](char known, char given) { return known == ascii_to_lower(given); }))
       return ending;
   }
   return {};

@@ -23,7 +23,7 @@ class WeldedMesh {
   WeldedMesh(Job& job, std::span<const NumberedFace> faces);
 
   // Gives back what only making it and topology() took.
-  void settle() { making_.release(); }
+  void seal() { making_.release(); }
   static constexpr std::uint64_t bytes_a_settled_face = 24 + 12;
 
   [[nodiscard]] std::uint64_t more_bytes() const { return more_.bytes(); }  // beyond bytes_a_face

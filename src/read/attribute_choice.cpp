@@ -35,7 +35,7 @@ std::string joined(const std::vector<std::string>& names) {
 // Whether whole numbers of this name tell things apart and have no mean.
 bool names_label(const std::string& property) {
   std::string name = property;
-  std::transform(name.begin(), name.end(), name.begin(), small_letter);
+  std::transform(name.begin(), name.end(), name.begin(), ascii_to_lower);
   constexpr std::array<std::string_view, 4> names{"id", "label", "labels", "flags"};
   return among(names, name) || name.ends_with("_id") || name.ends_with("_label") ||
          name.starts_with("class") || name.starts_with("segment");
@@ -83,7 +83,7 @@ class Dropped {
   std::vector<std::pair<std::string, std::vector<std::string>>> reasons_;
 };
 
-[[noreturn]] void refuse_name(const std::string& name, const AttributeOffer& offer,
+[[noreturn]] void refuse_name(const std::string& name, const AvailableAttributes& offer,
                               const std::string& input) {
   std::vector<std::string> all;
   for (const Attribute& attribute : offer.scalars) all.push_back(attribute.name);
@@ -107,7 +107,7 @@ class Dropped {
 
 // The names asked for, groups taken apart. Of a group those that are offered, but at least one.
 std::vector<std::string> wanted_names(const std::vector<std::string>& names,
-                                      const AttributeOffer& offer, const std::string& input) {
+                                      const AvailableAttributes& offer, const std::string& input) {
   const auto offered = [&](std::string_view name) {
     return std::any_of(offer.scalars.begin(), offer.scalars.end(),
                        [&](const Attribute& a) { return a.name == name; });
@@ -146,14 +146,14 @@ class DistinctNames {
 
 }  // namespace
 
-AttributeOffer common_offer(const std::vector<AttributeOffer>& offers) {
+AvailableAttributes common_offer(const std::vector<AvailableAttributes>& offers) {
   struct Found {
     std::size_t offers = 0;  // that have it
-    const AttributeOffer* last = nullptr;
+    const AvailableAttributes* last = nullptr;
     bool light = true;  // in all of them
   };
   std::map<std::pair<std::string, ScalarType>, Found> found;
-  for (const AttributeOffer& offer : offers) {
+  for (const AvailableAttributes& offer : offers) {
     for (const Attribute& attribute : offer.scalars) {
       Found& one = found[{attribute.name, attribute.type}];
       if (one.last == &offer) continue;
@@ -162,10 +162,10 @@ AttributeOffer common_offer(const std::vector<AttributeOffer>& offers) {
       one.light = one.light && attribute.kind == AttributeKind::light;
     }
   }
-  AttributeOffer common;
+  AvailableAttributes common;
   DistinctNames not_common(common.not_common), lists(common.lists), of_faces(common.of_faces),
       of_nothing(common.of_nothing), unread(common.unread);
-  for (const AttributeOffer& offer : offers) {
+  for (const AvailableAttributes& offer : offers) {
     for (const Attribute& attribute : offer.scalars) {
       const Found& one = found[{attribute.name, attribute.type}];
       if (one.offers != offers.size()) {
@@ -183,9 +183,9 @@ AttributeOffer common_offer(const std::vector<AttributeOffer>& offers) {
   return common;
 }
 
-AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffer& offer,
-                                  const std::string& input) {
-  AttributeChoice choice;
+AttributeSelection choose_attributes(const AttributeRequest& wish, const AvailableAttributes& offer,
+                                     const std::string& input) {
+  AttributeSelection choice;
   if (wish.none()) return choice;
   std::vector<std::string> wanted;
   if (wish.names) wanted = wanted_names(*wish.names, offer, input);

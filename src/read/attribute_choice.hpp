@@ -13,7 +13,7 @@
 namespace winnow {
 
 // What the caller asks for.
-struct AttributeWish {
+struct AttributeRequest {
   // Names of properties; "normals" and "colors" stand for those of normals and colours. Nothing:
   // whatever has a meaningful mean. Empty: none.
   std::optional<std::vector<std::string>> names{std::vector<std::string>{}};
@@ -35,7 +35,7 @@ struct AttributeWish {
 inline constexpr const char* colors_of_some = "colours of some vertices";
 
 // What an input offers.
-struct AttributeOffer {
+struct AvailableAttributes {
   // Properties of vertices, without the position. Their kinds are open, but for light, which no
   // name tells.
   std::vector<Attribute> scalars;
@@ -49,9 +49,9 @@ struct AttributeOffer {
 
 // What several inputs offer together: scalars that all have under one name and of one type, in the
 // order of the first, as light where all say so; of everything else whatever any has.
-AttributeOffer common_offer(const std::vector<AttributeOffer>& offers);
+AvailableAttributes common_offer(const std::vector<AvailableAttributes>& offers);
 
-struct AttributeChoice {
+struct AttributeSelection {
   std::vector<Attribute> carried;
   std::vector<std::size_t> scalar;   // of each of them its number in the offer
   std::vector<std::string> dropped;  // "texture coordinates s, t"
@@ -59,7 +59,7 @@ struct AttributeChoice {
 
 // Throws Error(usage) where a name is not among `offer` or too many are asked for; `input` is for
 // its message.
-AttributeChoice choose_attributes(const AttributeWish& wish, const AttributeOffer& offer,
-                                  const std::string& input);
+AttributeSelection choose_attributes(const AttributeRequest& wish, const AvailableAttributes& offer,
+                                     const std::string& input);
 
 }  // namespace winnow

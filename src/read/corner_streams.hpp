@@ -2,10 +2,10 @@
 #pragma once
 
 #include "io/job.hpp"
-#include "read/mesh_reader.hpp"
 #include "read/indexed/packed_records.hpp"
 #include "read/indexed/parts.hpp"
 #include "read/indexed/vertex_store.hpp"
+#include "read/mesh_reader.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -54,7 +54,7 @@ class CornerStreams {
   void begin();
   // Gives a batch of indices the records of its corners.
   void add_records(RawBatch& batch);
-  void rest() { reservation_.release(); }
+  void release_memory() { reservation_.release(); }
 
   // Where in a batch the next record of each part stands.
   using Cursors = std::vector<std::uint32_t>;

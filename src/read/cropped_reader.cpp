@@ -63,7 +63,7 @@ class CroppedReader final : public MeshReader {
 
   std::vector<AttributeRange> attribute_ranges() override { return reader_->attribute_ranges(); }
 
-  void rest() override { reader_->rest(); }
+  void release_memory() override { reader_->release_memory(); }
   void check_whole() const override { reader_->check_whole(); }
   [[nodiscard]] std::uint64_t bytes() const override { return reader_->bytes(); }
   [[nodiscard]] const std::string& name() const override { return reader_->name(); }

@@ -113,7 +113,7 @@ bool begins_with(std::string_view head, const ForeignFormat& format) {
   return std::equal(
       format.magic.begin(), format.magic.end(), head.begin(),
       head.begin() + static_cast<std::ptrdiff_t>(std::min(format.magic.size(), head.size())),
-      [](char small, char c) { return small == small_letter(c); });
+      [](char small, char c) { return small == ascii_to_lower(c); });
 }
 
 [[noreturn]] void refuse(const ByteSource& source, const ForeignFormat& format) {

@@ -8,8 +8,8 @@
 namespace winnow {
 
 std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeWish& wish);
-InputOutlook look_at_ply(ByteSource& source, const AttributeWish& wish);
+                                     const ReaderMemory& memory, const AttributeRequest& wish);
+InputProbe probe_ply(ByteSource& source, const AttributeRequest& wish);
 
 // How surely a text is one of a format, as far as its first bytes show.
 enum class TextMatch {
@@ -23,27 +23,27 @@ bool match_ply(std::string_view head);  // surely, or not at all
 // OBJ. Here and below, match_...() says how surely a text is one, and offer_of_...() what its
 // vertices carry.
 TextMatch match_obj(std::string_view head);
-AttributeOffer offer_of_obj(std::string_view head);
+AvailableAttributes offer_of_obj(std::string_view head);
 std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeWish& wish);
+                                     const ReaderMemory& memory, const AttributeRequest& wish);
 
 // OFF as text, with or without colours, normals and the like.
 TextMatch match_off(std::string_view head);
-AttributeOffer offer_of_off(std::string_view head);
+AvailableAttributes offer_of_off(std::string_view head);
 std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeWish& wish);
+                                     const ReaderMemory& memory, const AttributeRequest& wish);
 
 // .m, vertices and faces with numbers of their own.
 TextMatch match_m(std::string_view head);
 std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source,
-                                   const ReaderMemory& memory, const AttributeWish& wish);
+                                   const ReaderMemory& memory, const AttributeRequest& wish);
 
 // glTF 2.0, as GLB or as JSON. The source must be seekable; the offer is that of the whole JSON,
 // also of a pipe.
 TextMatch match_gltf(std::string_view head);
-AttributeOffer offer_of_gltf(Job& job, ByteSource& source);
+AvailableAttributes offer_of_gltf(Job& job, ByteSource& source);
 std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory, const AttributeWish& wish);
+                                      const ReaderMemory& memory, const AttributeRequest& wish);
 
 // STL, binary or ASCII, by content. Where it is not `asked` for, by option or by name, a binary one
 // must have the size that its count of faces says.
@@ -51,7 +51,7 @@ TextMatch match_stl(std::string_view head);
 bool has_size_of_binary_stl(ByteSource& source);
 std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source,
                                      const ReaderMemory& memory, bool asked);
-InputOutlook look_at_stl(ByteSource& source, bool asked);
+InputProbe probe_stl(ByteSource& source, bool asked);
 
 // What the name of a file says; automatic where it says nothing.
 Format format_called(std::string_view name);

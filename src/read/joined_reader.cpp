@@ -23,7 +23,7 @@ void add(std::optional<std::uint64_t>& sum, const std::optional<std::uint64_t>& 
 }
 
 // Has nothing to carry, and keeps others from nothing.
-bool is_bare(const InputOutlook& outlook) {
+bool is_bare(const InputProbe& outlook) {
   return outlook.facts.vertices == std::uint64_t{0};
 }
 
@@ -50,7 +50,7 @@ double color_of_light(ScalarType type, double stored) {
 class JoinedReader final : public MeshReader {
  public:
   JoinedReader(Job& job, const std::vector<std::string>& names, Format format,
-               const ReaderMemory& memory, const AttributeWish& wish)
+               const ReaderMemory& memory, const AttributeRequest& wish)
       : job_(job),
         names_(names),
         format_(format),
@@ -58,7 +58,7 @@ class JoinedReader final : public MeshReader {
         name_(joint_name(names)),
         bytes_(names.size()) {
     std::vector<std::string> formats;
-    std::vector<AttributeOffer> offers;
+    std::vector<AvailableAttributes> offers;
     facts_.faces = facts_.vertices = 0;
     facts_.normals = true;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -171,7 +171,7 @@ class JoinedReader final : public MeshReader {
     return ranges;
   }
 
-  void rest() override { reader_->rest(); }
+  void release_memory() override { reader_->release_memory(); }
   void check_whole() const override { reader_->check_whole(); }
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] std::uint64_t bytes() const override {
@@ -195,7 +195,7 @@ class JoinedReader final : public MeshReader {
     }
     bare_ = is_bare(look_at(job_, *source, format_, Access::once));
     reader_ = open_reader(job_, std::move(source), format_, Access::once, memory_,
-                          bare_ ? AttributeWish{} : carried_);
+                          bare_ ? AttributeRequest{} : carried_);
     place_.clear();
     if (bare_ || carried_.none()) return;
     // Each file has them in an order of its own.
@@ -239,7 +239,7 @@ class JoinedReader final : public MeshReader {
   std::string name_;
   std::vector<std::uint64_t> bytes_;                  // of each file, as far as it was read
   std::vector<std::optional<FileVersion>> versions_;  // of each file, when it was first opened
-  AttributeWish carried_;                             // what is asked of each file
+  AttributeRequest carried_;                          // what is asked of each file
   // Of each attribute its number among those of the file at work, and whether it is of light there
   // and of colours here.
   struct Place {
@@ -272,29 +272,29 @@ void check_regular(const std::string& name) {
 
 std::unique_ptr<MeshReader> join_files(Job& job, const std::vector<std::string>& names,
                                        Format format, const ReaderMemory& memory,
-                                       const AttributeWish& wish) {
+                                       const AttributeRequest& wish) {
   return std::make_unique<JoinedReader>(job, names, format, memory, wish);
 }
 
-InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Format format,
-                           const AttributeWish& wish) {
-  InputOutlook outlook;
-  std::vector<AttributeOffer> offers;
+InputProbe look_at_files(Job& job, const std::vector<std::string>& names, Format format,
+                         const AttributeRequest& wish) {
+  InputProbe outlook;
+  std::vector<AvailableAttributes> offers;
   outlook.facts.faces = outlook.facts.vertices = 0;
   std::vector<std::string> formats;
   outlook.bytes = 0;
   for (const std::string& name : names) {
     const std::unique_ptr<ByteSource> source = open_source(job, name);
-    const InputOutlook one = look_at(job, *source, format, Access::once);
+    const InputProbe one = look_at(job, *source, format, Access::once);
     add(outlook.facts.faces, one.facts.faces);
     add(outlook.facts.vertices, one.facts.vertices);
     formats.push_back(one.facts.format);
     add(outlook.bytes, one.bytes);
     outlook.facts.polygons |= one.facts.polygons;
     outlook.facts.double_positions |= one.facts.double_positions;
-    outlook.vertices_kept |= one.vertices_kept;
+    outlook.vertices_buffered |= one.vertices_buffered;
     outlook.vertex_bytes = std::max(outlook.vertex_bytes, one.vertex_bytes);
-    outlook.faces_kept |= one.faces_kept;
+    outlook.faces_buffered |= one.faces_buffered;
     outlook.taken_in |= one.taken_in;
     if (!is_bare(one)) offers.push_back(one.facts.offer);
   }

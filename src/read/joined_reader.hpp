@@ -14,11 +14,11 @@ namespace winnow {
 // offer under one name and of one type; of files without vertices nothing is asked.
 std::unique_ptr<MeshReader> join_files(Job& job, const std::vector<std::string>& names,
                                        Format format, const ReaderMemory& memory,
-                                       const AttributeWish& wish = {});
+                                       const AttributeRequest& wish = {});
 
 // The same, from the first bytes of each.
-InputOutlook look_at_files(Job& job, const std::vector<std::string>& names, Format format,
-                           const AttributeWish& wish = {});
+InputProbe look_at_files(Job& job, const std::vector<std::string>& names, Format format,
+                         const AttributeRequest& wish = {});
 
 // What the readers of these files take of the budget besides, decompressing them: the most of any.
 std::uint64_t memory_to_open(Job& job, const std::vector<std::string>& names);

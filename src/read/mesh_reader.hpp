@@ -29,8 +29,8 @@ struct InputFacts {
   bool mixed_positions = false;  // doubles in some of several inputs, floats in others
   bool normals = false;
   std::vector<std::string> attributes;  // "vertex: nx, ny, nz (float)"
-  AttributeOffer offer;
-  AttributeChoice choice;  // those that are carried
+  AvailableAttributes offer;
+  AttributeSelection choice;  // those that are carried
 };
 
 // A stretch of the input, cut at whole faces (or positions) but not yet decoded.
@@ -112,7 +112,7 @@ class MeshReader {
   virtual void read_attributes(const PositionView& /*view*/, std::vector<double>& /*out*/) const {}
 
   // Gives back memory that only a pass needs; the next begin_...() takes it again.
-  virtual void rest() {}
+  virtual void release_memory() {}
 
   // Throws Error(bad_input) if the file has become shorter since it was opened.
   virtual void check_whole() const = 0;
@@ -137,21 +137,21 @@ struct ReaderMemory {
 // what the input lacks.
 std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format from,
                                         Access access, const ReaderMemory& memory,
-                                        const AttributeWish& wish = {});
+                                        const AttributeRequest& wish = {});
 
 // The same, without touching more than the first bytes: what would be read, and how.
-struct InputOutlook {
+struct InputProbe {
   InputFacts facts;
   std::optional<std::uint64_t> bytes;
   bool copied_first = false;  // the whole input goes to scratch before anything else
-  bool vertices_kept =
+  bool vertices_buffered =
       false;  // vertices are decoded into memory or scratch, not looked up in the file
   std::uint64_t vertex_bytes = 0;  // of one where they are looked up in the file
-  bool faces_kept = false;         // faces stand before the vertices and wait in scratch
+  bool faces_buffered = false;     // faces stand before the vertices and wait in scratch
   bool taken_in = false;           // all is parsed into memory or scratch before anything else
   std::string compression;
 };
-InputOutlook look_at(Job& job, ByteSource& source, Format from, Access access,
-                     const AttributeWish& wish = {});
+InputProbe look_at(Job& job, ByteSource& source, Format from, Access access,
+                   const AttributeRequest& wish = {});
 
 }  // namespace winnow

@@ -17,25 +17,25 @@ namespace winnow {
 namespace {
 
 // Formats that are taken in whole when they are opened.
-struct KeptFormat {
+struct BufferedFormat {
   Format format;
   const char* name;
   TextMatch (*match)(std::string_view head);
   std::unique_ptr<MeshReader> (*open)(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory, const AttributeWish& wish);
+                                      const ReaderMemory& memory, const AttributeRequest& wish);
   // By the first bytes; none: it offers nothing.
-  AttributeOffer (*offer)(Job& job, ByteSource& source) = nullptr;
+  AvailableAttributes (*offer)(Job& job, ByteSource& source) = nullptr;
 };
-constexpr std::array<KeptFormat, 4> kept_formats{
+constexpr std::array<BufferedFormat, 4> buffered_formats{
     {{Format::gltf, "glTF", match_gltf, open_gltf, offer_of_gltf},
      {Format::off, "OFF", match_off, open_off, offer_by_head<offer_of_off>},
      {Format::m, "M", match_m, open_m},
      {Format::obj, "OBJ", match_obj, open_obj, offer_by_head<offer_of_obj>}}};
 
-const KeptFormat* kept_format(Format format) {
-  const auto* found = std::find_if(kept_formats.begin(), kept_formats.end(),
-                                   [&](const KeptFormat& one) { return one.format == format; });
-  return found == kept_formats.end() ? nullptr : found;
+const BufferedFormat* buffered_format(Format format) {
+  const auto* found = std::find_if(buffered_formats.begin(), buffered_formats.end(),
+                                   [&](const BufferedFormat& one) { return one.format == format; });
+  return found == buffered_formats.end() ? nullptr : found;
 }
 
 std::string_view text_of(const Block& block) {
@@ -53,7 +53,7 @@ Format format_of_text(std::string_view head, Format called) {
     best = format;
     best_match = match;
   };
-  for (const KeptFormat& format : kept_formats) consider(format.format, format.match(head));
+  for (const BufferedFormat& format : buffered_formats) consider(format.format, format.match(head));
   consider(Format::stl, match_stl(head));
   return best;
 }
@@ -82,7 +82,8 @@ bool is_asked_for(Format format, Format asked, const ByteSource& source) {
 // faces. Of a glTF the parts may be needed in any order.
 bool needs_copy(const ByteSource& source, Format format, Access access) {
   if (format == Format::gltf) return !source.seekable();
-  if (source.seekable() || access == Access::once || kept_format(format) != nullptr) return false;
+  if (source.seekable() || access == Access::once || buffered_format(format) != nullptr)
+    return false;
   return format == Format::stl || access == Access::repeatedly;
 }
 
@@ -90,7 +91,7 @@ bool needs_copy(const ByteSource& source, Format format, Access access) {
 
 Format format_called(std::string_view name) {
   std::string small(name);
-  std::transform(small.begin(), small.end(), small.begin(), small_letter);
+  std::transform(small.begin(), small.end(), small.begin(), ascii_to_lower);
   std::string_view left = small;
   for (const std::string_view compression : {".gz", ".zst"}) {
     if (left.ends_with(compression)) left.remove_suffix(compression.size());
@@ -110,29 +111,29 @@ Format format_called(std::string_view name) {
 
 std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> source, Format from,
                                         Access access, const ReaderMemory& memory,
-                                        const AttributeWish& wish) {
+                                        const AttributeRequest& wish) {
   const Format format = format_of(*source, from);
   if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
   if (format == Format::ply) return open_ply(job, std::move(source), memory, wish);
-  if (const KeptFormat* kept = kept_format(format))
+  if (const BufferedFormat* kept = buffered_format(format))
     return kept->open(job, std::move(source), memory, wish);
   choose_attributes(wish, {}, source->name());  // for its checks: there are none
   const bool asked = is_asked_for(Format::stl, from, *source);
   return open_stl(job, std::move(source), memory, asked);
 }
 
-InputOutlook look_at(Job& job, ByteSource& source, Format from, Access access,
-                     const AttributeWish& wish) {
+InputProbe look_at(Job& job, ByteSource& source, Format from, Access access,
+                   const AttributeRequest& wish) {
   const Format format = format_of(source, from);
-  InputOutlook outlook;
+  InputProbe outlook;
   if (format == Format::ply) {
-    outlook = look_at_ply(source, wish);
-  } else if (const KeptFormat* kept = kept_format(format)) {
+    outlook = probe_ply(source, wish);
+  } else if (const BufferedFormat* kept = buffered_format(format)) {
     outlook.facts.format = kept->name;
     if (kept->offer != nullptr) outlook.facts.offer = kept->offer(job, source);
     outlook.taken_in = true;
   } else {
-    outlook = look_at_stl(source, is_asked_for(Format::stl, from, source));
+    outlook = probe_stl(source, is_asked_for(Format::stl, from, source));
   }
   if (format != Format::ply)
     outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, source.name());
@@ -140,7 +141,7 @@ InputOutlook look_at(Job& job, ByteSource& source, Format from, Access access,
   outlook.copied_first = needs_copy(source, format, access);
   outlook.compression = source.compression();
   if (format == Format::ply && source.map_name().empty() && !outlook.copied_first)
-    outlook.vertices_kept = true;
+    outlook.vertices_buffered = true;
   return outlook;
 }
 

@@ -26,8 +26,8 @@ void take_normal(const MeshShape& shape, MeshVertex& vertex) {
 
 }  // namespace
 
-AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encoder) {
-  AttributeWish wish;
+AttributeRequest wish_for(const SimplifyOptions& options, const MeshEncoder& encoder) {
+  AttributeRequest wish;
   wish.names = options.attributes;
   wish.no_data = options.nodata;
   wish.refusal = [&encoder, normals = options.normals](
@@ -39,13 +39,13 @@ AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encode
   return wish;
 }
 
-std::vector<std::string> descriptions(const AttributeChoice& choice) {
+std::vector<std::string> descriptions(const AttributeSelection& choice) {
   std::vector<std::string> lines;
   for (const Attribute& attribute : choice.carried) lines.push_back(described(attribute));
   return lines;
 }
 
-void note_dropped(Job& job, const AttributeChoice& choice) {
+void note_dropped(Job& job, const AttributeSelection& choice) {
   std::string line;
   for (const std::string& what : choice.dropped)
     line += (line.empty() ? "not carried: " : "; ") + what;
@@ -83,7 +83,7 @@ void settle_colors(Job& job, std::vector<Attribute>& attributes,
 }
 
 CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report) {
-  const AttributeChoice& choice = reader.facts().choice;
+  const AttributeSelection& choice = reader.facts().choice;
   CarriedAttributes carried{choice.carried, {}};
   const std::vector<MeshReader::AttributeRange> ranges = reader.attribute_ranges();
   settle_colors(job, carried.attributes, ranges);

@@ -11,13 +11,13 @@
 namespace winnow {
 
 // `encoder` must live as long as the wish.
-AttributeWish wish_for(const SimplifyOptions& options, const MeshEncoder& encoder);
+AttributeRequest wish_for(const SimplifyOptions& options, const MeshEncoder& encoder);
 
 // "red (uchar)", of each that is carried.
-std::vector<std::string> descriptions(const AttributeChoice& choice);
+std::vector<std::string> descriptions(const AttributeSelection& choice);
 
 // Notes what is not carried.
-void note_dropped(Job& job, const AttributeChoice& choice);
+void note_dropped(Job& job, const AttributeSelection& choice);
 
 // Of colours as reals what all of a component is, by the largest of them: 1, or 255 or 65535 where
 // some are above 2. Notes that, and where some are above that.

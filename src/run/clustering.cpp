@@ -331,7 +331,7 @@ ClusteredMesh Clustering::once() {
   while (for_each_face_batch(job_, reader_, sink, stop)) clusterer->spill();
   take_counts(clusterer->counts());
   report_.area.input = area.value();
-  reader_.rest();
+  reader_.release_memory();
   ClusteredMesh mesh = clusterer->finish();
   return mesh;
 }

@@ -1,5 +1,5 @@
-// The first half of the road: the input as a clustered or welded mesh, as fine as the options ask
-// for.
+// The first half of the pipeline: the input as a clustered or welded mesh, as fine as the options
+// ask for.
 #pragma once
 
 #include <winnow/simplify.hpp>

@@ -71,7 +71,7 @@ bool same_place(const std::string& one, const std::string& other) {
 void check_ending(const char* option, const std::string& path,
                   const std::vector<std::string>& written) {
   std::string name = std::filesystem::path(path).filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), small_letter);
+  std::transform(name.begin(), name.end(), name.begin(), ascii_to_lower);
   if (name.find('.') == std::string::npos) return;
   std::string list;
   for (const std::string& ending : written) {
@@ -100,7 +100,7 @@ class Comparison {
     report_.topology = mesh.topology();
     report_.topology.degenerate += report_.simplified.bad_faces.degenerate;
     report_.smallest_angles = mesh.smallest_angles();
-    mesh.settle();
+    mesh.seal();
     const SurfaceTree tree(job_, simplified_->span());
 
     const double density = density_for(report_.simplified.area);
@@ -116,7 +116,7 @@ class Comparison {
     }
     // Nothing is left under a name unless all was written.
     for (const auto* sink : {&picture_, &sink_}) {
-      if (*sink != nullptr) (*sink)->settle();
+      if (*sink != nullptr) (*sink)->flush_and_sync();
     }
     if (picture_ != nullptr) picture_->finish();
     if (sink_ != nullptr) sink_->finish();

@@ -1,4 +1,4 @@
-// The short road: read, weld what has no vertices, write.
+// The short pipeline: read, weld what has no vertices, write.
 #include <winnow/convert.hpp>
 #include <winnow/error.hpp>
 
@@ -40,8 +40,8 @@ ClusteredMesh mesh_of(Job& job, MeshReader& reader, const MemoryPlan& plan, Clus
 }
 
 // Whatever the output's format can hold.
-AttributeWish wish_for(const MeshEncoder& encoder) {
-  AttributeWish wish;
+AttributeRequest wish_for(const MeshEncoder& encoder) {
+  AttributeRequest wish;
   wish.names.reset();
   wish.averaged = false;
   wish.refusal = [&encoder](const Attribute& attribute, std::span<const Attribute> wanted) {
@@ -64,7 +64,7 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   if (!writes_text(options.to, output, options.encoding)) sink.refuse_terminal();
   std::unique_ptr<ByteSource> source = open_source(job, input);
   source->peek(1);
-  const AttributeWish wish = wish_for(*encoder);
+  const AttributeRequest wish = wish_for(*encoder);
   const MemoryPlan plan =
       MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, nothing);
   job.budget.expect(0);
@@ -87,7 +87,7 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   if (options.strict && counts.first_bad.face != UINT64_MAX)
     refuse_bad_face(reader->name(), counts.first_bad);
   if (mesh.face_count == 0) refuse_without_faces(*reader, "written");
-  reader->rest();
+  reader->release_memory();
   report.seconds.read = watch.seconds();
   const bool normals = carries_normals(attributes) && encoder->normals_apart();
   MeshShape shape = shape_of(job, mesh, *encoder, normals, doubles, facts.double_positions,

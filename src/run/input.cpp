@@ -25,7 +25,8 @@ Input::Input(Job& job, std::unique_ptr<ByteSource> source) : job_(job), source_(
   memory_ = job.budget.used();
 }
 
-std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options, const AttributeWish& wish,
+std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options,
+                                          const AttributeRequest& wish,
                                           const ReaderMemory& memory) {
   std::unique_ptr<MeshReader> reader =
       source_ != nullptr
@@ -38,10 +39,10 @@ std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options, const 
   return crop_to(box, std::move(reader));
 }
 
-InputOutlook Input::outlook(const SimplifyOptions& options, const AttributeWish& wish) {
-  InputOutlook outlook = source_ != nullptr
-                             ? look_at(job_, *source_, options.from, access_for(options), wish)
-                             : look_at_files(job_, names_, options.from, wish);
+InputProbe Input::outlook(const SimplifyOptions& options, const AttributeRequest& wish) {
+  InputProbe outlook = source_ != nullptr
+                           ? look_at(job_, *source_, options.from, access_for(options), wish)
+                           : look_at_files(job_, names_, options.from, wish);
   if (options.crop) outlook.facts.faces.reset();
   return outlook;
 }

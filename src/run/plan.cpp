@@ -5,7 +5,7 @@
 #include "base/budget.hpp"
 #include "base/text.hpp"
 #include "cluster/attribute_means.hpp"
-#include "cluster/border_sum.hpp"
+#include "cluster/boundary_sum.hpp"
 #include "cluster/face_list.hpp"
 #include "cluster/resolution.hpp"
 #include "read/for_each_batch.hpp"
@@ -124,7 +124,7 @@ std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs) {
   // Three cells a face, with what boundaries in them add up to, and the face itself, all twice
   // while runs are merged; a block that does not compress grows by less than a hundredth. Then
   // three vertices and three numbers a face.
-  const std::uint64_t runs = 2 * (3 * (cell + sizeof(BorderSum)) + sizeof(CellFace));
+  const std::uint64_t runs = 2 * (3 * (cell + sizeof(BoundarySum)) + sizeof(CellFace));
   const std::uint64_t vertex = vertex_size(needs);
   const std::uint64_t weld = needs.weld ? near_weld_scratch(faces) : 0;
   return weld + weld / 100 +

@@ -4,7 +4,7 @@
 #include "io/arena.hpp"
 #include "io/block_sums.hpp"
 #include "read/corner_streams.hpp"
-#include "read/indexed/kept_faces.hpp"
+#include "read/indexed/buffered_faces.hpp"
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
 #include "run/input.hpp"
@@ -18,12 +18,12 @@ namespace winnow {
 
 namespace {
 
-std::vector<std::string> passes_of(const InputOutlook& outlook, const SimplifyOptions& options) {
+std::vector<std::string> passes_of(const InputProbe& outlook, const SimplifyOptions& options) {
   std::vector<std::string> passes;
   if (outlook.copied_first) passes.emplace_back("copy the input to scratch");
-  if (outlook.faces_kept)
+  if (outlook.faces_buffered)
     passes.emplace_back("keep the faces in scratch until the vertices are read");
-  if (outlook.vertices_kept)
+  if (outlook.vertices_buffered)
     passes.emplace_back("read the vertices into memory, or scratch where they do not fit");
   if (outlook.taken_in)
     passes.emplace_back("parse the input into memory, or scratch where it does not fit");
@@ -66,13 +66,13 @@ std::uint64_t vertex_record(const InputFacts& facts) {
 }
 
 // Scratch at the most where faces jump over more vertices than their share of memory has room for.
-std::uint64_t worst_of_jumping(const InputOutlook& outlook, const MemoryPlan& plan) {
+std::uint64_t worst_of_jumping(const InputProbe& outlook, const MemoryPlan& plan) {
   const std::uint64_t record = vertex_record(outlook.facts);
   const std::uint64_t looked_up =
-      std::max(outlook.vertices_kept ? record : 0, outlook.vertex_bytes);
+      std::max(outlook.vertices_buffered ? record : 0, outlook.vertex_bytes);
   if (outlook.facts.vertices.value_or(0) * looked_up <= plan.reader.vertices) return 0;
   // Of a pipe the faces wait, too.
-  const std::uint64_t face = outlook.vertices_kept ? KeptFaces::bytes_a_face : 0;
+  const std::uint64_t face = outlook.vertices_buffered ? BufferedFaces::bytes_a_face : 0;
   return outlook.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
 }
 
@@ -129,7 +129,7 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
   Input input(job, inputs);
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output, options.encoding);
-  const InputOutlook outlook = input.outlook(options, wish_for(options, *encoder));
+  const InputProbe outlook = input.outlook(options, wish_for(options, *encoder));
   const CellNeeds needs = needs_of(options, outlook.facts.choice);
   const MemoryPlan plan = MemoryPlan::divide(context.memory, input.memory(), job.threads, needs);
   SimplifyPlan out;
@@ -147,8 +147,8 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   }
   if (out.faces) {
     std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
-    if (outlook.vertices_kept) kept += out.vertices.value_or(0) * vertex_record(outlook.facts);
-    if (outlook.faces_kept) kept += *out.faces * KeptFaces::bytes_a_face;
+    if (outlook.vertices_buffered) kept += out.vertices.value_or(0) * vertex_record(outlook.facts);
+    if (outlook.faces_buffered) kept += *out.faces * BufferedFaces::bytes_a_face;
     out.scratch_worst = BlockSums::with_sums(worst_scratch(*out.faces, needs) + kept +
                                              worst_of_jumping(outlook, plan));
     if (cost_of(options) != Refine::none) {

@@ -144,7 +144,7 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   settings.decimation.single = !doubles;
   settings.decimation.rounding = clustered.mesh.rounding;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
-  settings.decimation.keep_borders = options.boundary == Boundary::keep;
+  settings.decimation.keep_boundaries = options.boundary == Boundary::keep;
   settings.decimation.keep_pieces = options.keep_pieces;
   settings.decimation.free_topology = options.topology == Topology::free;
   if (clustered.error > 0) settings.decimation.error = clustered.error;

@@ -1,4 +1,4 @@
-// The second half of the road, as the options ask for it.
+// The second half of the pipeline, as the options ask for it.
 #pragma once
 
 #include <winnow/simplify.hpp>

@@ -143,7 +143,7 @@ class DamageSplitter {
         boundary_.clear();
         job_.progress.begin("read near damage", reader_.facts().faces.value_or(0), "faces");
         read_near(level, damaged);
-        reader_.rest();
+        reader_.release_memory();
         if (level.near.size() > faces_ / most_faces_near) return std::nullopt;
       } else {
         level.near.take(std::prev(levels.end(), 2)->near, settings_.grid, level.split,

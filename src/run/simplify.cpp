@@ -1,4 +1,4 @@
-// The road: read, cluster, refine, write.
+// The pipeline: read, cluster, refine, write.
 #include <winnow/checkpoint.hpp>
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
@@ -45,8 +45,9 @@ std::unique_ptr<NearWeldedReader> join_near(Job& job, std::unique_ptr<MeshReader
 }
 
 // What is left to be read, or to be taken from a checkpoint.
-Clustered cluster(Job& job, Input& input, const SimplifyOptions& options, const AttributeWish& wish,
-                  const MemoryPlan& plan, const Stopwatch& watch, SimplifyReport& report) {
+Clustered cluster(Job& job, Input& input, const SimplifyOptions& options,
+                  const AttributeRequest& wish, const MemoryPlan& plan, const Stopwatch& watch,
+                  SimplifyReport& report) {
   ReaderMemory reading = plan.reader;
   // The first bad face is to be named.
   reading.any_order = !options.strict;
@@ -108,14 +109,14 @@ void check_surface(Job& job, const ClusteredMesh& mesh, const SimplifyOptions& o
 }
 
 // `input`: of a run whose mesh is not in the checkpoint.
-SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEncoder& encoder,
-                             ByteSink& sink, const SimplifyRequest& request,
-                             SimplifyCheckpoint& checkpoint, const Stopwatch& watch) {
+SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshEncoder& encoder,
+                            ByteSink& sink, const SimplifyRequest& request,
+                            SimplifyCheckpoint& checkpoint, const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
   SimplifyReport report;
   if (checkpoint.opened()) report.resumed.emplace();
-  const AttributeWish wish = wish_for(options, encoder);
-  AttributeChoice choice;
+  const AttributeRequest wish = wish_for(options, encoder);
+  AttributeSelection choice;
   if (input && !wish.none()) choice = input->outlook(options, wish).facts.choice;
   const auto plan_of = [taken = input ? input->memory() : job.budget.used(), threads = job.threads,
                         needs = needs_of(options, choice)](std::uint64_t total) {
@@ -158,7 +159,7 @@ SimplifyReport take_the_road(Job& job, std::optional<Input> input, const MeshEnc
   shape.attributes = attributes;
   shape.closed = report.topology.closed;
   write_mesh(job, mesh, shape, encoder, sink);
-  sink.settle();
+  sink.flush_and_sync();
 
   report.output = {mesh.face_count,
                    mesh.vertices->size(),
@@ -211,7 +212,7 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
   if (!writes_text(options.to, request.output, options.encoding)) sink.refuse_terminal();
   std::optional<Input> input;
   if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
-  return take_the_road(job, std::move(input), *encoder, sink, request, checkpoint, watch);
+  return run_pipeline(job, std::move(input), *encoder, sink, request, checkpoint, watch);
 }
 
 SimplifyReport simplify_with(Job& job, const SimplifyRequest& request,
@@ -230,8 +231,8 @@ SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source,
                                ByteSink& sink, const SimplifyOptions& options,
                                const Stopwatch& watch) {
   SimplifyCheckpoint none;
-  return take_the_road(job, Input(job, std::move(source)), encoder, sink, {{}, output, options},
-                       none, watch);
+  return run_pipeline(job, Input(job, std::move(source)), encoder, sink, {{}, output, options},
+                      none, watch);
 }
 
 SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,

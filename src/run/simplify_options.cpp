@@ -70,7 +70,7 @@ Access access_for(const SimplifyOptions& options) {
   return options.cell ? Access::once : Access::repeatedly;
 }
 
-CellNeeds needs_of(const SimplifyOptions& options, const AttributeChoice& choice) {
+CellNeeds needs_of(const SimplifyOptions& options, const AttributeSelection& choice) {
   return {options.placement == Placement::quadric, choice.carried.size(), welds(options)};
 }
 

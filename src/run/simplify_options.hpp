@@ -1,4 +1,4 @@
-// What the options of simplify() mean to the stations.
+// What the options of simplify() mean to the stages of the pipeline.
 #pragma once
 
 #include <winnow/simplify.hpp>
@@ -15,6 +15,6 @@ Refine cost_of(const SimplifyOptions& options);
 // Vertices that are near each other, not only equal ones.
 bool welds(const SimplifyOptions& options);
 Access access_for(const SimplifyOptions& options);
-CellNeeds needs_of(const SimplifyOptions& options, const AttributeChoice& choice = {});
+CellNeeds needs_of(const SimplifyOptions& options, const AttributeSelection& choice = {});
 
 }  // namespace winnow

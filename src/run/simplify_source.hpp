@@ -1,4 +1,4 @@
-// The road from an open source on, whatever that is: read, cluster, refine, write.
+// The pipeline from an open source on, whatever that is: read, cluster, refine, write.
 #pragma once
 
 #include <winnow/simplify.hpp>

@@ -35,7 +35,7 @@ BlockedFaces blocked_faces(Tile tile, const DecimationSettings& settings) {
     if (mesh.hub(v)) keeper[v] |= hub_beside;
     // Of vertices of other tiles not all faces are known.
     if (v >= tile.own_vertices) continue;
-    if (settings.keep_borders && legality.at_border(v)) keeper[v] |= kept_border;
+    if (settings.keep_boundaries && legality.at_boundary(v)) keeper[v] |= kept_border;
     if (settings.keep_pieces && (keeper[v] & small_piece) == 0 && piece.find(mesh, v)) {
       for (const VertexNumber w : piece.vertices) keeper[w] |= small_piece;
     }

@@ -112,7 +112,7 @@ class Refiner {
       RefinedMesh smaller = round(whole, tiling, incoming);
       if (report_.rounds == 1) keep_reference(whole.mesh);
       whole = std::move(smaller);
-      settings_.decimation.borders_known = true;
+      settings_.decimation.boundaries_known = true;
       if (whole.mesh.face_count <= settings_.faces) break;
       // One tile has no borders that kept anything. Of several, two rounds that hardly helped say
       // that no other will: one for each way in which the tiles lie.
@@ -198,7 +198,7 @@ class Refiner {
     idle_ = static_cast<unsigned>(manifest.number("refine.idle"));
     dearest_ = manifest.real("refine.dearest");
     dearest_allowed_ = manifest.real("refine.dearest_allowed");
-    settings_.decimation.borders_known = true;
+    settings_.decimation.boundaries_known = true;
     return manifest.number("refine.done") != 0;
   }
 
@@ -233,8 +233,9 @@ class Refiner {
 
   // Of the mesh that a round begins with.
   [[nodiscard]] std::size_t known_state_size() const {
-    return settings_.decimation.borders_known ? state_size()
-                                              : Decimation::first_state_size(settings_.decimation);
+    return settings_.decimation.boundaries_known
+               ? state_size()
+               : Decimation::first_state_size(settings_.decimation);
   }
 
   // What a round is going to remove, for its progress: the first of many tiles tries more than it
@@ -355,7 +356,7 @@ class Refiner {
                             const IncomingFaces& incoming) {
     DecimationSettings nothing_kept = settings_.decimation;
     nothing_kept.free_topology = true;
-    nothing_kept.keep_borders = nothing_kept.keep_pieces = false;
+    nothing_kept.keep_boundaries = nothing_kept.keep_pieces = false;
     if (dearest_allowed_ < no_limit || settings_.faces == 0 || settings_.decimation.error ||
         settings_.decimation.cost != CollapseCost::quadric || nothing_kept == settings_.decimation)
       return false;
@@ -535,10 +536,10 @@ class Refiner {
   template <typename Shrink>
   RefinedMesh make_smaller(const RefinedMesh& whole, const Tiling& tiling,
                            const IncomingFaces& incoming, const Shrink& shrink) {
-    SmallerMesh smaller(job_, state_size(), settings_.attributes.size(), memory_.mesh);
-    for_each_tile<TileRest>(
+    RoundOutput smaller(job_, state_size(), settings_.attributes.size(), memory_.mesh);
+    for_each_tile<TileResult>(
         tiling, incoming, 0,
-        [&](std::size_t number, TileRest& rest) {
+        [&](std::size_t number, TileResult& rest) {
           Tile tile = load_tile(whole, tiling, incoming, number, known_state_size(),
                                 settings_.attributes.size());
           TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked),
@@ -549,7 +550,7 @@ class Refiner {
           shrink(number, *decimation, values);
           rest = rest_of(tile, mesh, *decimation, values, state_size());
         },
-        [&](std::size_t, TileRest& rest) {
+        [&](std::size_t, TileResult& rest) {
           report_.changes.add(rest.changes);
           smaller.append(std::move(rest));
         });

@@ -1,5 +1,5 @@
-// The second half of the road: a clustered or welded mesh is made smaller by collapsing edges, tile
-// by tile.
+// The second half of the pipeline: a clustered or welded mesh is made smaller by collapsing edges,
+// tile by tile.
 #pragma once
 
 #include "decimate/decimation.hpp"
@@ -38,7 +38,7 @@ enum class StoppedBy { count, error, topology, boundaries, hubs, pieces };
 // other kind.
 struct BlockedFaces {
   std::uint64_t topology = 0;
-  std::uint64_t boundaries = 0;  // at vertices that DecimationSettings::keep_borders keeps
+  std::uint64_t boundaries = 0;  // at vertices that DecimationSettings::keep_boundaries keeps
   std::uint64_t hubs = 0;        // at hubs
   std::uint64_t pieces = 0;      // of small pieces that DecimationSettings::keep_pieces keeps
 

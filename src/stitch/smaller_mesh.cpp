@@ -19,9 +19,9 @@ std::array<float, 3> normal_along(const Point& sum) {
           static_cast<float>(sum[2] / size)};
 }
 
-TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
-                 const CarriedValues& values, std::size_t state_size) {
-  TileRest rest;
+TileResult rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
+                   const CarriedValues& values, std::size_t state_size) {
+  TileResult rest;
   std::vector<std::uint8_t> has_faces(mesh.vertex_count(), 0);
   std::vector<Point> normals(mesh.vertex_count(), Point{});
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
@@ -76,7 +76,7 @@ TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decim
   return rest;
 }
 
-SmallerMesh::SmallerMesh(Job& job, std::size_t state_size, std::size_t attributes,
+RoundOutput::RoundOutput(Job& job, std::size_t state_size, std::size_t attributes,
                          std::uint64_t memory)
     : job_(job),
       memory_(memory),
@@ -95,7 +95,7 @@ SmallerMesh::SmallerMesh(Job& job, std::size_t state_size, std::size_t attribute
   if (state_size > 0) out_.state = std::make_unique<Spool>(job, left);
 }
 
-void SmallerMesh::append(TileRest rest) {
+void RoundOutput::append(TileResult rest) {
   const auto base = static_cast<std::uint32_t>(first_vertex_.back());
   for (FaceVertices& face : rest.faces) {
     for (std::uint32_t& v : face) v += base;
@@ -120,7 +120,7 @@ void SmallerMesh::append(TileRest rest) {
   first_named_.push_back(first_named_.back() + rest.named.size());
 }
 
-std::uint32_t SmallerMesh::new_number(const Tiling& tiling, RecentBlocks& named,
+std::uint32_t RoundOutput::new_number(const Tiling& tiling, RecentBlocks& named,
                                       std::uint32_t old_number) const {
   const std::size_t tile = tiling.tile_of(old_number);
   std::uint64_t low = first_named_[tile];
@@ -139,7 +139,7 @@ std::uint32_t SmallerMesh::new_number(const Tiling& tiling, RecentBlocks& named,
   return static_cast<std::uint32_t>(first_vertex_[tile] + found.place);
 }
 
-void SmallerMesh::set_normals(const std::map<std::uint32_t, Point>& normals) {
+void RoundOutput::set_normals(const std::map<std::uint32_t, Point>& normals) {
   const std::unique_ptr<VertexIndex> before =
       std::exchange(out_.mesh.vertices, std::make_unique<VertexIndex>(job_, memory_ / 32));
   SpoolCursor<IndexedVertex> vertices(job_, before->records());
@@ -154,7 +154,7 @@ void SmallerMesh::set_normals(const std::map<std::uint32_t, Point>& normals) {
   out_.mesh.vertices->finish();
 }
 
-RefinedMesh SmallerMesh::finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs) {
+RefinedMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs) {
   out_.mesh.vertices->finish();
   if (out_.state != nullptr) out_.state->finish();
   if (out_.mesh.attributes != nullptr) out_.mesh.attributes->finish();

@@ -29,7 +29,7 @@ struct NamedVertex {
 std::array<float, 3> normal_along(const Point& sum);
 
 // What is left of one tile.
-struct TileRest {
+struct TileResult {
   std::vector<IndexedVertex> vertices;
   std::vector<std::byte> state;
   std::vector<double> attributes;
@@ -42,15 +42,15 @@ struct TileRest {
 };
 
 // Vertices without faces go; the others get the normals of their faces.
-TileRest rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
-                 const CarriedValues& values, std::size_t state_size);
+TileResult rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
+                   const CarriedValues& values, std::size_t state_size);
 
 // Takes the tiles in order, on one thread.
-class SmallerMesh {
+class RoundOutput {
  public:
-  SmallerMesh(Job& job, std::size_t state_size, std::size_t attributes, std::uint64_t memory);
+  RoundOutput(Job& job, std::size_t state_size, std::size_t attributes, std::uint64_t memory);
 
-  void append(TileRest rest);
+  void append(TileResult rest);
 
   // `tiling`: that of the tiles; `hubs`: IncomingFaces::hubs(). A hub that has lost all its faces
   // is left.

@@ -24,7 +24,7 @@ Format format_called(const std::string& path) {
   const std::string name = std::filesystem::path(without_compression(path)).filename().string();
   const std::size_t dot = name.rfind('.');
   std::string ending = dot == std::string::npos ? "" : name.substr(dot);
-  std::transform(ending.begin(), ending.end(), ending.begin(), small_letter);
+  std::transform(ending.begin(), ending.end(), ending.begin(), ascii_to_lower);
   for (const auto& [known, format] : endings) {
     if (ending == known) return format;
   }

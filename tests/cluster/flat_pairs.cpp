@@ -58,7 +58,7 @@ TEST_CASE("faces without area that lie upon each other leave a closed mesh") {
       CHECK(mesh.face_count == 6 * (4 * n - 2) - 2 * mesh.flat_pairs);
       const Defects defects = defects_of(plain(mesh).faces);
       CHECK(defects.crowded == 0);
-      CHECK(defects.borders == 0);
+      CHECK(defects.boundary_edges == 0);
       CHECK(defects.discords == 0);
     }
   }

@@ -34,7 +34,6 @@ TEST_CASE("tables, faces and results that spill give the same mesh", "[threads]"
       const ClusterSettings settings = settings_over(*mesh, cell, placement);
       const PlainMesh right =
           cluster(*mesh, settings, {.memory = {1 << 28, 1 << 26, 1 << 26, 1 << 26, 16}});
-      REQUIRE(right.spilled == 0);
       REQUIRE(right.faces.size() > 10'000);
       for (const auto& [threads, ask] :
            {std::pair{1U, true}, std::pair{3U, true}, std::pair{3U, false}}) {
@@ -43,7 +42,8 @@ TEST_CASE("tables, faces and results that spill give the same mesh", "[threads]"
         style.batches = &random;
         const PlainMesh spilled = cluster(*mesh, settings, style);
         CAPTURE(name, quadrics, threads, ask);
-        CHECK(spilled.spilled > 500'000);
+        // Of a soup nearly all sides of faces are boundaries, and spill before all else.
+        CHECK(spilled.spilled > right.spilled + 500'000);
         REQUIRE(difference(spilled, right) == "");
         CHECK(spilled.counts.faces == right.counts.faces);
       }

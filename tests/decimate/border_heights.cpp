@@ -1,4 +1,4 @@
-// How far a border vertex is from the line that is left without it.
+// How far a boundary vertex is from the line that is left without it.
 #include "decimate/fan.hpp"
 
 #include <vector>
@@ -11,12 +11,12 @@ namespace {
 
 double height(const Point& before, const Point& after, const Point& off = {}) {
   const std::vector<Point> seen{before, {0, 1, 0}, after};
-  return border_height({seen, false, off});
+  return boundary_height({seen, false, off});
 }
 
 }  // namespace
 
-TEST_CASE("a straight border has no height") {
+TEST_CASE("a straight boundary has no height") {
   CHECK(height({1, 0, 0}, {-3, 0, 0}) == 0);
   CHECK(height({1, 2, 3}, {-2, -4, -6}) == 0);
 }
@@ -32,12 +32,12 @@ TEST_CASE("a spike is as high as its nearer end is far") {
   CHECK(height({0, 2, 0}, {0, 2, 0}) == 2);
 }
 
-TEST_CASE("a border is straight where rounding may have bent it, each axis by itself") {
+TEST_CASE("a boundary is straight where rounding may have bent it, each axis by itself") {
   const Point before{2, 0, 0.001};
   const Point after{-2, 0, 0};
   CHECK(height(before, after, {0, 0, 0.001}) == 0);
   CHECK(height(before, after, {0, 0, 0.0001}) > 0);
-  // What is unknown along the border says nothing of heights.
+  // What is unknown along the boundary says nothing of heights.
   CHECK(height(before, after, {0.1, 0, 0.0001}) > 0);
 }
 

@@ -1,5 +1,5 @@
 // What holds for the collapses of a whole mesh: of the whale, and of the elevation tile with its
-// border.
+// boundary.
 #include "decimate/decimation.hpp"
 
 #include "support/refining.hpp"
@@ -101,7 +101,7 @@ TEST_CASE("prices never fall, faces add up, and no face turns beyond the bound",
         CHECK(after.crowded <= before.crowded);
         CHECK(after.duplicates == 0);
         CHECK(after.discords == before.discords);
-        if (before.borders == 0) CHECK(after.borders == 0);
+        if (before.boundary_edges == 0) CHECK(after.boundary_edges == 0);
       }
     }
   }
@@ -181,15 +181,15 @@ TEST_CASE("locked vertices neither move nor go") {
   }
 }
 
-TEST_CASE("a border that is kept keeps all its vertices") {
+TEST_CASE("a boundary that is kept keeps all its vertices") {
   const PlainMesh plain = plain_mesh(mountains());
   DecimationSettings settings;
-  settings.keep_borders = true;
+  settings.keep_boundaries = true;
   const Decimated out =
       decimated(whole_tile(plain), settings,
                 {plain.faces.size() / 20, std::numeric_limits<double>::infinity()});
-  CHECK(defects_of(live_faces(out.mesh)).borders == defects_of(plain.faces).borders);
-  CHECK(defects_of(plain.faces).borders > 500);
+  CHECK(defects_of(live_faces(out.mesh)).boundary_edges == defects_of(plain.faces).boundary_edges);
+  CHECK(defects_of(plain.faces).boundary_edges > 500);
 }
 
 TEST_CASE("a run repeated from its list of collapses leaves the same states") {

@@ -42,7 +42,7 @@ TEST_CASE("a fan that goes all the way round") {
   CHECK(fan.view().seen[2] == Point{3, 0, 0});
 }
 
-TEST_CASE("an open fan goes from border to border, however its faces turn") {
+TEST_CASE("an open fan goes from boundary to boundary, however its faces turn") {
   Fan fan(0);
   REQUIRE(fan.find(around({{2, 3}, {2, 1}, {4, 3}}), 0));
   CHECK_FALSE(fan.view().closed);

@@ -83,7 +83,7 @@ TEST_CASE("two fans over one ring become a tetrahedron but do not fall together"
   CHECK_FALSE(may(four, 0, 1));
 }
 
-TEST_CASE("borders are not pinched") {
+TEST_CASE("boundaries are not pinched") {
   // A strip: 0 1 2 3 above, 4 5 6 7 below.
   const std::vector<FaceVertices> strip{{0, 4, 5}, {0, 5, 1}, {1, 5, 6},
                                         {1, 6, 2}, {2, 6, 7}, {2, 7, 3}};
@@ -95,7 +95,7 @@ TEST_CASE("borders are not pinched") {
   const std::vector<FaceVertices> hole{{0, 1, 4}, {0, 4, 3}, {1, 2, 5},
                                        {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
   CHECK_FALSE(may(hole, 3, 4));
-  // From inside to the border is free.
+  // From inside to the boundary is free.
   const std::vector<FaceVertices> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
   CHECK(may(fan, 0, 1));
 }
@@ -112,12 +112,12 @@ TEST_CASE("an edge with three faces collapses only where its ends share no more"
   CHECK_FALSE(may(more, 0, 1));
 }
 
-TEST_CASE("a border is where an edge has not two faces") {
+TEST_CASE("a boundary is where an edge has not two faces") {
   const std::vector<FaceVertices> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
   TileMesh mesh = mesh_of(fan);
   Legality legality(mesh, 0);
-  CHECK_FALSE(legality.at_border(0));
-  for (VertexNumber v = 1; v < 5; ++v) CHECK(legality.at_border(v));
+  CHECK_FALSE(legality.at_boundary(0));
+  for (VertexNumber v = 1; v < 5; ++v) CHECK(legality.at_boundary(v));
 }
 
 TEST_CASE(

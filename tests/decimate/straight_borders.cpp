@@ -1,4 +1,4 @@
-// Borders that are straight stay where they are.
+// Boundaries that are straight stay where they are.
 #include "support/surfaces.hpp"
 #include "support/tile_meshes.hpp"
 

@@ -62,7 +62,7 @@ TEST_CASE("the sharper a vertex, the dearer the same volume") {
   }
 }
 
-TEST_CASE("a border costs by the area that it loses, to its neighbours alike") {
+TEST_CASE("a boundary costs by the area that it loses, to its neighbours alike") {
   const std::vector<Point> corner{{1, 0, 0}, {0.5, 0.5, 0}, {0, 1, 0}};
   const std::vector<Point> straight{{1, 0, 0}, {0.5, 0.5, 0}, {-1, 0, 0}};
   CHECK(VolumePrice({straight, false})(0) == 0);

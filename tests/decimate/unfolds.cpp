@@ -135,7 +135,7 @@ TEST_CASE("vertices that are locked stay") {
   for (const VertexNumber v : done.moved) CHECK(locked[v] == 0);
 }
 
-TEST_CASE("vertices of a border stay, folded or not") {
+TEST_CASE("vertices of a boundary stay, folded or not") {
   Sheet s = sheet(coarse);
   for (std::uint32_t x = 2; x + 2 < coarse; x += 4) s.positions[x][1] += 1.3 / coarse;
   REQUIRE(upside_down(s) > 0);

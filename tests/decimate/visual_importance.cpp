@@ -67,12 +67,12 @@ TEST_CASE("a needle costs no less than a dent of the same height") {
   }
 }
 
-TEST_CASE("a border costs the square of its height, straight ones nothing") {
-  const auto border = [](double height) {
+TEST_CASE("a boundary costs the square of its height, straight ones nothing") {
+  const auto boundary = [](double height) {
     return std::vector<Point>{{1, -height, 0}, {0.5, 1, 0}, {-1, -height, 0}};
   };
   const auto cost = [&](double height) {
-    const auto seen = border(height);
+    const auto seen = boundary(height);
     return ImportancePrice({seen, false})(0);
   };
   CHECK(cost(0) == 0);

@@ -95,7 +95,7 @@ void decimate(std::span<const std::byte> input) {
   settings.cost =
       std::array{CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance}.at(kind %
                                                                                            3);
-  settings.keep_borders = (kind & 16) != 0;
+  settings.keep_boundaries = (kind & 16) != 0;
   settings.keep_pieces = (kind & 8) != 0;
   settings.free_topology = (kind & 128) != 0 && settings.cost == CollapseCost::quadric;
   settings.single = (kind & 32) == 0;

@@ -53,7 +53,7 @@ std::optional<Faces> read(const std::string& content, test::MemorySource::Kind k
   FuzzJob fuzz;
   std::optional<Faces> faces;
   survives([&] {
-    AttributeWish wish;
+    AttributeRequest wish;
     wish.names.reset();
     const auto reader =
         open_reader(fuzz.job, std::make_unique<test::MemorySource>(content, kind),

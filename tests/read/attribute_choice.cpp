@@ -13,8 +13,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-AttributeOffer offer() {
-  AttributeOffer offer;
+AvailableAttributes offer() {
+  AvailableAttributes offer;
   for (const char* name : {"nx", "ny", "nz", "quality"})
     offer.scalars.push_back({name, ScalarType::float32});
   for (const char* name : {"red", "green", "blue"})
@@ -26,13 +26,13 @@ AttributeOffer offer() {
   return offer;
 }
 
-AttributeWish wish(const std::optional<Names>& names) {
-  AttributeWish wish;
+AttributeRequest wish(const std::optional<Names>& names) {
+  AttributeRequest wish;
   wish.names = names;
   return wish;
 }
 
-Names names_of(const AttributeChoice& choice) {
+Names names_of(const AttributeSelection& choice) {
   Names names;
   for (const Attribute& attribute : choice.carried) names.push_back(attribute.name);
   return names;
@@ -41,7 +41,7 @@ Names names_of(const AttributeChoice& choice) {
 }  // namespace
 
 TEST_CASE("without names whatever has a mean is carried and the rest is told") {
-  const AttributeChoice choice = choose_attributes(wish({}), offer(), "in");
+  const AttributeSelection choice = choose_attributes(wish({}), offer(), "in");
   CHECK(names_of(choice) == Names{"nx", "ny", "nz", "quality", "red", "green", "blue"});
   CHECK(choice.scalar == std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6});
   CHECK(choice.carried[0].kind == AttributeKind::normal);
@@ -53,7 +53,7 @@ TEST_CASE("without names whatever has a mean is carried and the rest is told") {
 }
 
 TEST_CASE("named attributes are carried in the order of the input") {
-  const AttributeChoice choice =
+  const AttributeSelection choice =
       choose_attributes(wish(Names{"colors", "s", "quality"}), offer(), "in");
   CHECK(names_of(choice) == Names{"quality", "red", "green", "blue", "s"});
   CHECK(choice.dropped.empty());
@@ -66,17 +66,17 @@ TEST_CASE("named attributes are carried in the order of the input") {
 }
 
 TEST_CASE("what the output cannot hold is told with the reason") {
-  AttributeWish none = wish({});
+  AttributeRequest none = wish({});
   none.refusal = [](const Attribute&, std::span<const Attribute>) {
     return std::string("STL holds nothing:");
   };
-  const AttributeChoice choice = choose_attributes(none, offer(), "in");
+  const AttributeSelection choice = choose_attributes(none, offer(), "in");
   CHECK(choice.carried.empty());
   CHECK(choice.dropped.front() == "STL holds nothing: nx, ny, nz, quality, red, green, blue, s, t");
 }
 
 TEST_CASE("a name that is none and too many names are usage errors") {
-  const auto refused = [](const Names& names, const AttributeOffer& from) {
+  const auto refused = [](const Names& names, const AvailableAttributes& from) {
     return error_of([&] { choose_attributes(wish(names), from, "in.ply"); });
   };
   CHECK(refused({"colour"}, offer()).kind() == ErrorKind::usage);
@@ -86,20 +86,20 @@ TEST_CASE("a name that is none and too many names are usage errors") {
   CHECK_THAT(refused({"values"}, offer()).what(), Catch::Contains("list"));
   CHECK_THAT(refused({"colors"}, {}).what(), Catch::Contains("none"));
 
-  AttributeOffer many;
+  AvailableAttributes many;
   Names names;
   for (int i = 0; i < 17; ++i) {
     names.push_back("a" + std::to_string(i));
     many.scalars.push_back({names.back(), ScalarType::int8});
   }
   CHECK(refused(names, many).kind() == ErrorKind::usage);
-  const AttributeChoice choice = choose_attributes(wish({}), many, "in");
+  const AttributeSelection choice = choose_attributes(wish({}), many, "in");
   CHECK(choice.carried.size() == most_attributes);
   CHECK(choice.dropped == Names{"more than 16 attributes: a16"});
 }
 
 TEST_CASE("several inputs offer together what all have by one name and type") {
-  AttributeOffer other = offer();
+  AvailableAttributes other = offer();
   std::reverse(other.scalars.begin(), other.scalars.end());
   other.scalars.push_back({"more", ScalarType::uint8});
   other.scalars.erase(other.scalars.begin());  // t
@@ -107,13 +107,13 @@ TEST_CASE("several inputs offer together what all have by one name and type") {
     if (attribute.name == "quality") attribute.type = ScalarType::float64;
   }
   other.unread = {"materials"};
-  const AttributeOffer common = common_offer({offer(), other});
+  const AvailableAttributes common = common_offer({offer(), other});
   Names names;
   for (const Attribute& attribute : common.scalars) names.push_back(attribute.name);
   CHECK(names == Names{"nx", "ny", "nz", "red", "green", "blue", "s"});
   CHECK(common.not_common == Names{"quality", "t", "more"});
   CHECK(common.of_faces == Names{"flags"});
-  const AttributeChoice choice = choose_attributes(wish({}), common, "in");
+  const AttributeSelection choice = choose_attributes(wish({}), common, "in");
   CHECK(choice.dropped.back() == "not read from this format: materials");
   CHECK(choice.dropped[choice.dropped.size() - 2] ==
         "not in every input, or not of one type: quality, t, more");
@@ -121,11 +121,11 @@ TEST_CASE("several inputs offer together what all have by one name and type") {
 }
 
 TEST_CASE("colours of different types are said to be none in common") {
-  AttributeOffer bytes, floats;
+  AvailableAttributes bytes, floats;
   bytes.scalars = {
       {"red", ScalarType::uint8}, {"green", ScalarType::uint8}, {"blue", ScalarType::uint8}};
   floats.scalars = {{"red"}, {"green"}, {"blue"}};
-  const AttributeOffer common = common_offer({bytes, floats});
+  const AvailableAttributes common = common_offer({bytes, floats});
   const Error error = error_of([&] { choose_attributes(wish(Names{"colors"}), common, "in.ply"); });
   CHECK(std::string(error.what()) ==
         "'in.ply': 'colors' is not in every input, or not of one type; they have none "

@@ -36,7 +36,7 @@ Content read(test::TestJob& test, const std::string& path, Access access,
   }
   content.faces = test::read_faces(test.job, *reader);
   if (access == Access::repeatedly) {
-    reader->rest();
+    reader->release_memory();
     CHECK(difference(test::read_faces(test.job, *reader), content.faces) == "");
     CHECK(difference(test::read_positions(test.job, *reader), content.positions) == "");
   }

@@ -2,7 +2,7 @@
 // do, they come sorted by their vertices; each once, and the same.
 #include "read/indexed/sorted_faces.hpp"
 
-#include "read/indexed/kept_faces.hpp"
+#include "read/indexed/buffered_faces.hpp"
 #include "support/files.hpp"
 #include "support/ply_file.hpp"
 #include "support/reading.hpp"
@@ -38,7 +38,7 @@ test::Polygons scattered(test::Random& random, std::size_t faces, std::size_t mo
     if (random.chance(0.002)) face.resize(random.below(3));
     // What faces of too few corners are kept as.
     if (random.chance(0.001))
-      face.assign(KeptFaces::degenerate.begin(), KeptFaces::degenerate.end());
+      face.assign(BufferedFaces::degenerate.begin(), BufferedFaces::degenerate.end());
     mesh.faces.push_back(face);
   }
   return mesh;

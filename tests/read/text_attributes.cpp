@@ -12,7 +12,7 @@ namespace winnow::test {
 
 namespace {
 
-std::string line_of(const AttributeOffer& offer) {
+std::string line_of(const AvailableAttributes& offer) {
   std::string line;
   for (const Attribute& attribute : offer.scalars)
     line += (line.empty() ? "" : " ") + attribute.name + ":" + name_of(attribute.type);

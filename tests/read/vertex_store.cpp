@@ -98,8 +98,8 @@ TEST_CASE("vertices that are kept are looked up from memory and from scratch") {
       CHECK(store.size() == vertex_count);
       CHECK(test.job.budget.used() <= limit + (1 << 20));
       check_lookups(store);
-      store.rest();
-      store.wake();
+      store.release_memory();
+      store.acquire_memory();
       check_lookups(store);
     }
   }
@@ -114,8 +114,8 @@ TEST_CASE(
   const test::OpenedFile damaged(test::opened_since(before).front());
   // All looks at it alone: what was looked at before is in memory.
   const auto rested = [&](const auto& look) {
-    store.rest();
-    store.wake();
+    store.release_memory();
+    store.acquire_memory();
     look();
   };
   const auto batch = std::make_unique<FaceBatch>();
@@ -183,9 +183,9 @@ TEST_CASE("vertices in a mapped file are looked up whatever their records are li
       CHECK(store.size() == vertex_count);
       CHECK(test.job.budget.used() <= limit);
       check_lookups(store);
-      store.rest();
+      store.release_memory();
       CHECK(test.job.budget.used() == 0);
-      store.wake();
+      store.acquire_memory();
       check_lookups(store);
     }
   }

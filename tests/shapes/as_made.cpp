@@ -59,8 +59,8 @@ TEST_CASE("edges have the faces that they should", "[shapes]") {
   CHECK(defects_of(shapes::book(10).faces).crowded == 1);
   CHECK(defects_of(shapes::double_sided(3).faces).crowded == 108 * 3 / 2);
   CHECK(defects_of(shapes::double_sided(3).faces).duplicates == 108);
-  CHECK(defects_of(shapes::hub(100).faces).borders == 300);
-  CHECK(defects_of(shapes::soup(100).faces).borders == 300);
+  CHECK(defects_of(shapes::hub(100).faces).boundary_edges == 300);
+  CHECK(defects_of(shapes::soup(100).faces).boundary_edges == 300);
   CHECK(defects_of(shapes::crowd(1000, 50).faces).degenerate == 0);
   CHECK(border_of(shapes::hills(10)).size() == 40);
   CHECK(border_of(shapes::open_fan(77)).size() == 77);

@@ -100,7 +100,7 @@ TEST_CASE("kept boundaries keep every vertex whatever is clustered", "[shapes]")
   options.boundary = Boundary::keep;
   options.detail = 6;
   const RefinedShape out = refine_shape(shapes::hills(200), {}, options);
-  CHECK(out.defects.borders == 4 * 200);
+  CHECK(out.defects.boundary_edges == 4 * 200);
   CHECK(border_distance(border_of(out.output), border_of(out.input), 0) == 0);
   CHECK(border_distance(border_of(out.input), border_of(out.output), 0) == 0);
 }

@@ -36,7 +36,7 @@ TEST_CASE("of a ball given in both senses one is left or both", "[shapes]") {
           const RefinedShape out = refine_shape(shape, pose, options);
           CAPTURE(out.output.faces.size());
           CHECK(out.defects.discords == 0);
-          CHECK(out.defects.borders == 0);
+          CHECK(out.defects.boundary_edges == 0);
           CHECK(balanced(out.output));
           if (out.defects.crowded == 0) {
             // The first face's sense.
@@ -63,7 +63,7 @@ TEST_CASE("of a ball whose pairs begin with either sense one is left or both", "
       for (const SimplifyOptions& options : {to_count(pairs), to_count(200), to_error(0.02)}) {
         const RefinedShape out = refine_shape(shape, pose, options);
         CHECK(out.defects.discords == 0);
-        CHECK(out.defects.borders == 0);
+        CHECK(out.defects.boundary_edges == 0);
         CHECK(balanced(out.output));
         CHECK(out.report.merged_opposite_faces == pairs);
       }

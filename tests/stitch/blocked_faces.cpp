@@ -28,7 +28,7 @@ BlockedFaces blocked(const std::vector<Triangle>& triangles, const DecimationSet
 TEST_CASE("faces at a kept boundary are told apart from those inside") {
   DecimationSettings settings;
   CHECK(blocked(sheet(10), settings).topology == 200);
-  settings.keep_borders = true;
+  settings.keep_boundaries = true;
   const BlockedFaces kept = blocked(sheet(10), settings);
   CHECK(kept.boundaries == 200 - 2 * 8 * 8);
   CHECK(kept.topology == 2 * 8 * 8);

@@ -28,7 +28,7 @@ void check_sound(const PlainMesh& mesh) {
 // Closed, every edge with two faces that pass it in either direction.
 void check_closed(const PlainMesh& mesh) {
   const Defects defects = defects_of(mesh.faces);
-  CHECK(defects.borders == 0);
+  CHECK(defects.boundary_edges == 0);
   CHECK(defects.crowded == 0);
   CHECK(defects.discords == 0);
 }

@@ -29,7 +29,7 @@ struct ClusterStyle {
   unsigned threads = 2;
   Random* batches = nullptr;  // of random sizes; else as large as they may be
   bool single = false;        // batches of floats, for corners that floats hold
-  bool ask_to_spill = true;   // as the road does; else the table has to see to it
+  bool ask_to_spill = true;   // as the pipeline does; else the table has to see to it
 };
 
 // Vertices and faces of a result; the counts are the caller's.

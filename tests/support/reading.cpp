@@ -92,7 +92,7 @@ void check_later_passes(Job& job, MeshReader& reader, const ReaderMemory& memory
   read_positions(job, reader);
   CHECK(job.budget.used() <= memory.vertices);
   REQUIRE(difference(read_faces(job, reader), faces) == "");
-  reader.rest();
+  reader.release_memory();
   REQUIRE(difference(read_faces(job, reader), faces) == "");
   CHECK(job.scratch.written() == written);
 }
@@ -117,7 +117,7 @@ std::vector<SeenFace> faces_of_pipe(const std::string& content, const ReadStyle&
 Carried carried_by(std::unique_ptr<ByteSource> source, std::uint64_t memory,
                    std::uint64_t vertex_memory) {
   TestJob test({.memory = memory});
-  AttributeWish wish;
+  AttributeRequest wish;
   wish.names.reset();
   const auto reader = open_reader(test.job, std::move(source), Format::automatic, Access::once,
                                   {vertex_memory, 8192}, wish);

@@ -101,7 +101,9 @@ inline double spacing_of(const Shape& shape, Numbers numbers) {
 
 inline bool is_closed(const RefinedShape& refined) {
   const Defects& found = refined.defects;
-  return found.borders + found.crowded + found.discords + found.duplicates + found.degenerate == 0;
+  return found.boundary_edges + found.crowded + found.discords + found.duplicates +
+             found.degenerate ==
+         0;
 }
 
 }  // namespace winnow::test

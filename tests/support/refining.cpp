@@ -75,7 +75,7 @@ Defects defects_of(const std::vector<FaceVertices>& faces) {
     std::size_t end = i;
     while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high)
       ++end;
-    defects.borders += end - i == 1;
+    defects.boundary_edges += end - i == 1;
     defects.crowded += end - i > 2;
     defects.discords += end - i == 2 && sides[i].along == sides[i + 1].along;
     i = end;

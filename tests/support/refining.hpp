@@ -28,7 +28,7 @@ std::string mountains();
 
 // Edges with one face, and with more than two; the same face twice; a vertex twice in a face.
 struct Defects {
-  std::uint64_t borders = 0, crowded = 0, duplicates = 0, degenerate = 0;
+  std::uint64_t boundary_edges = 0, crowded = 0, duplicates = 0, degenerate = 0;
   // Edges that two faces pass in the same direction.
   std::uint64_t discords = 0;
 };
@@ -43,7 +43,7 @@ RefineSettings down_to(std::uint64_t faces, std::uint64_t tile_faces);
 // What is left of a tile.
 std::vector<FaceVertices> live_faces(const TileMesh& mesh);
 
-// Refined with parts of the budget as the road divides it.
+// Refined with parts of the budget as the pipeline divides it.
 struct Refined {
   PlainMesh mesh;
   RefineReport report;

@@ -42,8 +42,8 @@ GltfAttributes attributes_of(const GltfDocument& document) {
   return all;
 }
 
-AttributeOffer offer_of(const GltfAttributes& attributes) {
-  AttributeOffer offer;
+AvailableAttributes offer_of(const GltfAttributes& attributes) {
+  AvailableAttributes offer;
   for (std::size_t i = 0; i < normal_names.size() && attributes.normals; ++i)
     offer.scalars.push_back({std::string(normal_names[i]), ScalarType::float32});
   for (std::size_t i = 0; i < (attributes.alpha ? 4 : 3) && attributes.colors; ++i) {

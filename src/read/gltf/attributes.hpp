@@ -26,7 +26,7 @@ struct GltfAttributes {
 GltfAttributes attributes_of(const GltfDocument& document);
 
 // nx, ny and nz as floats; red, green, blue and alpha.
-AttributeOffer offer_of(const GltfAttributes& attributes);
+AvailableAttributes offer_of(const GltfAttributes& attributes);
 
 // The numbers of what is offered, primitive by primitive.
 class GltfVertexAttributes {

@@ -1,13 +1,13 @@
 // glTF 2.0 (Khronos, 2021), as GLB or as JSON: the triangles of the default scene, where its nodes
 // place them.
 #include "base/text.hpp"
+#include "read/buffered_reader.hpp"
 #include "read/formats.hpp"
 #include "read/gltf/accessor.hpp"
 #include "read/gltf/attributes.hpp"
 #include "read/gltf/bytes.hpp"
 #include "read/gltf/file.hpp"
 #include "read/gltf/instances.hpp"
-#include "read/kept_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ namespace {
 class Corners {
  public:
   Corners(GltfPrimitive::Mode mode, bool mirrored, std::uint64_t base, std::uint64_t vertices,
-          KeptMesh& mesh)
+          BufferedMesh& mesh)
       : mode_(mode), mirrored_(mirrored), base_(base), vertices_(vertices), mesh_(mesh) {}
 
   void add(std::uint64_t index) {
@@ -63,7 +63,7 @@ class Corners {
   GltfPrimitive::Mode mode_;
   bool mirrored_;
   std::uint64_t base_, vertices_;
-  KeptMesh& mesh_;
+  BufferedMesh& mesh_;
   std::uint64_t seen_ = 0;
   std::uint32_t first_ = 0, before_ = 0, last_ = 0;
   std::vector<std::uint32_t> triangles_;
@@ -72,7 +72,7 @@ class Corners {
 class GltfParser {
  public:
   GltfParser(const GltfDocument& document, const GltfAttributes& attributes, GltfBytes& bytes,
-             KeptMesh& mesh)
+             BufferedMesh& mesh)
       : document_(document), attributes_(attributes), bytes_(bytes), mesh_(mesh) {}
 
   void parse() {
@@ -177,7 +177,7 @@ class GltfParser {
   const GltfDocument& document_;
   const GltfAttributes& attributes_;
   GltfBytes& bytes_;
-  KeptMesh& mesh_;
+  BufferedMesh& mesh_;
   std::map<VertexKey, std::uint64_t> first_vertex_;  // of this node or instance
   std::uint64_t left_over_ = 0;
 };
@@ -194,21 +194,22 @@ TextMatch match_gltf(std::string_view head) {
   return TextMatch::none;
 }
 
-AttributeOffer offer_of_gltf(Job& job, ByteSource& source) {
+AvailableAttributes offer_of_gltf(Job& job, ByteSource& source) {
   return offer_of(attributes_of(peek_gltf(job, source).document));
 }
 
 std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory, const AttributeWish& wish) {
+                                      const ReaderMemory& memory, const AttributeRequest& wish) {
   const GltfFile file = peek_gltf(job, *source);
   const GltfAttributes attributes = attributes_of(file.document);
-  const auto parse = [&](ByteSource& from, std::size_t /*batch_faces*/, KeptMesh& mesh) {
+  const auto parse = [&](ByteSource& from, std::size_t /*batch_faces*/, BufferedMesh& mesh) {
     const GltfOwnBuffer own = own_buffer_of(from, file);
     GltfBytes bytes(job, from, own.begin, own.bytes, file.document);
     GltfParser(file.document, attributes, bytes, mesh).parse();
   };
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish,
-                                      file.binary ? "GLB" : "glTF", offer_of(attributes), parse);
+  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish,
+                                          file.binary ? "GLB" : "glTF", offer_of(attributes),
+                                          parse);
 }
 
 }  // namespace winnow

@@ -6,8 +6,8 @@
 #include "read/for_each_batch.hpp"
 #include "read/indexed/locality.hpp"
 #include "read/indexed/packed_records.hpp"
-#include "read/ply/scalar.hpp"
 #include "read/indexed/slices.hpp"
+#include "read/ply/scalar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@
 namespace winnow {
 
 void IndexedReader::begin_positions(PassCorners /*corners*/) {
-  if (streams_ != nullptr) streams_->rest();
-  vertices_.wake();
+  if (streams_ != nullptr) streams_->release_memory();
+  vertices_.acquire_memory();
   next_position_ = 0;
 }
 
@@ -75,7 +75,7 @@ std::vector<MeshReader::AttributeRange> IndexedReader::attribute_ranges() {
   }
   if (real.empty()) return ranges;
   job_.progress.begin("measure attributes", vertices_.size(), "vertices");
-  vertices_.wake();
+  vertices_.acquire_memory();
   const VertexLayout& layout = vertices_.layout();
   vertices_.for_each_stretch([&](const std::byte* record, std::size_t count) {
     job_.progress.advance(count);
@@ -101,17 +101,17 @@ void IndexedReader::begin_faces() {
   next_face_ = 0;
   held_.clear();
   if (streams_ == nullptr && sorted_ == nullptr) {
-    vertices_.wake();
+    vertices_.acquire_memory();
     if (sampled_ || !vertices_.larger_than_memory()) return begin_indices();
     begin_first_time();
     if (streams_ == nullptr && sorted_ == nullptr) return;
     next_face_ = 0;
   }
   if (sorted_ != nullptr) {
-    vertices_.wake();
+    vertices_.acquire_memory();
     return sorted_->begin();
   }
-  vertices_.rest();
+  vertices_.release_memory();
   streams_->begin();
   if (kept_ == nullptr) begin_indices();
 }
@@ -173,7 +173,7 @@ void IndexedReader::cut_polygons(RawBatch& batch) {
 void IndexedReader::reserve_for_batch(std::uint64_t triangles) {
   job_.progress.check_cancelled();
   if (triangles <= std::max<std::uint64_t>(2 * memory_.batch_faces, largest_batch_)) return;
-  const std::uint64_t in_flight = 2 * batches_in_flight(job_.threads) * KeptFaces::bytes_a_face;
+  const std::uint64_t in_flight = 2 * batches_in_flight(job_.threads) * BufferedFaces::bytes_a_face;
   large_polygon_.release();
   large_polygon_ = job_.budget.reserve((triangles + 2) * (in_flight + PolygonCutter::memory(1)),
                                        "a large polygon");
@@ -281,7 +281,7 @@ void IndexedReader::begin_first_time() {
 }
 
 void IndexedReader::take_in(const std::function<void(const NextFaces&)>& build) {
-  vertices_.rest();
+  vertices_.release_memory();
   try {
     build([this](RawBatch& batch) { return next_of_source(batch); });
   } catch (const Error& error) {
@@ -295,7 +295,7 @@ void IndexedReader::take_in(const std::function<void(const NextFaces&)>& build) 
 void IndexedReader::bring_together(const CornerStreams::Plan& plan) {
   auto streams = std::make_unique<CornerStreams>(job_, vertices_, plan);
   memory_.batch_faces = std::min(memory_.batch_faces, plan.batch_faces);
-  if (!faces_come_again()) kept_ = std::make_unique<KeptFaces>(job_, 0);
+  if (!faces_come_again()) kept_ = std::make_unique<BufferedFaces>(job_, 0);
   take_in([&](const NextFaces& next) {
     const auto keeping = [&](RawBatch& batch) {
       if (!next(batch)) return false;
@@ -326,9 +326,9 @@ void IndexedReader::sort(const SortedFaces::Plan& plan) {
   sorted_ = std::move(sorted);
 }
 
-void IndexedReader::rest() {
-  vertices_.rest();
-  if (streams_ != nullptr) streams_->rest();
+void IndexedReader::release_memory() {
+  vertices_.release_memory();
+  if (streams_ != nullptr) streams_->release_memory();
 }
 
 }  // namespace winnow

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "read/corner_streams.hpp"
-#include "read/indexed/kept_faces.hpp"
-#include "read/mesh_reader.hpp"
-#include "read/polygons/polygon_cutter.hpp"
+#include "read/indexed/buffered_faces.hpp"
 #include "read/indexed/sorted_faces.hpp"
 #include "read/indexed/vertex_store.hpp"
+#include "read/mesh_reader.hpp"
+#include "read/polygons/polygon_cutter.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -46,7 +46,7 @@ class IndexedReader : public MeshReader {
   bool next_faces(RawBatch& batch) final;
   void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const final;
 
-  void rest() override;
+  void release_memory() override;
   void check_whole() const override { source_->check_whole(); }
   [[nodiscard]] const std::string& name() const override { return source_->name(); }
 
@@ -98,7 +98,7 @@ class IndexedReader : public MeshReader {
   bool faces_read_ = false;    // all of them, once
   bool sampled_ = false;
   std::deque<RawBatch> held_;               // read for the sample, and to be given out first
-  std::unique_ptr<KeptFaces> kept_;         // those that do not come again
+  std::unique_ptr<BufferedFaces> kept_;     // those that do not come again
   std::unique_ptr<CornerStreams> streams_;  // where faces jump
   std::unique_ptr<SortedFaces>
       sorted_;  // where only the next face is far away, and any order will do

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "read/corner_streams.hpp"
-#include "read/mesh_reader.hpp"
 #include "read/indexed/vertex_store.hpp"
+#include "read/mesh_reader.hpp"
 
 namespace winnow {
 

@@ -2,7 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "read/for_each_batch.hpp"
-#include "read/indexed/kept_faces.hpp"
+#include "read/indexed/buffered_faces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,7 +67,7 @@ void SortedFaces::build(const NextFaces& next, const std::function<void(RawBatch
         item.given.clear();
         for (std::size_t i = 0; i < item.batch.count; ++i) {
           const auto number = static_cast<std::uint32_t>(item.batch.first + i);
-          item.given.push_back({KeptFaces::kept(item.batch, i), number});
+          item.given.push_back({BufferedFaces::kept(item.batch, i), number});
           ++item.ends[part_of(item.given.back()) + 1];
         }
         std::partial_sum(item.ends.begin(), item.ends.end(), item.ends.begin());
@@ -94,7 +94,7 @@ bool SortedFaces::next(std::size_t most, RawBatch& batch) {
     batch.numbers.push_back(face.number);
   }
   place_ += batch.count;
-  KeptFaces::restore_status(batch);
+  BufferedFaces::restore_status(batch);
   return true;
 }
 

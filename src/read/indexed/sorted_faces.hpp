@@ -3,8 +3,8 @@
 #pragma once
 
 #include "io/job.hpp"
-#include "read/mesh_reader.hpp"
 #include "read/indexed/parts.hpp"
+#include "read/mesh_reader.hpp"
 
 #include <array>
 #include <cstdint>

@@ -49,7 +49,7 @@ void VertexStore::open_mapping(const std::string& path, std::uint64_t offset, st
   ahead_ = std::make_unique<ReadAhead>(file_->get_mapping_handle().handle, offset + bytes);
   watched_ = bytes > memory_limit_;
   resident_limit_ = std::min(bytes, memory_limit_);
-  wake();
+  acquire_memory();
   if (!watched_) {
     if (scratch_ != nullptr) scratch_->check(offset, bytes);
     return;
@@ -345,14 +345,14 @@ void VertexStore::read_at(std::uint64_t offset, std::span<std::byte> bytes) cons
   }
 }
 
-void VertexStore::rest() {
+void VertexStore::release_memory() {
   if (window_ == nullptr) return;
   window_->drop_pages();
   if (watched_) resident_.clear();
   reservation_.release();
 }
 
-void VertexStore::wake() {
+void VertexStore::acquire_memory() {
   if (window_ == nullptr) return;
   ahead_->start_again();
   if (reservation_) return;

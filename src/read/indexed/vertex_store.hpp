@@ -108,8 +108,8 @@ class VertexStore {
   void read_records(std::uint64_t first, std::size_t count, std::byte* out) const;
 
   // Between passes the pages of a mapping need not stay.
-  void rest();
-  void wake();
+  void release_memory();
+  void acquire_memory();
 
   void check_intact(const std::string& name) const;
 

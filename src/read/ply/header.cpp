@@ -43,7 +43,7 @@ bool is_magic(std::string_view line) {
   constexpr std::string_view magic = "ply";
   const std::string_view word = trimmed(line);
   return std::equal(word.begin(), word.end(), magic.begin(), magic.end(),
-                    [](char c, char want) { return small_letter(c) == want; });
+                    [](char c, char want) { return ascii_to_lower(c) == want; });
 }
 
 class HeaderParser {

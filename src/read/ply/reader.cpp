@@ -1,15 +1,16 @@
 // PLY, by Greg Turk's description of 1994 and what programs have made of it since.
+#include "read/indexed/reader.hpp"
+
 #include <winnow/error.hpp>
 
 #include "base/text.hpp"
 #include "read/formats.hpp"
-#include "read/indexed/reader.hpp"
-#include "read/indexed/kept_faces.hpp"
+#include "read/indexed/buffered_faces.hpp"
+#include "read/indexed/slices.hpp"
 #include "read/ply/lists.hpp"
 #include "read/ply/scalar.hpp"
 #include "read/ply/values.hpp"
 #include "read/ply/vertices.hpp"
-#include "read/indexed/slices.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -112,8 +113,8 @@ InputFacts facts_of(const PlyHeader& header) {
   return facts;
 }
 
-AttributeOffer offer_of(const PlyHeader& header) {
-  AttributeOffer offer;
+AvailableAttributes offer_of(const PlyHeader& header) {
+  AvailableAttributes offer;
   for (const PlyElement& element : header.elements) {
     if (element.count == 0) continue;
     const bool faces = element.name == "face" || element.name == "tristrips";
@@ -135,7 +136,7 @@ AttributeOffer offer_of(const PlyHeader& header) {
 class PlyReader final : public IndexedReader {
  public:
   PlyReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-            const AttributeWish& wish)
+            const AttributeRequest& wish)
       : IndexedReader(job, std::move(source), memory, memory.vertices) {
     header_ = read_ply_header(*source_);
     facts_ = facts_of(header_);
@@ -150,7 +151,7 @@ class PlyReader final : public IndexedReader {
         values_->sync();
         PlyVertices(job_, *source_, *values_, header_.form, facts_).read(element, vertices_);
         vertices_loaded_ = true;
-        if (faces_.element == nullptr || kept_faces_ != nullptr) break;
+        if (faces_.element == nullptr || buffered_faces_ != nullptr) break;
       } else if (&element == faces_.element) {
         if (vertices_loaded_) break;
         keep_faces();
@@ -175,7 +176,7 @@ class PlyReader final : public IndexedReader {
   void begin_indices() override {
     if (faces_.element == nullptr) return;
     next_kept_ = 0;
-    if (kept_faces_ != nullptr) return;
+    if (buffered_faces_ != nullptr) return;
     // The first time the source stands there already, and may not be seekable.
     if (source_->position() != faces_offset_ || lists_ != nullptr) {
       values_->sync();
@@ -186,8 +187,8 @@ class PlyReader final : public IndexedReader {
 
   bool next_indices(RawBatch& batch) override {
     if (faces_.element == nullptr) return false;
-    if (kept_faces_ != nullptr) {
-      kept_faces_->read(next_kept_, memory_.batch_faces, batch, grow_batch());
+    if (buffered_faces_ != nullptr) {
+      buffered_faces_->read(next_kept_, memory_.batch_faces, batch, grow_batch());
       next_kept_ += batch.count;
     } else if (!next_triangles(batch)) {
       // Some other polygon comes first; a few records on there may be triangles again.
@@ -223,15 +224,15 @@ class PlyReader final : public IndexedReader {
   }
 
   [[nodiscard]] bool faces_come_again() const override {
-    return kept_faces_ != nullptr || source_->seekable();
+    return buffered_faces_ != nullptr || source_->seekable();
   }
 
   // Only where faces stand in records of one size, all triangles.
   bool sample_indices(double place, RawBatch& batch) override {
     if (faces_.element == nullptr) return false;
-    if (kept_faces_ != nullptr) {
-      kept_faces_->read(kept_faces_->begin_of(sample_begin(place, kept_faces_->size())),
-                        memory_.batch_faces, batch);
+    if (buffered_faces_ != nullptr) {
+      buffered_faces_->read(buffered_faces_->begin_of(sample_begin(place, buffered_faces_->size())),
+                            memory_.batch_faces, batch);
       return true;
     }
     const std::size_t stride = triangle_stride();
@@ -277,16 +278,16 @@ class PlyReader final : public IndexedReader {
   // Faces that stand before the vertices wait in scratch.
   void keep_faces() {
     job_.progress.begin("keep faces", faces_.element->count, "faces");
-    kept_faces_ = std::make_unique<KeptFaces>(job_, memory_.vertices / 4);
+    buffered_faces_ = std::make_unique<BufferedFaces>(job_, memory_.vertices / 4);
     PlyLists lists(*faces_.element, *faces_.list, *values_, faces_.strips);
     for (;;) {
       RawBatch batch;
       lists.read(batch, 4096, grow_batch());
       if (batch.count == 0) break;
-      kept_faces_->add(batch);
+      buffered_faces_->add(batch);
       job_.progress.advance(batch.count);
     }
-    kept_faces_->finish();
+    buffered_faces_->finish();
   }
 
   [[nodiscard]] std::size_t triangle_stride() const {
@@ -367,7 +368,7 @@ class PlyReader final : public IndexedReader {
   bool vertices_loaded_ = false;
   std::uint64_t faces_offset_ = 0;
   std::unique_ptr<PlyLists> lists_;
-  std::unique_ptr<KeptFaces> kept_faces_;
+  std::unique_ptr<BufferedFaces> buffered_faces_;
   std::uint64_t next_kept_ = 0;
   std::uint64_t bytes_seen_ = 0;
 };
@@ -375,24 +376,25 @@ class PlyReader final : public IndexedReader {
 }  // namespace
 
 std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeWish& wish) {
+                                     const ReaderMemory& memory, const AttributeRequest& wish) {
   return std::make_unique<PlyReader>(job, std::move(source), memory, wish);
 }
 
-InputOutlook look_at_ply(ByteSource& source, const AttributeWish& wish) {
+InputProbe probe_ply(ByteSource& source, const AttributeRequest& wish) {
   const PlyHeader header = read_ply_header(source);
   source.give_back(header.bytes);
-  InputOutlook outlook;
+  InputProbe outlook;
   outlook.facts = facts_of(header);
   outlook.facts.offer = offer_of(header);
   outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, source.name());
   const PlyElement* vertex = header.find("vertex");
-  outlook.vertices_kept =
+  outlook.vertices_buffered =
       vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
-  if (vertex != nullptr && !outlook.vertices_kept) outlook.vertex_bytes = vertex->smallest_size();
+  if (vertex != nullptr && !outlook.vertices_buffered)
+    outlook.vertex_bytes = vertex->smallest_size();
   const FaceElement faces = find_faces(header, source.name());
   outlook.facts.polygons = !surely_triangles(header, faces, source.size());
-  outlook.faces_kept = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
+  outlook.faces_buffered = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
   return outlook;
 }
 

@@ -3,10 +3,10 @@
 
 #include "io/byte_source.hpp"
 #include "io/job.hpp"
+#include "read/indexed/vertex_store.hpp"
 #include "read/mesh_reader.hpp"
 #include "read/ply/header.hpp"
 #include "read/ply/values.hpp"
-#include "read/indexed/vertex_store.hpp"
 
 namespace winnow {
 

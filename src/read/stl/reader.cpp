@@ -5,8 +5,8 @@
 #include "base/vector.hpp"
 #include "read/foreign_formats.hpp"
 #include "read/formats.hpp"
-#include "read/polygons/polygon_cutter.hpp"
 #include "read/indexed/slices.hpp"
+#include "read/polygons/polygon_cutter.hpp"
 #include "read/text/lines.hpp"
 #include "read/text/tokens.hpp"
 
@@ -32,7 +32,7 @@ struct StlHead {
   std::optional<std::uint64_t> stored;  // whole faces by the file's size, where that is known
 };
 
-constexpr auto equals_small = [](char a, char b) { return small_letter(a) == b; };
+constexpr auto equals_small = [](char a, char b) { return ascii_to_lower(a) == b; };
 
 // `word` in small letters.
 bool contains_word(std::string_view text, std::string_view word) {
@@ -371,7 +371,7 @@ class AsciiStlReader final : public StlReader {
   enum class Place : std::uint8_t { before, inside, behind };  // of a solid
 
   static Mark mark_of(std::string_view word) {
-    switch (small_letter(word.front())) {
+    switch (ascii_to_lower(word.front())) {
       case 'v':
         return is_word(word, "vertex") ? Mark::vertex : Mark::other;
       case 'f':
@@ -603,8 +603,8 @@ std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> sourc
   return std::make_unique<BinaryStlReader>(job, std::move(source), memory, head);
 }
 
-InputOutlook look_at_stl(ByteSource& source, bool asked) {
-  InputOutlook outlook;
+InputProbe probe_stl(ByteSource& source, bool asked) {
+  InputProbe outlook;
   outlook.facts = facts_of(look_at_head(source, asked));
   return outlook;
 }

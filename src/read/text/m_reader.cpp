@@ -39,7 +39,7 @@ void parse_m_lines(const TextBlock& block, ParsedLines& lines) {
   }
 }
 
-void parse_m(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
+void parse_m(ByteSource& source, std::size_t batch_faces, BufferedMesh& mesh) {
   TextBlocks blocks(mesh.job(), source, text_block_bytes(batch_faces));
   parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_m_lines}, mesh);
 }
@@ -60,9 +60,9 @@ TextMatch match_m(std::string_view head) {
 }
 
 std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source,
-                                   const ReaderMemory& memory, const AttributeWish& wish) {
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "M", AttributeOffer{},
-                                      parse_m);
+                                   const ReaderMemory& memory, const AttributeRequest& wish) {
+  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish, "M",
+                                          AvailableAttributes{}, parse_m);
 }
 
 }  // namespace winnow

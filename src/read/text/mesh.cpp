@@ -4,8 +4,8 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "read/text/decimal.hpp"
 #include "read/for_each_batch.hpp"
+#include "read/text/decimal.hpp"
 #include "read/text/tokens.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr std::size_t corners_between_questions = 1 << 16;
 
 }  // namespace
 
-ParsedLines::ParsedLines(const TextBlock& block, const KeptMesh& mesh)
+ParsedLines::ParsedLines(const TextBlock& block, const BufferedMesh& mesh)
     : block_(block), mesh_(mesh) {
   // A vector that grows would hold three times as much.
   if (block.long_line) corners_.reserve(block.text().size() / 2);
@@ -74,7 +74,7 @@ void ParsedLines::fail_number(std::string_view word, std::string_view place) con
   fail(word, not_a_number(word));
 }
 
-void ParsedLines::hand_over(KeptMesh& mesh) const {
+void ParsedLines::hand_over(BufferedMesh& mesh) const {
   const auto base = static_cast<std::int64_t>(mesh.vertices());
   mesh.add_vertices(xyz_, single_, attributes_);
   if (some_lack_attributes_) mesh.drop_attributes();
@@ -113,7 +113,7 @@ std::string first_lines(ByteSource& source) {
   return std::string(without_byte_order_mark(text));
 }
 
-void parse_text(const TextParser& parser, KeptMesh& mesh) {
+void parse_text(const TextParser& parser, BufferedMesh& mesh) {
   std::optional<TextBlock> alone;
   std::exception_ptr failure;
   const auto fill = [&](Item& item) {

@@ -1,7 +1,7 @@
 // Meshes as text with a record a line, parsed by all threads.
 #pragma once
 
-#include "read/kept_reader.hpp"
+#include "read/buffered_reader.hpp"
 #include "read/text/lines.hpp"
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace winnow {
 // What one block of lines holds.
 class ParsedLines {
  public:
-  ParsedLines(const TextBlock& block, const KeptMesh& mesh);
+  ParsedLines(const TextBlock& block, const BufferedMesh& mesh);
 
   // Three coordinates, the next words of a line.
   void add_position(LineWords& words);
@@ -35,7 +35,7 @@ class ParsedLines {
   void add_corner(std::int64_t vertex, bool relative);
   void end_face();
 
-  // As KeptMesh has it; `what` is a constant.
+  // As BufferedMesh has it; `what` is a constant.
   void pass_over(const char* what);
 
   [[nodiscard]] std::int64_t vertices() const { return static_cast<std::int64_t>(xyz_.size() / 3); }
@@ -45,11 +45,11 @@ class ParsedLines {
   // The same for a word that should be a number.
   [[noreturn]] void fail_number(std::string_view word, std::string_view place) const;
 
-  void hand_over(KeptMesh& mesh) const;
+  void hand_over(BufferedMesh& mesh) const;
 
  private:
   const TextBlock& block_;
-  const KeptMesh& mesh_;
+  const BufferedMesh& mesh_;
   std::vector<double> xyz_;
   std::vector<double> attributes_;
   bool some_lack_attributes_ = false;
@@ -67,14 +67,14 @@ struct TextParser {
   std::function<bool(TextBlock&)> next;
   std::function<void(const TextBlock&, ParsedLines&)> parse;
 };
-void parse_text(const TextParser& parser, KeptMesh& mesh);
+void parse_text(const TextParser& parser, BufferedMesh& mesh);
 
 // The lines that stand whole in the first bytes.
 std::string first_lines(ByteSource& source);
 
 // What vertices carry by the first lines.
-template <AttributeOffer (*offer)(std::string_view head)>
-AttributeOffer offer_by_head(Job& /*job*/, ByteSource& source) {
+template <AvailableAttributes (*offer)(std::string_view head)>
+AvailableAttributes offer_by_head(Job& /*job*/, ByteSource& source) {
   return offer(first_lines(source));
 }
 

@@ -73,7 +73,7 @@ bool looks_like_number(std::string_view word) {
          (!word.empty() && word.front() != '/' && word.find('/') != std::string_view::npos);
 }
 
-void parse_obj(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
+void parse_obj(ByteSource& source, std::size_t batch_faces, BufferedMesh& mesh) {
   TextBlocks blocks(mesh.job(), source, text_block_bytes(batch_faces));
   const bool colors = !mesh.carried().empty();
   parse_text(
@@ -103,8 +103,8 @@ TextMatch match_obj(std::string_view head) {
   return TextMatch::none;
 }
 
-AttributeOffer offer_of_obj(std::string_view head) {
-  AttributeOffer offer;
+AvailableAttributes offer_of_obj(std::string_view head) {
+  AvailableAttributes offer;
   TextLines each(head);
   for (std::string_view line; each.next(line);) {
     LineWords words(line);
@@ -121,10 +121,10 @@ AttributeOffer offer_of_obj(std::string_view head) {
 }
 
 std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeWish& wish) {
-  const AttributeOffer offer = offer_by_head<offer_of_obj>(job, *source);
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OBJ", offer,
-                                      parse_obj);
+                                     const ReaderMemory& memory, const AttributeRequest& wish) {
+  const AvailableAttributes offer = offer_by_head<offer_of_obj>(job, *source);
+  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish, "OBJ", offer,
+                                          parse_obj);
 }
 
 }  // namespace winnow

@@ -25,7 +25,7 @@ struct Keyword {
 };
 std::optional<Keyword> keyword_of(std::string_view word) {
   std::string capital(word);
-  std::transform(capital.begin(), capital.end(), capital.begin(), capital_letter);
+  std::transform(capital.begin(), capital.end(), capital.begin(), ascii_to_upper);
   const std::size_t at = capital.find("OFF");
   if (at == std::string_view::npos) {
     if (!parse_integer(word)) return {};
@@ -118,7 +118,7 @@ Colors colors_of(TextLines& lines, const Vertices& vertices) {
 
 class OffParser {
  public:
-  OffParser(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh)
+  OffParser(ByteSource& source, std::size_t batch_faces, BufferedMesh& mesh)
       : source_(source), blocks_(mesh.job(), source, text_block_bytes(batch_faces)), mesh_(mesh) {}
 
   void parse() {
@@ -280,13 +280,13 @@ class OffParser {
 
   ByteSource& source_;
   TextBlocks blocks_;
-  KeptMesh& mesh_;
+  BufferedMesh& mesh_;
   std::uint64_t left_ = 0;  // lines of the kind at work
   std::uint64_t faces_ = 0;
   bool vertices_next_ = false;
 };
 
-void parse_off(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh) {
+void parse_off(ByteSource& source, std::size_t batch_faces, BufferedMesh& mesh) {
   OffParser(source, batch_faces, mesh).parse();
 }
 
@@ -318,8 +318,8 @@ TextMatch match_off(std::string_view head) {
   return keyword ? TextMatch::first : TextMatch::none;
 }
 
-AttributeOffer offer_of_off(std::string_view head) {
-  AttributeOffer offer;
+AvailableAttributes offer_of_off(std::string_view head) {
+  AvailableAttributes offer;
   TextLines each(head);
   Vertices vertices = vertices_of(each);
   const auto add = [&](const std::vector<const char*>& names, ScalarType type) {
@@ -339,10 +339,10 @@ AttributeOffer offer_of_off(std::string_view head) {
 }
 
 std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeWish& wish) {
-  const AttributeOffer offer = offer_by_head<offer_of_off>(job, *source);
-  return std::make_unique<KeptReader>(job, std::move(source), memory, wish, "OFF", offer,
-                                      parse_off);
+                                     const ReaderMemory& memory, const AttributeRequest& wish) {
+  const AvailableAttributes offer = offer_by_head<offer_of_off>(job, *source);
+  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish, "OFF", offer,
+                                          parse_off);
 }
 
 }  // namespace winnow

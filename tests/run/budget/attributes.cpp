@@ -1,5 +1,6 @@
 // Attributes stay within the budget: their table, their means, and those of tiles.
 #include "support/attributes.hpp"
+
 #include "support/budget.hpp"
 
 namespace winnow::test {

@@ -64,7 +64,7 @@ TEST_CASE("a mesh with two sides keeps the first and says so") {
     const RefinedFile out = refine_faces(directory, faces, to_faces(wanted));
     const Defects defects = defects_of(out.mesh.faces);
     CHECK(defects.discords == 0);
-    CHECK(defects.borders == 0);
+    CHECK(defects.boundary_edges == 0);
     CHECK(defects.crowded == 0);
     for (std::size_t i = 0; i < out.mesh.faces.size(); ++i) {
       const Triangle face = out.mesh.triangle(i);

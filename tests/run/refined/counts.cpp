@@ -47,7 +47,7 @@ TEST_CASE("a closed mesh gets the count or one less where that is odd") {
     // Of the least count, that more than a hundredth of the area went.
     CHECK(out.report.notes.size() == (wanted == 100 ? 1 : 0));
     const Defects defects = defects_of(out.mesh.faces);
-    CHECK(defects.borders + defects.crowded + defects.discords + defects.duplicates == 0);
+    CHECK(defects.boundary_edges + defects.crowded + defects.discords + defects.duplicates == 0);
   }
 }
 

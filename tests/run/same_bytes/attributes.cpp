@@ -1,5 +1,6 @@
 // The same bytes of attributes, too, whatever the threads, the memory and the way in.
 #include "support/attributes.hpp"
+
 #include "support/random.hpp"
 #include "support/simplified.hpp"
 

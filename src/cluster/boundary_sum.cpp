@@ -1,4 +1,4 @@
-#include "cluster/border_sum.hpp"
+#include "cluster/boundary_sum.hpp"
 
 #include "base/vector.hpp"
 #include "cluster/kernel/corner_kernel.hpp"
@@ -27,7 +27,7 @@ Point as_point(const std::array<std::int64_t, 3>& sum, double scale) {
 
 }  // namespace
 
-void BorderSum::add(const BorderSum& more) {
+void BoundarySum::add(const BoundarySum& more) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     along[axis] = wrapped_sum(along[axis], more.along[axis]);
     moment[axis] = wrapped_sum(moment[axis], more.moment[axis]);
@@ -35,7 +35,8 @@ void BorderSum::add(const BorderSum& more) {
 }
 
 // The line of all x with along x x = -moment.
-std::array<double, 3> nearest_on_border(const BorderSum& sum, const std::array<double, 3>& place) {
+std::array<double, 3> nearest_on_boundary(const BoundarySum& sum,
+                                          const std::array<double, 3>& place) {
   const Point along = as_point(sum.along, steps);
   const double square = dot(along, along);
   if (square < shortest_square) return place;
@@ -47,8 +48,8 @@ std::array<double, 3> nearest_on_border(const BorderSum& sum, const std::array<d
 
 // A side counts where it ends in the cell, but not where its other end is far away: such a cell has
 // no other boundary to be placed by.
-void BorderCache::add_sides(PackedCell of, const std::array<PackedCell, 3>& cell,
-                            const LatticeFace& place, BorderSum& sum) {
+void BoundaryCache::add_sides(PackedCell of, const std::array<PackedCell, 3>& cell,
+                              const LatticeFace& place, BoundarySum& sum) {
   const std::size_t inside = cell[0] == of ? 0 : cell[1] == of ? 1 : 2;
   std::array<std::array<std::int64_t, 3>, 3> seen{};
   std::array<bool, 3> near{};

@@ -1,4 +1,4 @@
-#include "read/kept_reader.hpp"
+#include "read/buffered_reader.hpp"
 
 #include <winnow/error.hpp>
 
@@ -8,8 +8,8 @@
 
 namespace winnow {
 
-void KeptMesh::add_vertices(std::span<const double> xyz, bool single,
-                            std::span<const double> attributes) {
+void BufferedMesh::add_vertices(std::span<const double> xyz, bool single,
+                                std::span<const double> attributes) {
   if (xyz.size() / 3 > no_vertex - vertices_.size()) {
     throw Error(ErrorKind::bad_input, "'" + name_ + "' has more than " + grouped(no_vertex) +
                                           " vertices, which is not supported");
@@ -18,15 +18,16 @@ void KeptMesh::add_vertices(std::span<const double> xyz, bool single,
   single_ = single_ && single;
 }
 
-void KeptMesh::pass_over(const std::string& what) {
+void BufferedMesh::pass_over(const std::string& what) {
   if (std::find(passed_over_.begin(), passed_over_.end(), what) == passed_over_.end())
     passed_over_.push_back(what);
 }
 
 // On a coherent mesh the vertices, in doubles, take as much as the faces.
-KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-                       const AttributeWish& wish, const std::string& format,
-                       const AttributeOffer& offer, const Parse& parse)
+BufferedReader::BufferedReader(Job& job, std::unique_ptr<ByteSource> source,
+                               const ReaderMemory& memory, const AttributeRequest& wish,
+                               const std::string& format, const AvailableAttributes& offer,
+                               const Parse& parse)
     : IndexedReader(job, std::move(source), memory, memory.vertices / 2),
       faces_(job, memory.vertices * 3 / 8),
       numbers_(job, memory.vertices / 8) {
@@ -36,7 +37,7 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   facts_.choice = choose_attributes(wish, offer, source_->name());
   std::vector<bool> carried(offer.scalars.size());
   for (const std::size_t scalar : facts_.choice.scalar) carried[scalar] = true;
-  KeptMesh mesh(job, vertices_, faces_, numbers_, std::move(carried), source_->name());
+  BufferedMesh mesh(job, vertices_, faces_, numbers_, std::move(carried), source_->name());
   vertices_.begin_keeping(true, types_of(facts_.choice.carried));
   job.progress.begin("read the mesh", source_->size().value_or(0), "bytes");
   parse(*source_, memory.batch_faces, mesh);
@@ -63,19 +64,19 @@ KeptReader::KeptReader(Job& job, std::unique_ptr<ByteSource> source, const Reade
   facts_.choice = choose_attributes(wish, facts_.offer, source_->name());
 }
 
-bool KeptReader::read_faces(std::uint64_t first, RawBatch& batch) {
+bool BufferedReader::read_faces(std::uint64_t first, RawBatch& batch) {
   faces_.read(first, memory_.batch_faces, batch, grow_batch());
   if (numbers_.used()) numbers_.find(batch.indices);
   return batch.count > 0;
 }
 
-bool KeptReader::next_indices(RawBatch& batch) {
+bool BufferedReader::next_indices(RawBatch& batch) {
   read_faces(next_kept_, batch);
   next_kept_ += batch.count;
   return batch.count > 0;
 }
 
-bool KeptReader::sample_indices(double place, RawBatch& batch) {
+bool BufferedReader::sample_indices(double place, RawBatch& batch) {
   return read_faces(faces_.begin_of(sample_begin(place, faces_.size())), batch);
 }
 

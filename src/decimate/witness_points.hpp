@@ -13,10 +13,10 @@
 
 namespace winnow {
 
-class FarthestPoints {
+class WitnessPoints {
  public:
   // `rounding`: of positions (base/rounding.hpp). A point that is off by no more is not off.
-  FarthestPoints(const TileMesh& mesh, double rounding);
+  WitnessPoints(const TileMesh& mesh, double rounding);
 
   // Of a point that is off by so much; `square`: of the distance.
   static double price_of(double square);

@@ -17,18 +17,18 @@ using LatticeFace = std::array<std::array<std::int64_t, 3>, 3>;
 // Silva, "A memory insensitive technique for large model simplification", 2001). Where two faces
 // meet, their sides cancel; so boundaries alone are left, whatever the order, without knowing which
 // sides they are. Places are whole 2^-16 cells from the cell's middle. Sums wrap around.
-struct BorderSum {
-  CellKey cell;                        // while it is in a BorderCache: the PackedCell
+struct BoundarySum {
+  CellKey cell;                        // while it is in a BoundaryCache: the PackedCell
   std::array<std::int64_t, 3> along;   // b - a
   std::array<std::int64_t, 3> moment;  // a x b
 
-  void add(const BorderSum& more);
+  void add(const BoundarySum& more);
   [[nodiscard]] bool empty() const {
     return (along[0] | along[1] | along[2] | moment[0] | moment[1] | moment[2]) == 0;
   }
 
-  static bool before(const BorderSum& a, const BorderSum& b) { return a.cell < b.cell; }
-  static bool combine(BorderSum& into, const BorderSum& from) {
+  static bool before(const BoundarySum& a, const BoundarySum& b) { return a.cell < b.cell; }
+  static bool combine(BoundarySum& into, const BoundarySum& from) {
     into.add(from);
     return true;
   }
@@ -36,15 +36,16 @@ struct BorderSum {
 
 // The place on the boundary's line that is nearest to `place`, both in cells from the middle; it
 // keeps the area. `place` itself where no boundary passes through the cell.
-std::array<double, 3> nearest_on_border(const BorderSum& sum, const std::array<double, 3>& place);
+std::array<double, 3> nearest_on_boundary(const BoundarySum& sum,
+                                          const std::array<double, 3>& place);
 
 // The sums of cells that faces fell into lately, for one thread. On a coherent mesh those away from
 // boundaries are zero again before they give way, and leave nothing.
-class BorderCache {
+class BoundaryCache {
  public:
-  BorderCache() : slots_(std::size_t{1} << log_slots) {}
+  BoundaryCache() : slots_(std::size_t{1} << log_slots) {}
 
-  static constexpr std::uint64_t bytes() { return sizeof(BorderSum) << log_slots; }
+  static constexpr std::uint64_t bytes() { return sizeof(BoundarySum) << log_slots; }
 
   // Adds the sides of a face, of which each corner has a cell and a place on the lattice. Calls
   // take(sum) for each sum that gives way.
@@ -57,7 +58,7 @@ class BorderCache {
 
   template <typename Take>
   void empty_into(const Take& take) {
-    for (BorderSum& slot : slots_) {
+    for (BoundarySum& slot : slots_) {
       give(slot, take);
       slot = {};
     }
@@ -69,7 +70,7 @@ class BorderCache {
   template <typename Take>
   void add_to(PackedCell of, const std::array<PackedCell, 3>& cell, const LatticeFace& place,
               const Take& take) {
-    BorderSum& slot = slots_[quick_hash(of) >> (64 - log_slots)];
+    BoundarySum& slot = slots_[quick_hash(of) >> (64 - log_slots)];
     if (slot.cell != of) {
       give(slot, take);
       slot = {};
@@ -79,16 +80,16 @@ class BorderCache {
   }
 
   template <typename Take>
-  static void give(BorderSum sum, const Take& take) {
+  static void give(BoundarySum sum, const Take& take) {
     if (sum.empty()) return;
     sum.cell = morton_key(PackedCell{sum.cell});
     take(sum);
   }
 
   static void add_sides(PackedCell of, const std::array<PackedCell, 3>& cell,
-                        const LatticeFace& place, BorderSum& sum);
+                        const LatticeFace& place, BoundarySum& sum);
 
-  std::vector<BorderSum> slots_;  // by PackedCell
+  std::vector<BoundarySum> slots_;  // by PackedCell
 };
 
 }  // namespace winnow

@@ -3,8 +3,8 @@
 // and every pass after the first is free of parsing, from files and pipes alike.
 #pragma once
 
+#include "read/indexed/buffered_faces.hpp"
 #include "read/indexed/reader.hpp"
-#include "read/indexed/kept_faces.hpp"
 #include "read/indexed/vertex_numbers.hpp"
 
 #include <cstdint>
@@ -19,10 +19,10 @@ namespace winnow {
 constexpr std::uint32_t no_vertex = UINT32_MAX;
 
 // What a format's parser fills, by one thread at a time.
-class KeptMesh {
+class BufferedMesh {
  public:
-  KeptMesh(Job& job, VertexStore& vertices, KeptFaces& faces, VertexNumbers& numbers,
-           std::vector<bool> carried, std::string name)
+  BufferedMesh(Job& job, VertexStore& vertices, BufferedFaces& faces, VertexNumbers& numbers,
+               std::vector<bool> carried, std::string name)
       : job_(job),
         vertices_(vertices),
         faces_(faces),
@@ -62,7 +62,7 @@ class KeptMesh {
  private:
   Job& job_;
   VertexStore& vertices_;
-  KeptFaces& faces_;
+  BufferedFaces& faces_;
   VertexNumbers& numbers_;
   std::vector<bool> carried_;
   std::string name_;
@@ -72,14 +72,15 @@ class KeptMesh {
   std::vector<std::string> passed_over_;
 };
 
-class KeptReader : public IndexedReader {
+class BufferedReader : public IndexedReader {
  public:
   // Reads the whole source into the mesh. `offer`: by the first bytes of the source.
-  using Parse = std::function<void(ByteSource& source, std::size_t batch_faces, KeptMesh& mesh)>;
+  using Parse =
+      std::function<void(ByteSource& source, std::size_t batch_faces, BufferedMesh& mesh)>;
 
-  KeptReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
-             const AttributeWish& wish, const std::string& format, const AttributeOffer& offer,
-             const Parse& parse);
+  BufferedReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
+                 const AttributeRequest& wish, const std::string& format,
+                 const AvailableAttributes& offer, const Parse& parse);
 
   [[nodiscard]] std::uint64_t bytes() const override {
     return source_->size().value_or(source_->position());
@@ -98,7 +99,7 @@ class KeptReader : public IndexedReader {
  private:
   bool read_faces(std::uint64_t first, RawBatch& batch);
 
-  KeptFaces faces_;
+  BufferedFaces faces_;
   VertexNumbers numbers_;
   std::uint64_t next_kept_ = 0;
 };

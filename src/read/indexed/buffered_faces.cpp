@@ -1,4 +1,4 @@
-#include "read/indexed/kept_faces.hpp"
+#include "read/indexed/buffered_faces.hpp"
 
 #include "base/search.hpp"
 #include "io/spool_records.hpp"
@@ -7,11 +7,11 @@
 
 namespace winnow {
 
-void KeptFaces::add_degenerate() {
+void BufferedFaces::add_degenerate() {
   add(degenerate);
 }
 
-std::array<std::uint32_t, 3> KeptFaces::kept(const RawBatch& batch, std::size_t face) {
+std::array<std::uint32_t, 3> BufferedFaces::kept(const RawBatch& batch, std::size_t face) {
   if (batch.status[face] != FaceStatus::good) return degenerate;
   std::array<std::uint32_t, 3> indices{};
   std::copy_n(&batch.indices[3 * face], 3, indices.begin());
@@ -19,7 +19,7 @@ std::array<std::uint32_t, 3> KeptFaces::kept(const RawBatch& batch, std::size_t 
   return indices;
 }
 
-void KeptFaces::add_polygon(std::span<const std::uint32_t> corners) {
+void BufferedFaces::add_polygon(std::span<const std::uint32_t> corners) {
   if (corners.size() == 3) return add(corners);
   if (corners.size() < 3) return add_degenerate();
   add_fan(size(), corners.size() - 2);
@@ -34,12 +34,12 @@ void KeptFaces::add_polygon(std::span<const std::uint32_t> corners) {
   add(fan_);
 }
 
-void KeptFaces::add(const RawBatch& batch) {
+void BufferedFaces::add(const RawBatch& batch) {
   for (const RawBatch::Fan& fan : batch.fans) add_fan(size() + fan.first, fan.triangles);
   for (std::size_t i = 0; i < batch.count; ++i) add(kept(batch, i));
 }
 
-void KeptFaces::add_fan(std::uint64_t first, std::uint64_t triangles) {
+void BufferedFaces::add_fan(std::uint64_t first, std::uint64_t triangles) {
   if (last_fans_.count > 0 && (last_fans_.triangles != triangles || last_fans_.end() != first)) {
     append_records<Fans>(fans_, std::span(&last_fans_, 1));
     last_fans_.count = 0;
@@ -48,26 +48,26 @@ void KeptFaces::add_fan(std::uint64_t first, std::uint64_t triangles) {
   ++last_fans_.count;
 }
 
-void KeptFaces::finish() {
+void BufferedFaces::finish() {
   if (last_fans_.count > 0) append_records<Fans>(fans_, std::span(&last_fans_, 1));
   fans_.finish();
   spool_.finish();
 }
 
-std::uint64_t KeptFaces::fans_behind(std::uint64_t triangle) const {
+std::uint64_t BufferedFaces::fans_behind(std::uint64_t triangle) const {
   return first_not_before(0, record_count<Fans>(fans_), [&](std::uint64_t i) {
     return read_record<Fans>(fans_, i).end() <= triangle;
   });
 }
 
-std::uint64_t KeptFaces::begin_of(std::uint64_t triangle) const {
+std::uint64_t BufferedFaces::begin_of(std::uint64_t triangle) const {
   const std::uint64_t at = fans_behind(triangle);
   if (at == record_count<Fans>(fans_)) return triangle;
   const Fans fans = read_record<Fans>(fans_, at);
   return fans.first > triangle ? triangle : triangle - (triangle - fans.first) % fans.triangles;
 }
 
-void KeptFaces::restore_status(RawBatch& batch, std::size_t from) {
+void BufferedFaces::restore_status(RawBatch& batch, std::size_t from) {
   batch.status.resize(from);
   batch.status.resize(batch.indices.size() / 3, FaceStatus::good);
   for (std::size_t i = from; i < batch.status.size(); ++i) {
@@ -79,8 +79,8 @@ void KeptFaces::restore_status(RawBatch& batch, std::size_t from) {
   }
 }
 
-void KeptFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch,
-                     const Grow& grow) const {
+void BufferedFaces::read(std::uint64_t first, std::size_t most, RawBatch& batch,
+                         const Grow& grow) const {
   batch.count = std::min<std::uint64_t>(most, size() - first);
   batch.fans.clear();
   for (std::uint64_t i = fans_behind(first); i < record_count<Fans>(fans_); ++i) {

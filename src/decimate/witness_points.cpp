@@ -1,4 +1,4 @@
-#include "decimate/farthest_points.hpp"
+#include "decimate/witness_points.hpp"
 
 #include "base/closest_point.hpp"
 
@@ -26,18 +26,18 @@ double square_between(const Point& a, const Point& b) {
 
 }  // namespace
 
-double FarthestPoints::price_of(double square) {
+double WitnessPoints::price_of(double square) {
   return weight * square * square;
 }
 
-FarthestPoints::FarthestPoints(const TileMesh& mesh, double rounding)
+WitnessPoints::WitnessPoints(const TileMesh& mesh, double rounding)
     : mesh_(mesh),
       rounding_square_(roundings * roundings * rounding * rounding),
       point_(mesh.vertex_count()) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) point_[v] = mesh.position(v);
 }
 
-double FarthestPoints::price(const Collapse& edge, const EdgeStar& star, double price, bool flat) {
+double WitnessPoints::price(const Collapse& edge, const EdgeStar& star, double price, bool flat) {
   const Point& to = edge.position;
   // As soon as both are this near, no more needs to be known.
   const double near = std::max(std::sqrt(price / weight), rounding_square_ * dot(to, to));

@@ -13,12 +13,12 @@
 namespace winnow {
 
 // Filled once, by one thread; then read any number of times.
-class KeptFaces {
+class BufferedFaces {
  public:
   using Grow = RawBatch::Grow;
   static constexpr std::uint64_t bytes_a_face = 12;
 
-  KeptFaces(Job& job, std::uint64_t memory_limit)
+  BufferedFaces(Job& job, std::uint64_t memory_limit)
       : spool_(job, memory_limit), fans_(job, memory_limit / 8) {}
 
   // How a face of fewer than three corners is kept: numbers that no three vertices of one face

@@ -1,5 +1,5 @@
 // What was collapsed is not forgotten: one of its points says how far it is from what is left.
-#include "decimate/farthest_points.hpp"
+#include "decimate/witness_points.hpp"
 
 #include "base/closest_point.hpp"
 #include "base/rounding.hpp"
@@ -54,7 +54,7 @@ TEST_CASE("a vertex that leaves no gap costs nothing more") {
   std::vector<Point> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   std::vector<FaceVertices> faces{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
   const TileMesh mesh(positions, faces, std::vector<std::uint8_t>(5, 0));
-  FarthestPoints points(mesh, rounding_of_double);
+  WitnessPoints points(mesh, rounding_of_double);
   EdgeStar star(rounding_of_double);
   star.find(mesh, 1, 0);
   CHECK(points.price({1, 0, {1, 0, 0}}, star, 1e-9, false) == 1e-9);
@@ -64,7 +64,7 @@ TEST_CASE("a needle worn down in steps costs as much as one cut off at once") {
   constexpr std::size_t rings = 5;
   constexpr std::size_t around = 6;
   TileMesh mesh = needle(rings, around, 4);
-  FarthestPoints points(mesh, rounding_of_double);
+  WitnessPoints points(mesh, rounding_of_double);
   // All of each ring goes into the tip, which comes down to the ring's height. Of the top, 4 high,
   // the first fifth is gone, then the second.
   for (std::size_t ring = 1; ring <= 2; ++ring) {
@@ -87,7 +87,7 @@ TEST_CASE("the price is that of the farther of both points, and never below the 
   test::Random random(5);
   for (int round = 0; round < 200; ++round) {
     TileMesh mesh = needle(3, 5, random.real(0, 3));
-    FarthestPoints points(mesh, rounding_of_double);
+    WitnessPoints points(mesh, rounding_of_double);
     const auto kept = static_cast<VertexNumber>(1 + random.below(5));
     const auto removed = static_cast<VertexNumber>(random.below(2) == 0 ? 0 : kept + 5);
     const Collapse edge{

@@ -1,1 +1,0 @@
-"$DATA/../../tools/check-floors" "$DATA/floors"

@@ -1,0 +1,1 @@
+"$DATA/../../tools/check-layers" "$DATA/layers"
