@@ -79,7 +79,7 @@ TEST_CASE("a needle worn down in steps costs as much as one cut off at once") {
       points.collapsing(edge);
       mesh.collapse(edge);
     }
-    CHECK(highest == Approx(5 * fourth(4 - z)).epsilon(0.01));
+    CHECK(highest == Approx(8 * fourth(4 - z)).epsilon(0.01));
   }
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("the price is that of the farther of both points, and never below the 
       }
       farthest = std::max(farthest, nearest);
     }
-    const double right = 5 * fourth(farthest);
+    const double right = 8 * fourth(farthest);
     EdgeStar star(rounding_of_double);
     star.find(mesh, kept, removed);
     CHECK(points.price(edge, star, 0, false) == Approx(right));
