@@ -63,7 +63,7 @@ class ClustererOf final : public Clusterer {
         memory_(memory),
         kernel_(best_corner_kernel()),
         table_memory_(job.budget.reserve(memory.table, "the table of cells")),
-        boundary_share_(settings.for_refinement ? 0 : memory.faces / 8),
+        boundary_share_(settings.keeps_boundaries() ? memory.faces / 8 : 0),
         face_memory_(job.budget.reserve(memory.faces - boundary_share_, "the list of faces")),
         table_(job, memory.table, memory.table_parts),
         face_runs_(job),
@@ -71,7 +71,7 @@ class ClustererOf final : public Clusterer {
           return std::make_unique<Worker>(job_, (memory_.faces - boundary_share_) / job_.threads,
                                           face_runs_);
         }) {
-    if (!settings.for_refinement)
+    if (settings.keeps_boundaries())
       boundaries_ = std::make_unique<ThreadedRecords<BoundarySum>>(job, boundary_share_);
     if (settings.attributes.empty()) return;
     attributes_ = AttributeMeans::make(job, settings.attributes, AttributeMeans::Keys::cells,
@@ -271,10 +271,21 @@ class ClustererOf final : public Clusterer {
     const auto take = [&list](const BoundarySum& sum) { list.add(sum); };
     for (std::size_t i = 0; i < faces.count; ++i) {
       if (faces.status[i] != FaceStatus::good || seen.kind[i] > close_corners) continue;
-      std::array<PackedCell, 3> cell{};
+      const std::array<PackedCell, 3> cell{static_cast<PackedCell>(seen.cell[0][i]),
+                                           static_cast<PackedCell>(seen.cell[1][i]),
+                                           static_cast<PackedCell>(seen.cell[2][i])};
+      if (cell[0] == cell[1] && cell[0] == cell[2]) {
+        const auto from_first = [&](std::size_t corner, std::size_t axis) {
+          return BoundarySum::steps_of(seen.place[corner][axis][i]) -
+                 BoundarySum::steps_of(seen.place[0][axis][i]);
+        };
+        worker.boundaries.add_inside(cell[0],
+                                     {from_first(1, 0), from_first(1, 1), from_first(1, 2)},
+                                     {from_first(2, 0), from_first(2, 1), from_first(2, 2)}, take);
+        continue;
+      }
       LatticeFace place{};
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        cell[corner] = static_cast<PackedCell>(seen.cell[corner][i]);
         for (std::size_t axis = 0; axis < 3; ++axis)
           place[corner][axis] = seen.place[corner][axis][i];
       }

@@ -85,6 +85,11 @@ struct ClusterSettings {
   // Faces keep the windings that they inherit: every edge of a closed surface is still passed once
   // in either direction.
   bool for_refinement = false;
+  // Whether vertices at boundaries are placed on them. Not where cells at boundaries are split, and
+  // not by the mean, which is for speed.
+  [[nodiscard]] bool keeps_boundaries() const {
+    return !for_refinement && placement == Placement::quadric;
+  }
   bool keep_quadrics = false;  // of the cells; with Placement::quadric
   CarriedAttributes attributes{};
   const SplitCells* split = nullptr;  // cells are named by it; none where it is null

@@ -21,7 +21,7 @@ class WholeCell {
 
   void add(const CellSum& sum);  // of the same cell
   void add(const QuadricCellSum& sum);
-  void add(const BoundarySum& sum) { boundary_.add(sum); }
+  void add(const BoundarySum& sum) { boundary_.add(sum.along, sum.moment); }
 
   [[nodiscard]] CellKey key() const { return key_; }
   [[nodiscard]] bool used() const { return used_; }  // by an output face

@@ -26,8 +26,7 @@ TEST_CASE("open boundaries do not shrink where faces are clustered alone", "[sha
   for (const Shape& shape : {shapes::disc(200, 60), shapes::hills(120), shapes::strip(300, 0.15)}) {
     for_each_pose([&](const Pose& pose) {
       for (const SimplifyOptions& options :
-           {to_grid(20), to_grid(33), to_clusters(700, Placement::mean),
-            to_clusters(700, Placement::quadric)}) {
+           {to_grid(20), to_grid(33), to_clusters(700, Placement::quadric)}) {
         const RefinedShape out = refine_shape(shape, pose, options);
         CAPTURE(out.input.faces.size(), out.output.faces.size());
         CHECK(area(out.output) == Approx(area(out.input)).epsilon(0.01));
