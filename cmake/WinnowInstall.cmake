@@ -1,9 +1,12 @@
-# Installs the program with its manual (component `program`), and the library with its headers and
-# the files that find_package(winnow) and pkg-config read (component `development`).
+# Installs the program with its manual (component `program`), the shared library (component
+# `library`), and the static one with the headers and the files that find_package(winnow) and
+# pkg-config read (component `development`).
 include(CMakePackageConfigHelpers)
 
-install(TARGETS winnow EXPORT winnow-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        COMPONENT development)
+install(TARGETS winnow winnow_shared EXPORT winnow-targets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
+                NAMELINK_COMPONENT development)
 install(DIRECTORY include/winnow DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(FILES ${PROJECT_BINARY_DIR}/include/winnow/version.hpp
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/winnow COMPONENT development)

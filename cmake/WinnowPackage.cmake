@@ -1,9 +1,10 @@
-# Debian packages: cpack -G DEB makes `winnow`, the program, and `libwinnow-dev`, the library.
+# Debian packages: cpack -G DEB makes `winnow`, the program, `libwinnow0`, the shared library, and
+# `libwinnow-dev`, what programs are built with.
 set(CPACK_PACKAGE_CONTACT "The winnow developers <winnow@packages.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
-set(CPACK_COMPONENTS_ALL development)
+set(CPACK_COMPONENTS_ALL library development)
 if(WINNOW_CLI)
   list(PREPEND CPACK_COMPONENTS_ALL program)
 endif()
@@ -17,14 +18,28 @@ string(CONCAT CPACK_COMPONENT_PROGRAM_DESCRIPTION
        "Reads a triangle mesh of any size from front to back, and writes a small\n"
        "one as PLY, STL, OBJ, OFF, .m or GLB. Memory stays within a budget, and the\n"
        "result does not depend on it.")
+# The program may be linked with it.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src)
+if(BUILD_SHARED_LIBS)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libwinnow0 (= ${PROJECT_VERSION})")
+endif()
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libwinnow0)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+file(WRITE ${PROJECT_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/triggers)
+string(CONCAT CPACK_COMPONENT_LIBRARY_DESCRIPTION
+       "The library that the program winnow is made of, for programs that were\n"
+       "built with libwinnow-dev.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libwinnow-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libtbb-dev, libboost-iostreams-dev, libembree-dev, libmeshoptimizer-dev, \
-libcairo2-dev, libzstd-dev, zlib1g-dev")
+    "libwinnow0 (= ${PROJECT_VERSION}), libtbb-dev, libboost-iostreams-dev, libembree-dev, \
+libmeshoptimizer-dev, libcairo2-dev, libzstd-dev, zlib1g-dev")
 string(CONCAT CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-       "The library that the program winnow is made of, with its headers and\n"
-       "what CMake and pkg-config read.")
+       "The library that the program winnow is made of, to be linked into others,\n"
+       "with its headers and what CMake and pkg-config read.")
 
 # Debian's changelog, of this version alone.
 string(TIMESTAMP package_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -38,7 +53,7 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/changelog @ONLY CONTENT
 ")
 execute_process(COMMAND ${WINNOW_GZIP} -9nkf ${PROJECT_BINARY_DIR}/changelog)
 
-foreach(component_package program/winnow development/libwinnow-dev)
+foreach(component_package program/winnow library/libwinnow0 development/libwinnow-dev)
   cmake_path(GET component_package PARENT_PATH component)
   cmake_path(GET component_package FILENAME package)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright

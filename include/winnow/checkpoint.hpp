@@ -1,6 +1,7 @@
 // Simplify so that a run that was killed can go on.
 #pragma once
 
+#include <winnow/api.hpp>
 #include <winnow/simplify.hpp>
 
 #include <string>
@@ -26,9 +27,9 @@ struct Checkpoint {
 //
 // Throws Error as simplify() does; usage also where the directory cannot be used or holds another
 // run's checkpoint; resources where another run works in it.
-SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,
-                        const std::string& output, const SimplifyOptions& options,
-                        const Checkpoint& settings);
+WINNOW_API SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,
+                                   const std::string& output, const SimplifyOptions& options,
+                                   const Checkpoint& settings);
 
 // Goes on with the run that `settings.directory` is of, with the options it had; memory, threads
 // and scratch are those of `context`. Report: of the whole run, but seconds, scratch and memory of
@@ -37,6 +38,6 @@ SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs
 // Throws Error as simplify() does; bad_input also where there is no checkpoint, it is damaged or of
 // another version of winnow, or the input is not what it was; resources where its run is still
 // alive.
-SimplifyReport resume(Context& context, const Checkpoint& settings);
+WINNOW_API SimplifyReport resume(Context& context, const Checkpoint& settings);
 
 }  // namespace winnow

@@ -1,6 +1,7 @@
 // How far a simplified mesh is from its original, and what is wrong with it.
 #pragma once
 
+#include <winnow/api.hpp>
 #include <winnow/context.hpp>
 #include <winnow/distance.hpp>
 #include <winnow/simplify.hpp>
@@ -97,7 +98,7 @@ struct CompareReport {
 // Either is a file's name; one may be "-" for standard input, which is copied to scratch first. The
 // report is the same for every number of threads and every budget. Throws Error: usage, bad_input,
 // resources (the message names a budget that is enough), cancelled, failed.
-CompareReport compare(Context& context, const std::string& original, const std::string& simplified,
-                      const CompareOptions& options);
+WINNOW_API CompareReport compare(Context& context, const std::string& original,
+                                 const std::string& simplified, const CompareOptions& options);
 
 }  // namespace winnow

@@ -26,7 +26,8 @@ class Context {
   // whole process stays below this + 32 MiB. What does not fit goes to scratch. Default: 512 MiB.
   std::uint64_t memory = std::uint64_t{512} << 20;
 
-  // Threads that work at once; 0: as many as the machine has.
+  // Threads that work at once; 0: as many as the machine has. They are oneTBB's. Where they are
+  // more than the process has, it has more during the call; it never has fewer for other work.
   unsigned threads = 0;
 
   // Directory for scratch files; they have no name in it and vanish with the process. Empty: the
@@ -51,6 +52,8 @@ class Context {
   [[nodiscard]] bool cancelled() const noexcept {
     return cancelled_.load(std::memory_order_relaxed);
   }
+  // Takes that back, between calls: the context can be used again.
+  void reset() noexcept { cancelled_.store(false, std::memory_order_relaxed); }
 
  private:
   std::atomic<bool> cancelled_{false};

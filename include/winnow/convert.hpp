@@ -1,6 +1,7 @@
 // Change the format of a triangle mesh of any size in bounded memory.
 #pragma once
 
+#include <winnow/api.hpp>
 #include <winnow/context.hpp>
 #include <winnow/format.hpp>
 #include <winnow/simplify.hpp>
@@ -64,7 +65,7 @@ struct ConvertReport {
 //
 // The bytes depend on the input's content and on `options` alone. Throws Error: usage, bad_input
 // (also for an input without a single good face), resources, cancelled, failed.
-ConvertReport convert(Context& context, const std::string& input, const std::string& output,
-                      const ConvertOptions& options);
+WINNOW_API ConvertReport convert(Context& context, const std::string& input,
+                                 const std::string& output, const ConvertOptions& options);
 
 }  // namespace winnow

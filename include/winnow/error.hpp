@@ -1,6 +1,8 @@
 // How winnow reports that it could not go on.
 #pragma once
 
+#include <winnow/api.hpp>
+
 #include <stdexcept>
 #include <string>
 
@@ -17,7 +19,7 @@ enum class ErrorKind {
 
 // Thrown by every function of the library that can fail. The message is one line, names the file
 // and the place (byte, line or face) where there is one, and says the way out.
-class Error : public std::runtime_error {
+class WINNOW_API Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
 

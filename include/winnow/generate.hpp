@@ -1,6 +1,7 @@
 // Surfaces of any size, made from nothing: input for tests and benches.
 #pragma once
 
+#include <winnow/api.hpp>
 #include <winnow/context.hpp>
 #include <winnow/simplify.hpp>
 
@@ -36,7 +37,7 @@ struct GenerateReport {
 // bytes depend on `options` alone. The surface is about 2 units across; its spacing follows from
 // the count. Throws Error: usage (a count that the format cannot hold), resources, cancelled,
 // failed.
-GenerateReport generate(Context& context, const std::string& output,
-                        const GenerateOptions& options);
+WINNOW_API GenerateReport generate(Context& context, const std::string& output,
+                                   const GenerateOptions& options);
 
 }  // namespace winnow

@@ -1,6 +1,7 @@
 // What is in a mesh file, found by streaming it.
 #pragma once
 
+#include <winnow/api.hpp>
 #include <winnow/context.hpp>
 #include <winnow/simplify.hpp>
 
@@ -43,6 +44,7 @@ struct InfoReport {
 
 // Reads `input` (a file's name, or "-" for standard input) once, and sorts in scratch what does not
 // fit. Throws Error: bad_input, resources, cancelled, failed.
-InfoReport info(Context& context, const std::string& input, Format from = Format::automatic);
+WINNOW_API InfoReport info(Context& context, const std::string& input,
+                           Format from = Format::automatic);
 
 }  // namespace winnow

@@ -2,6 +2,7 @@
 // manifest of a checkpoint and bindings to other languages are made from them.
 #pragma once
 
+#include <winnow/api.hpp>
 #include <winnow/compare.hpp>
 #include <winnow/context.hpp>
 #include <winnow/convert.hpp>
@@ -40,15 +41,16 @@ struct Option {
 };
 
 // Each field is in its table once, in the order of help.
-std::span<const Option<SimplifyOptions>> simplify_options();
-std::span<const Option<ConvertOptions>> convert_options();
-std::span<const Option<CompareOptions>> compare_options();
-std::span<const Option<GenerateOptions>> generate_options();
-std::span<const Option<Context>> context_options();  // memory, threads, scratch
+WINNOW_API std::span<const Option<SimplifyOptions>> simplify_options();
+WINNOW_API std::span<const Option<ConvertOptions>> convert_options();
+WINNOW_API std::span<const Option<CompareOptions>> compare_options();
+WINNOW_API std::span<const Option<GenerateOptions>> generate_options();
+WINNOW_API std::span<const Option<Context>> context_options();  // memory, threads, scratch
 
-// Messages and notes name options in backticks: "`faces` takes at least 4". The same text with each
-// of these names as `spelled` gives it.
-std::string spell_options(const std::string& text,
-                          const std::function<std::string(const std::string& name)>& spelled);
+// Messages and notes name options in backticks, "`faces` takes at least 4", and so they do with the
+// calls simplify, resume, convert and info. The same text with each of these names as `spelled`
+// gives it.
+WINNOW_API std::string spell_options(
+    const std::string& text, const std::function<std::string(const std::string& name)>& spelled);
 
 }  // namespace winnow

@@ -1,7 +1,9 @@
 // Simplify a mesh that the program itself makes, batch by batch, without a file in between.
 #pragma once
 
+#include <winnow/api.hpp>
 #include <winnow/context.hpp>
+#include <winnow/mesh.hpp>
 #include <winnow/simplify.hpp>
 
 #include <cstdint>
@@ -33,10 +35,12 @@ namespace winnow {
 // To be used by one thread at a time, except for Context::cancel(). After an Error it can only be
 // destroyed; destroyed before finish() was called, it leaves nothing behind. The context must
 // outlive it; its memory, threads and scratch are looked at here and not later.
-class Simplification {
+class WINNOW_API Simplification {
  public:
   // Throws Error: usage (options, an output that exists), resources (too small a budget).
   Simplification(Context& context, const std::string& output, const SimplifyOptions& options);
+  // For finish_mesh(): the result stays in memory.
+  Simplification(Context& context, const SimplifyOptions& options);
   ~Simplification();
   Simplification(const Simplification&) = delete;
   Simplification& operator=(const Simplification&) = delete;
@@ -61,9 +65,12 @@ class Simplification {
   // Simplifies and writes; the last call. options.from has no meaning here. Throws what simplify()
   // throws.
   SimplifyReport finish();
+  // The same where no output was named: gives the mesh, which does not count in the budget, and
+  // puts the report where `report` points, if anywhere.
+  Mesh finish_mesh(SimplifyReport* report = nullptr);
 
  private:
-  struct State;
+  struct WINNOW_LOCAL State;
   std::unique_ptr<State> state_;
 };
 

@@ -1,6 +1,7 @@
 // Simplify a triangle mesh of any size in bounded memory.
 #pragma once
 
+#include <winnow/api.hpp>
 #include <winnow/context.hpp>
 #include <winnow/distance.hpp>
 #include <winnow/format.hpp>
@@ -128,19 +129,19 @@ struct SimplifyPlan {
 // context, on threads, on memory, or on whether a file or a pipe was read.
 //
 // Throws Error: usage (options), bad_input, resources, cancelled, failed.
-SimplifyReport simplify(Context& context, const std::string& input, const std::string& output,
-                        const SimplifyOptions& options);
+WINNOW_API SimplifyReport simplify(Context& context, const std::string& input,
+                                   const std::string& output, const SimplifyOptions& options);
 
 // The same with several inputs as one model, in their order: the faces of one after those of the
 // other, in the box of all. Each must be a file; of any formats. One is open at a time, and each is
 // read again in each pass.
-SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,
-                        const std::string& output, const SimplifyOptions& options);
+WINNOW_API SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,
+                                   const std::string& output, const SimplifyOptions& options);
 
 // The plan of the same call; reads no more than the input's header and writes nothing. Same errors.
-SimplifyPlan plan_simplify(Context& context, const std::string& input, const std::string& output,
-                           const SimplifyOptions& options);
-SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
-                           const std::string& output, const SimplifyOptions& options);
+WINNOW_API SimplifyPlan plan_simplify(Context& context, const std::string& input,
+                                      const std::string& output, const SimplifyOptions& options);
+WINNOW_API SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inputs,
+                                      const std::string& output, const SimplifyOptions& options);
 
 }  // namespace winnow

@@ -50,7 +50,7 @@ GenerateReport generate(Context& context, const std::string& output,
   if (encoder->needs_survey()) {
     throw Error(ErrorKind::usage,
                 "a GLB begins with its box, which is not known before the surface is made; "
-                "generate a PLY, and `winnow convert` makes a GLB of it");
+                "generate a PLY, and `convert` makes a GLB of it");
   }
   MeshShape shape;
   shape.vertices = surface->vertices();

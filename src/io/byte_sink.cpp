@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <limits>
+#include <random>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -42,7 +44,7 @@ std::string behind_links(const std::string& path) {
 // name, so that whatever the file system allows for the one it allows for the other.
 std::string kept_part(const std::string& name) {
   constexpr std::size_t short_name = 40;
-  constexpr std::size_t added = sizeof("..winnow-XXXXXX");
+  constexpr std::size_t added = sizeof("..winnow-") + std::numeric_limits<unsigned>::digits10 + 1;
   if (name.size() <= short_name) return name;
   std::size_t kept = name.size() - added;
   while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xC0) == 0x80)
@@ -97,12 +99,11 @@ ByteSink::ByteSink(Job& job, std::string path, bool force, const char* way_out)
   } else {
     if (status.st_nlink != 0 && !force_) refuse_existing();
     if (there) job_.written_over.push_back(FileNumber::of(status));
-    open_aside();
-    // mkostemp's mode is for secrets; a mesh gets what any new file gets, or what the replaced file
-    // had, but never rights of its owner for whoever runs it.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    ::fchmod(fd_, status.st_nlink != 0 ? status.st_mode & 0777 : 0666 & ~mask);
+    // A mesh gets the rights of any new file, or those that the replaced file had, but never rights
+    // of its owner for whoever runs it.
+    const bool replaces = status.st_nlink != 0;
+    open_aside(replaces ? 0600 : 0666);
+    if (replaces) ::fchmod(fd_, status.st_mode & 0777);
   }
   if (::fstat(fd_, &status) == 0) pipe_ = S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
   if (aside_.empty() && S_ISREG(status.st_mode))
@@ -122,16 +123,19 @@ ByteSink::~ByteSink() {
   if (!aside_.empty()) ::unlink(aside_.c_str());
 }
 
-void ByteSink::open_aside() {
+void ByteSink::open_aside(mode_t rights) {
   const std::string prefix =
       "." + kept_part(std::filesystem::path(path_).filename().string()) + ".winnow-";
   if (remove_stale_files(directory_of(path_), prefix) > 0) {
     job_.note("an earlier run was killed while it wrote '" + path_ +
               "'; what it had written was removed");
   }
+  // Nobody else's, not even later: below it may be removed by its name.
+  std::random_device random;
   for (;;) {
-    aside_ = directory_of(path_) + "/" + prefix + "XXXXXX";
-    fd_ = ::mkostemp(aside_.data(), O_CLOEXEC);
+    aside_ = directory_of(path_) + "/" + prefix + std::to_string(random());
+    fd_ = ::open(aside_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, rights);
+    if (fd_ < 0 && errno == EEXIST) continue;
     if (fd_ < 0) {
       const int code = errno;
       aside_.clear();

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 namespace winnow {
 
 // Written from front to back by one thread at a time. Unless finish() was called nothing stays
@@ -48,7 +50,7 @@ class ByteSink {
 
  private:
   [[noreturn]] void refuse_existing() const;
-  void open_aside();
+  void open_aside(mode_t rights);  // of a new file
   void open_straight(bool named_pipe);
   void pass_on(std::span<const std::byte> bytes);
   void put(std::span<const std::byte> bytes);

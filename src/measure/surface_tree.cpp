@@ -136,7 +136,9 @@ SurfaceTree::SurfaceTree(Job& job, std::span<const NumberedFace> faces)
     throw Error(ErrorKind::failed, "too many faces for one search tree");
   state.reservation = job.budget.reserve(faces.size() * bytes_a_face, "a search tree");
   state.find_centre();
-  state.device = rtcNewDevice(("threads=" + std::to_string(job.threads)).c_str());
+  // It works in the arena that it is called from. If it were told a number of threads, it would set
+  // that for the whole process.
+  state.device = rtcNewDevice(nullptr);
   if (state.device == nullptr)
     throw Error(ErrorKind::failed, "Embree does not run on this machine");
   state.scene = rtcNewScene(state.device);

@@ -12,7 +12,7 @@ void add_names(std::span<const Option<Options>> table, std::set<std::string>& na
 }
 
 std::set<std::string> all_names() {
-  std::set<std::string> names{"checkpoint", "output"};
+  std::set<std::string> names{"checkpoint", "output", "convert", "info", "resume", "simplify"};
   add_names(simplify_options(), names);
   add_names(convert_options(), names);
   add_names(compare_options(), names);

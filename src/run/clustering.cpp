@@ -352,13 +352,12 @@ void Clustering::take_counts(const ClusterCounts& counts) {
 void Clustering::refuse_empty() const {
   if (!options_.crop && reader_.facts().faces == std::uint64_t{0})
     refuse_without_faces(reader_, "simplified");
-  throw Error(
-      ErrorKind::bad_input,
-      "'" + reader_.name() + "' has no face that could be simplified" +
-          (options_.crop ? " in the box of `crop`; winnow info tells where the mesh is" : "") +
-          (welds(options_) && report_.weld.vertices > 0
-               ? "; `weld` joined too many vertices, choose a smaller distance"
-               : ""));
+  throw Error(ErrorKind::bad_input,
+              "'" + reader_.name() + "' has no face that could be simplified" +
+                  (options_.crop ? " in the box of `crop`; `info` tells where the mesh is" : "") +
+                  (welds(options_) && report_.weld.vertices > 0
+                       ? "; `weld` joined too many vertices, choose a smaller distance"
+                       : ""));
 }
 
 void Clustering::refuse_result(const ClusteredMesh& mesh) const {

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "read/cropped_reader.hpp"
 #include "read/joined_reader.hpp"
+#include "read/view_reader.hpp"
 #include "run/simplify_options.hpp"
 
 namespace winnow {
@@ -25,11 +26,16 @@ Input::Input(Job& job, std::unique_ptr<ByteSource> source) : job_(job), source_(
   memory_ = job.budget.used();
 }
 
+Input::Input(Job& job, const MeshView& mesh) : job_(job), mesh_(&mesh), memory_(job.budget.used()) {
+  check_view(mesh);
+}
+
 std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options,
                                           const AttributeRequest& wish,
                                           const ReaderMemory& memory) {
   std::unique_ptr<MeshReader> reader =
-      source_ != nullptr
+      mesh_ != nullptr ? open_view(job_, *mesh_, memory, wish)
+      : source_ != nullptr
           ? open_reader(job_, std::move(source_), options.from, access_for(options), memory, wish)
           : join_files(job_, names_, options.from, memory, wish);
   if (!options.crop) return reader;
@@ -40,7 +46,8 @@ std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options,
 }
 
 InputProbe Input::outlook(const SimplifyOptions& options, const AttributeRequest& wish) {
-  InputProbe outlook = source_ != nullptr
+  InputProbe outlook = mesh_ != nullptr ? look_at_view(*mesh_, wish)
+                       : source_ != nullptr
                            ? look_at(job_, *source_, options.from, access_for(options), wish)
                            : look_at_files(job_, names_, options.from, wish);
   if (options.crop) outlook.facts.faces.reset();

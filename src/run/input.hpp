@@ -1,6 +1,8 @@
-// What a run reads: one file or pipe, or several files as one model, whole or cropped.
+// What a run reads: one file or pipe, or several files as one model, or arrays of the caller; whole
+// or cropped.
 #pragma once
 
+#include <winnow/mesh.hpp>
 #include <winnow/simplify.hpp>
 
 #include "io/byte_source.hpp"
@@ -21,6 +23,9 @@ class Input {
 
   explicit Input(Job& job, std::unique_ptr<ByteSource> source);
 
+  // Arrays that outlive it. Throws Error: usage, bad_input.
+  explicit Input(Job& job, const MeshView& mesh);
+
   // What of the budget it takes before the rest can be divided.
   [[nodiscard]] std::uint64_t memory() const { return memory_; }
 
@@ -35,6 +40,7 @@ class Input {
   Job& job_;
   std::vector<std::string> names_;
   std::unique_ptr<ByteSource> source_;  // of a single one
+  const MeshView* mesh_ = nullptr;      // of arrays
   std::uint64_t memory_ = 0;
 };
 

@@ -4,13 +4,12 @@
 #include <winnow/simplification.hpp>
 
 #include "io/arena.hpp"
-#include "io/byte_sink.hpp"
 #include "io/spool.hpp"
 #include "io/spooled_source.hpp"
+#include "run/mesh_sink.hpp"
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
-#include "run/write_blocks.hpp"
 #include "write/mesh_encoder.hpp"
 
 #include <array>
@@ -39,25 +38,20 @@ std::uint64_t share(const Job& job, const SimplifyOptions& options) {
   return (job.budget.left() - needed) / 4;
 }
 
-Reservation room_to_pack(Job& job, const MeshEncoder& encoder, const SimplifyOptions& options) {
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
-  return reserve_block(job, encoder);
-}
-
 }  // namespace
 
 struct Simplification::State {
-  State(Context& context, const std::string& path, const SimplifyOptions& asked)
-      : options(checked(asked)),
-        output(path),
-        job(context),
-        encoder(make_encoder(options.to, path, options.encoding)),
-        packing(room_to_pack(job, *encoder, options)),
-        sink(job, path, options.force),
-        vertices(std::make_unique<Spool>(job, share(job, options))),
-        faces(std::make_unique<Spool>(job, share(job, options))) {
-    if (!writes_text(options.to, path, options.encoding)) sink.refuse_terminal();
-    remove_stale_files(job.scratch.directory(), scratch_prefix);
+  // `path`: of a file; nothing for memory.
+  State(Context& context, const std::optional<std::string>& path, const SimplifyOptions& asked)
+      : options(checked(asked)), job(context) {
+    expect_plan(job, options);
+    if (path) {
+      sink = std::make_unique<FileSink>(job, *path, options);
+    } else {
+      sink = std::make_unique<MemorySink>(job, result, options);
+    }
+    vertices = std::make_unique<Spool>(job, share(job, options));
+    faces = std::make_unique<Spool>(job, share(job, options));
   }
 
   template <typename Real>
@@ -134,6 +128,21 @@ struct Simplification::State {
     }
   }
 
+  SimplifyReport finish() {
+    const Stopwatch watch;
+    std::vector<std::unique_ptr<Spool>> spools;
+    for (std::unique_ptr<Spool>* spool : {&vertices, &faces}) {
+      if (*spool == nullptr) throw Error(ErrorKind::usage, "the mesh was finished before");
+      (*spool)->finish();
+      spools.push_back(std::move(*spool));
+    }
+    if (face_count == 0) throw Error(ErrorKind::bad_input, "no face was added");
+    return in_arena(job, [&] {
+      Input input(job, spooled_source("what was added", head(), std::move(spools)));
+      return simplify_input(job, std::move(input), *sink, options, watch);
+    });
+  }
+
   [[nodiscard]] std::string head() const {
     if (soup.value_or(false) && !doubles.value_or(false))
       return make_stl_encoder()->header({.faces = face_count});
@@ -143,11 +152,9 @@ struct Simplification::State {
   }
 
   SimplifyOptions options;
-  std::string output;
   Job job;
-  std::unique_ptr<MeshEncoder> encoder;
-  Reservation packing;
-  ByteSink sink;
+  Mesh result;
+  std::unique_ptr<MeshSink> sink;
   std::unique_ptr<Spool> vertices, faces;
   std::uint64_t vertex_count = 0, face_count = 0;
   std::optional<bool> soup, doubles;
@@ -156,6 +163,9 @@ struct Simplification::State {
 Simplification::Simplification(Context& context, const std::string& output,
                                const SimplifyOptions& options)
     : state_(std::make_unique<State>(context, output, options)) {}
+
+Simplification::Simplification(Context& context, const SimplifyOptions& options)
+    : state_(std::make_unique<State>(context, std::nullopt, options)) {}
 
 Simplification::~Simplification() = default;
 
@@ -197,20 +207,17 @@ void Simplification::add_triangles(std::span<const double> coordinates) {
 }
 
 SimplifyReport Simplification::finish() {
-  const Stopwatch watch;
-  State& state = *state_;
-  std::vector<std::unique_ptr<Spool>> spools;
-  for (std::unique_ptr<Spool>* spool : {&state.vertices, &state.faces}) {
-    if (*spool == nullptr) throw Error(ErrorKind::usage, "finish() was called before");
-    (*spool)->finish();
-    spools.push_back(std::move(*spool));
-  }
-  if (state.face_count == 0) throw Error(ErrorKind::bad_input, "no face was added");
-  return in_arena(state.job, [&] {
-    return simplify_source(state.job,
-                           spooled_source("what was added", state.head(), std::move(spools)),
-                           state.output, *state.encoder, state.sink, state.options, watch);
-  });
+  if (state_->sink->name().empty())
+    throw Error(ErrorKind::usage, "no output was named; finish_mesh() gives the mesh");
+  return state_->finish();
+}
+
+Mesh Simplification::finish_mesh(SimplifyReport* report) {
+  if (!state_->sink->name().empty())
+    throw Error(ErrorKind::usage, "the mesh goes to a file; finish() writes it");
+  SimplifyReport told = state_->finish();
+  if (report != nullptr) *report = std::move(told);
+  return std::move(state_->result);
 }
 
 }  // namespace winnow

@@ -7,17 +7,16 @@
 #include "cluster/near_welder.hpp"
 #include "cluster/resolution.hpp"
 #include "io/arena.hpp"
-#include "io/byte_sink.hpp"
 #include "measure/result_surface.hpp"
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
 #include "run/input.hpp"
+#include "run/mesh_sink.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
 #include "run/simplify_checkpoint.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
-#include "run/write_blocks.hpp"
 #include "run/write_mesh.hpp"
 #include "write/mesh_encoder.hpp"
 
@@ -109,10 +108,11 @@ void check_surface(Job& job, const ClusteredMesh& mesh, const SimplifyOptions& o
 }
 
 // `input`: of a run whose mesh is not in the checkpoint.
-SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshEncoder& encoder,
-                            ByteSink& sink, const SimplifyRequest& request,
-                            SimplifyCheckpoint& checkpoint, const Stopwatch& watch) {
+SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink,
+                            const SimplifyRequest& request, SimplifyCheckpoint& checkpoint,
+                            const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
+  const MeshEncoder& encoder = sink.encoder();
   SimplifyReport report;
   if (checkpoint.opened()) report.resumed.emplace();
   const AttributeRequest wish = wish_for(options, encoder);
@@ -158,15 +158,10 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshEnco
   MeshShape shape = shape_of(job, mesh, encoder, normals, doubles, exact, "simplified by winnow");
   shape.attributes = attributes;
   shape.closed = report.topology.closed;
-  write_mesh(job, mesh, shape, encoder, sink);
-  sink.flush_and_sync();
+  const std::uint64_t written = sink.write(mesh, shape);
 
-  report.output = {mesh.face_count,
-                   mesh.vertices->size(),
-                   sink.written(),
-                   request.output,
-                   format_written(options.to, request.output, options.encoding),
-                   encoder.position_error(shape)};
+  report.output = {mesh.face_count, mesh.vertices->size(), written,
+                   sink.name(),     sink.format(),         encoder.position_error(shape)};
   report.input.names = request.inputs;
   report.cells = mesh.cells;
   report.reoriented_faces = mesh.turned;
@@ -179,7 +174,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshEnco
     if (std::find(report.notes.begin(), report.notes.end(), note) == report.notes.end())
       report.notes.push_back(note);
   }
-  checkpoint.settled(sink, report);
+  checkpoint.settled(sink.identity(), report);
   sink.finish();
   checkpoint.finish(job);
 
@@ -198,21 +193,13 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
   // it all.
   if (request.inputs.size() == 1 && request.inputs.front() == "-")
     MemoryPlan::divide(job.budget.total(), 0, job.threads, needs_of(options));
-  const std::unique_ptr<MeshEncoder> encoder =
-      make_encoder(options.to, request.output, options.encoding);
-  if (options.faces)
-    (void)encoder->header({.faces = *options.faces});  // refuses what it cannot count
-  remove_stale_files(job.scratch.directory(), scratch_prefix);
-  // Packing, compressing and decompressing take memory of their own; the rest is divided.
-  job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
-  const Reservation packing = reserve_block(job, *encoder, !wish_for(options, *encoder).none());
+  expect_plan(job, options);
   // A run that is resumed cannot be told to replace it.
-  ByteSink sink(job, request.output, options.force,
+  FileSink sink(job, request.output, options,
                 checkpoint.opened() ? "move it away and resume again" : ByteSink::by_force);
-  if (!writes_text(options.to, request.output, options.encoding)) sink.refuse_terminal();
   std::optional<Input> input;
   if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
-  return run_pipeline(job, std::move(input), *encoder, sink, request, checkpoint, watch);
+  return run_pipeline(job, std::move(input), sink, request, checkpoint, watch);
 }
 
 SimplifyReport simplify_with(Job& job, const SimplifyRequest& request,
@@ -226,13 +213,16 @@ SimplifyReport simplify_with(Job& job, const SimplifyRequest& request,
 
 }  // namespace
 
-SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source,
-                               const std::string& output, const MeshEncoder& encoder,
-                               ByteSink& sink, const SimplifyOptions& options,
-                               const Stopwatch& watch) {
+void expect_plan(Job& job, const SimplifyOptions& options) {
+  remove_stale_files(job.scratch.directory(), scratch_prefix);
+  // Packing, compressing and decompressing take memory of their own; the rest is divided.
+  job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
+}
+
+SimplifyReport simplify_input(Job& job, Input input, MeshSink& sink, const SimplifyOptions& options,
+                              const Stopwatch& watch) {
   SimplifyCheckpoint none;
-  return run_pipeline(job, Input(job, std::move(source)), encoder, sink, {{}, output, options},
-                      none, watch);
+  return run_pipeline(job, std::move(input), sink, {{}, {}, options}, none, watch);
 }
 
 SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,

@@ -44,7 +44,7 @@ SimplifyCheckpoint SimplifyCheckpoint::open(Job& job, const Checkpoint& settings
     throw Error(ErrorKind::bad_input,
                 "'" + settings.directory + "' is of winnow " + manifest.text("version") +
                     ", this is " + WINNOW_VERSION +
-                    "; resume it with that one, or remove it and run winnow simplify again");
+                    "; resume it with that one, or remove it and run `simplify` again");
   }
   return checkpoint;
 }
@@ -136,10 +136,10 @@ bool SimplifyCheckpoint::is_written(const std::string& output, SimplifyReport& r
   return true;
 }
 
-void SimplifyCheckpoint::settled(const ByteSink& sink, const SimplifyReport& report) {
+void SimplifyCheckpoint::settled(const std::string& identity, const SimplifyReport& report) {
   if (directory_ == nullptr) return;
   put_report(directory_->manifest(), report);
-  directory_->manifest().set("written", sink.identity());
+  directory_->manifest().set("written", identity);
   directory_->commit();
 }
 
@@ -163,8 +163,8 @@ void SimplifyCheckpoint::fail(const Error& error) {
   const ErrorKind kind = error.kind();
   if (can_go_on &&
       (kind == ErrorKind::resources || kind == ErrorKind::cancelled || kind == ErrorKind::usage))
-    throw Error(
-        kind, std::string(error.what()) + "; go on by winnow resume '" + directory_->path() + "'");
+    throw Error(kind,
+                std::string(error.what()) + "; go on by `resume` '" + directory_->path() + "'");
   // One that another run made is for its owner to remove.
   if (!opened_) directory_->remove();
   throw Error(error);

@@ -35,8 +35,8 @@ class SimplifyCheckpoint {
 
   // Whether the output is whole and under its name. Then the report is too.
   bool is_written(const std::string& output, SimplifyReport& report) const;
-  // Before the output gets its name.
-  void settled(const ByteSink& sink, const SimplifyReport& report);
+  // Before the output gets its name. `identity`: see ByteSink.
+  void settled(const std::string& identity, const SimplifyReport& report);
   // When it has it: removes the files, unless they are to be kept.
   void finish(Job& job);
 

@@ -185,7 +185,7 @@ void check_inputs(const Manifest& manifest, bool read, const std::string& direct
   const std::vector<std::string> inputs = inputs_in(manifest);
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::bad_input,
-                what + "; remove '" + directory + "' and run winnow simplify again");
+                what + "; remove '" + directory + "' and run `simplify` again");
   };
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const std::string key = input_key(i);

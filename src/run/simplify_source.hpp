@@ -1,23 +1,19 @@
-// The pipeline from an open source on, whatever that is: read, cluster, refine, write.
+// The pipeline from an open input to an open output, whatever these are: read, cluster, refine, write.
 #pragma once
 
 #include <winnow/simplify.hpp>
 
-#include "io/byte_sink.hpp"
-#include "io/byte_source.hpp"
 #include "io/job.hpp"
-#include "write/mesh_encoder.hpp"
-
-#include <memory>
-#include <string>
+#include "run/input.hpp"
+#include "run/mesh_sink.hpp"
 
 namespace winnow {
 
-// Inside the job's arena. `watch` began with the call; the caller holds reserve_block().
-// `output` is what the report calls it.
-SimplifyReport simplify_source(Job& job, std::unique_ptr<ByteSource> source,
-                               const std::string& output, const MeshEncoder& encoder,
-                               ByteSink& sink, const SimplifyOptions& options,
-                               const Stopwatch& watch);
+// Before an output is opened: what the rest of the budget has to be.
+void expect_plan(Job& job, const SimplifyOptions& options);
+
+// Inside the job's arena. `watch` began with the call.
+SimplifyReport simplify_input(Job& job, Input input, MeshSink& sink, const SimplifyOptions& options,
+                              const Stopwatch& watch);
 
 }  // namespace winnow

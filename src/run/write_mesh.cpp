@@ -106,6 +106,25 @@ MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encod
   return shape;
 }
 
+FinishedVertices finished_vertices(const ClusteredMesh& mesh, const MeshShape& shape,
+                                   std::uint64_t first, std::size_t count) {
+  const std::vector<IndexedVertex> indexed =
+      read_records<IndexedVertex>(mesh.vertices->records(), first, count);
+  FinishedVertices out;
+  out.vertices.resize(count);
+  std::transform(indexed.begin(), indexed.end(), out.vertices.begin(), finished);
+  const std::size_t carried = shape.attributes.size();
+  if (carried == 0) return out;
+  out.attributes.resize(carried * count);
+  mesh.attributes->read(first * carried * sizeof(double),
+                        std::as_writable_bytes(std::span(out.attributes)));
+  for (std::size_t i = 0; i < count; ++i) {
+    finish_attributes(shape, std::span(out.attributes).subspan(i * carried, carried),
+                      out.vertices[i]);
+  }
+  return out;
+}
+
 void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape,
                 const MeshEncoder& encoder, ByteSink& sink) {
   if (encoder.blocks() != nullptr) return write_blocks(job, mesh, shape, *encoder.blocks(), sink);
@@ -115,21 +134,8 @@ void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape,
   if (!encoder.needs_corners()) {
     write_chunks(job, shape.vertices, sink,
                  [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-                   const std::vector<IndexedVertex> indexed =
-                       read_records<IndexedVertex>(mesh.vertices->records(), first, count);
-                   std::vector<MeshVertex> vertices(count);
-                   std::transform(indexed.begin(), indexed.end(), vertices.begin(), finished);
-                   const std::size_t carried = shape.attributes.size();
-                   std::vector<double> attributes(carried * count);
-                   if (carried > 0) {
-                     mesh.attributes->read(first * carried * sizeof(double),
-                                           std::as_writable_bytes(std::span(attributes)));
-                   }
-                   for (std::size_t i = 0; i < count && carried > 0; ++i) {
-                     finish_attributes(shape, std::span(attributes).subspan(i * carried, carried),
-                                       vertices[i]);
-                   }
-                   encoder.vertices(shape, first, vertices, bytes);
+                   encoder.vertices(shape, first,
+                                    finished_vertices(mesh, shape, first, count).vertices, bytes);
                  });
   }
   PerSlot<VertexIndex::Reader> readers(

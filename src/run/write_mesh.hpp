@@ -28,6 +28,14 @@ std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t fir
 // finite.
 MeshVertex finished(const IndexedVertex& vertex);
 
+// Vertices as they are written, with what they carry.
+struct FinishedVertices {
+  std::vector<MeshVertex> vertices;
+  std::vector<double> attributes;  // that they point to
+};
+FinishedVertices finished_vertices(const ClusteredMesh& mesh, const MeshShape& shape,
+                                   std::uint64_t first, std::size_t count);
+
 // Encodes with all threads, writes in order; does not finish() the sink.
 void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape,
                 const MeshEncoder& encoder, ByteSink& sink);

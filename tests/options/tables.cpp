@@ -156,6 +156,7 @@ TEST_CASE("names of options in messages are spelled as they are wanted", "[optio
   CHECK(spell_options("`faces` takes `x`, `keep_pieces", dashes) ==
         "--faces takes `x`, `keep_pieces");
   CHECK(spell_options("``cell`` and `grid`", dashes) == "`--cell` and --grid");
+  CHECK(spell_options("go on by `resume`", dashes) == "go on by --resume");
   CHECK(spell_options("", dashes).empty());
 }
 

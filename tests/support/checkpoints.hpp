@@ -28,7 +28,7 @@ inline Checkpoint stopped_at(const Directory& directory, const std::vector<std::
   const Error error = error_of([&] { simplify(context, inputs, output, options, checkpoint); });
   INFO(error.what());
   REQUIRE(error.kind() == ErrorKind::cancelled);
-  REQUIRE(std::string(error.what()).find("winnow resume '" + checkpoint.directory + "'") !=
+  REQUIRE(std::string(error.what()).find("go on by `resume` '" + checkpoint.directory + "'") !=
           std::string::npos);
   REQUIRE_FALSE(exists(output));
   return checkpoint;

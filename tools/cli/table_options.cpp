@@ -8,7 +8,11 @@ std::string flag_called(std::string name) {
 }
 
 std::string spoken(const std::string& text) {
-  return spell_options(text, flag_called);
+  return spell_options(text, [](const std::string& name) {
+    const bool command =
+        name == "simplify" || name == "resume" || name == "convert" || name == "info";
+    return command ? "winnow " + name : flag_called(name);
+  });
 }
 
 std::vector<std::string> spoken(std::vector<std::string> texts) {

@@ -69,6 +69,13 @@ void VertexStore::map(const std::string& path, std::uint64_t offset, std::uint64
   if (count > 0) open_mapping(path, offset, count * layout.stride);
 }
 
+void VertexStore::look_in(const std::byte* records, std::uint64_t count,
+                          const VertexLayout& layout) {
+  given_ = records;
+  count_ = count;
+  layout_ = layout;
+}
+
 void VertexStore::begin_keeping(bool double_positions, std::span<const ScalarType> attributes) {
   const std::size_t size = double_positions ? sizeof(double) : sizeof(float);
   const PlyType type = double_positions ? PlyType::float64 : PlyType::float32;
@@ -217,7 +224,7 @@ Point VertexStore::position_of(const std::byte* record) const {
 }
 
 void VertexStore::look_up(std::span<const std::uint32_t> vertices, std::span<Point> out) const {
-  const std::byte* records = window_ == nullptr ? kept_->data()
+  const std::byte* records = window_ == nullptr ? in_memory()
                              : reservation_     ? window_->data()
                                                 : nullptr;
   const bool floats = is_plain<float>(layout_);
@@ -259,7 +266,7 @@ void VertexStore::gather_by_reading(const std::array<const std::uint32_t*, 3>& i
 void VertexStore::gather(const std::array<const std::uint32_t*, 3>& index, VertexRange range,
                          std::size_t count, FaceBatch& out) const {
   if (count == 0) return;
-  if (window_ == nullptr) return gather_records(kept_->data(), layout_, index, count, out);
+  if (window_ == nullptr) return gather_records(in_memory(), layout_, index, count, out);
   ahead_->reached(file_offset_ + range.lowest * layout_.stride,
                   file_offset_ + (range.highest + std::uint64_t{1}) * layout_.stride);
   if (watched_) {
@@ -284,7 +291,7 @@ void VertexStore::touch(std::uint64_t begin, std::uint64_t end) const {
 
 const std::byte* VertexStore::stretch(std::uint64_t first, std::size_t count) const {
   const std::uint64_t begin = first * layout_.stride;
-  if (window_ == nullptr) return kept_->data() + begin;
+  if (window_ == nullptr) return in_memory() + begin;
   const std::uint64_t end = begin + count * layout_.stride;
   ahead_->reached(file_offset_ + begin, file_offset_ + end);
   if (watched_) touch(begin, end);

@@ -54,6 +54,9 @@ class VertexStore {
   void map(const std::string& path, std::uint64_t offset, std::uint64_t count,
            const VertexLayout& layout, std::shared_ptr<const ScratchFile> scratch = nullptr);
 
+  // ... or: records in memory that is another's and stays ...
+  void look_in(const std::byte* records, std::uint64_t count, const VertexLayout& layout);
+
   // ... or: records handed over one stretch after the other. `attributes`: their types; then come
   // their numbers, as many a vertex.
   void begin_keeping(bool double_positions, std::span<const ScalarType> attributes = {});
@@ -133,6 +136,10 @@ class VertexStore {
   void touch(std::uint64_t begin,
              std::uint64_t end) const;  // of the mapping; lets go of other pages
   void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;  // of the mapped file
+  // All of them, where there is no mapping.
+  [[nodiscard]] const std::byte* in_memory() const {
+    return given_ != nullptr ? given_ : kept_->data();
+  }
   // Records that are read in order.
   const std::byte* stretch(std::uint64_t first, std::size_t count) const;
   [[nodiscard]] Point position_of(const std::byte* record) const;
@@ -145,6 +152,7 @@ class VertexStore {
   VertexLayout layout_;
   bool floats_ = false;
   std::unique_ptr<Spool> kept_;
+  const std::byte* given_ = nullptr;  // by look_in()
   std::shared_ptr<const ScratchFile> copied_;
   const ScratchFile* scratch_ = nullptr;  // where the mapped file is one
   std::vector<std::byte> packed_;         // keep()'s own

@@ -1,0 +1,289 @@
+#include "read/view_reader.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/text.hpp"
+#include "io/spooled_source.hpp"
+#include "read/indexed/reader.hpp"
+#include "read/ply/scalar.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <set>
+
+namespace winnow {
+
+namespace {
+
+std::size_t bytes_of(NumberType type) {
+  switch (type) {
+    case NumberType::int8:
+    case NumberType::uint8:
+      return 1;
+    case NumberType::int16:
+    case NumberType::uint16:
+      return 2;
+    case NumberType::int64:
+    case NumberType::uint64:
+    case NumberType::float64:
+      return 8;
+    default:
+      return 4;
+  }
+}
+
+bool is_wide_integer(NumberType type) {
+  return type == NumberType::int64 || type == NumberType::uint64;
+}
+
+// Of all but those.
+ScalarType scalar_type(NumberType type) {
+  constexpr std::array reals{ScalarType::float32, ScalarType::float64};
+  if (type >= NumberType::float32)
+    return reals.at(static_cast<std::size_t>(type) - static_cast<std::size_t>(NumberType::float32));
+  return static_cast<ScalarType>(type);
+}
+
+template <std::size_t Width>
+void check_rows(const Rows<Width>& rows, const std::string& name) {
+  const std::size_t bytes = Width * bytes_of(rows.type());
+  if (rows.left_over() != 0) {
+    throw Error(ErrorKind::bad_input,
+                name + " holds " + grouped(Width * rows.count() + rows.left_over()) +
+                    " numbers, which is no multiple of " + std::to_string(Width));
+  }
+  if (rows.count() > 0 && rows.data() == nullptr)
+    throw Error(ErrorKind::usage, name + " has rows, but no memory that they are in");
+  if (rows.count() > 1 && rows.stride() < bytes) {
+    throw Error(ErrorKind::usage, name + ": rows of " + std::to_string(bytes) +
+                                      " bytes cannot stand " + std::to_string(rows.stride()) +
+                                      " bytes apart");
+  }
+}
+
+// What a name may be in a PLY, and so in every file that the mesh is written to.
+bool is_name(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(),
+                                      [](char letter) { return letter > ' ' && letter != '\x7f'; });
+}
+
+void check_attribute(const MeshView::Attribute& attribute, std::uint64_t vertices) {
+  if (!is_name(attribute.name)) {
+    throw Error(ErrorKind::usage, "`attributes`: '" + attribute.name +
+                                      "' is no name; it takes letters without spaces");
+  }
+  const std::string name = "`attributes`: '" + attribute.name + "'";
+  if (attribute.name == "x" || attribute.name == "y" || attribute.name == "z")
+    throw Error(ErrorKind::usage, name + " is the name of a coordinate; choose another");
+  check_rows(attribute.values, name);
+  if (is_wide_integer(attribute.values.type())) {
+    throw Error(ErrorKind::usage,
+                name + " has whole numbers of 64 bits; only up to 32 are carried, or doubles");
+  }
+  if (attribute.values.count() != vertices) {
+    throw Error(ErrorKind::bad_input, name + " has " + grouped(attribute.values.count()) +
+                                          " values, but there are " + grouped(vertices) +
+                                          " vertices");
+  }
+}
+
+AvailableAttributes offer_of(const MeshView& mesh) {
+  AvailableAttributes offer;
+  for (const MeshView::Attribute& attribute : mesh.attributes)
+    offer.scalars.push_back({attribute.name, scalar_type(attribute.values.type())});
+  return offer;
+}
+
+InputFacts facts_of(const MeshView& mesh, const AttributeRequest& wish) {
+  InputFacts facts;
+  facts.format = "memory";
+  facts.faces = mesh.faces.count();
+  facts.vertices = mesh.positions.count();
+  facts.double_positions = mesh.positions.type() == NumberType::float64;
+  facts.offer = offer_of(mesh);
+  facts.choice = choose_attributes(wish, facts.offer, "attributes");
+  const std::vector<Attribute>& all = facts.offer.scalars;
+  facts.normals = std::all_of(normal_names.begin(), normal_names.end(), [&](std::string_view name) {
+    return std::any_of(all.begin(), all.end(), [&](const Attribute& a) { return a.name == name; });
+  });
+  std::string line = "vertex:";
+  for (const Attribute& attribute : all) line += " " + described(attribute);
+  if (!all.empty()) facts.attributes.push_back(line);
+  return facts;
+}
+
+std::uint64_t size_of(const MeshView& mesh) {
+  std::uint64_t size = 3 * (mesh.positions.count() * bytes_of(mesh.positions.type()) +
+                            mesh.faces.count() * bytes_of(mesh.faces.type()));
+  for (const MeshView::Attribute& attribute : mesh.attributes)
+    size += attribute.values.count() * bytes_of(attribute.values.type());
+  return size;
+}
+
+constexpr std::uint32_t of_no_vertex = UINT32_MAX;
+
+template <typename Index>
+void load_indices(const std::byte* row, std::size_t stride, std::size_t count, std::uint32_t* out) {
+  for (std::size_t i = 0; i < count; ++i, row += stride) {
+    std::array<Index, 3> face;
+    std::memcpy(face.data(), row, sizeof face);
+    for (const Index index : face)
+      *out++ = std::cmp_less(index, 0) || std::cmp_greater(index, of_no_vertex)
+                   ? of_no_vertex
+                   : static_cast<std::uint32_t>(index);
+  }
+}
+
+// What the arrays are called in messages about single faces is "faces". There are no bytes.
+class ViewReader final : public IndexedReader {
+ public:
+  ViewReader(Job& job, const MeshView& mesh, const ReaderMemory& memory,
+             const AttributeRequest& wish)
+      : IndexedReader(job, spooled_source("faces", {}, {}), memory, memory.vertices), mesh_(mesh) {
+    facts_ = facts_of(mesh_, wish);
+    if (stand_together()) {
+      look_up_in_place();
+    } else {
+      keep_vertices();
+    }
+  }
+
+  [[nodiscard]] std::uint64_t bytes() const override { return size_of(mesh_); }
+
+ protected:
+  void begin_indices() override { next_ = 0; }
+
+  bool next_indices(RawBatch& batch) override {
+    const std::uint64_t left = mesh_.faces.count() - next_;
+    const std::size_t count = std::min<std::uint64_t>(memory_.batch_faces, left);
+    batch.indices.resize(3 * count);
+    batch.status.assign(count, FaceStatus::good);
+    batch.count = count;
+    if (count == 0) return false;
+    const std::size_t stride = mesh_.faces.stride();
+    const std::byte* rows = static_cast<const std::byte*>(mesh_.faces.data()) + next_ * stride;
+    switch (mesh_.faces.type()) {
+      case NumberType::int32:
+        load_indices<std::int32_t>(rows, stride, count, batch.indices.data());
+        break;
+      case NumberType::int64:
+        load_indices<std::int64_t>(rows, stride, count, batch.indices.data());
+        break;
+      case NumberType::uint64:
+        load_indices<std::uint64_t>(rows, stride, count, batch.indices.data());
+        break;
+      default:
+        load_indices<std::uint32_t>(rows, stride, count, batch.indices.data());
+    }
+    next_ += count;
+    return true;
+  }
+
+  [[nodiscard]] bool faces_come_again() const override { return true; }
+
+ private:
+  [[nodiscard]] const Rows<1>& carried(std::size_t number) const {
+    return mesh_.attributes[facts_.choice.scalar[number]].values;
+  }
+  [[nodiscard]] std::size_t carried_count() const { return facts_.choice.scalar.size(); }
+
+  // Whether one stride leads from vertex to vertex in all arrays.
+  [[nodiscard]] bool stand_together() const {
+    for (std::size_t k = 0; k < carried_count(); ++k) {
+      if (carried(k).stride() != mesh_.positions.stride()) return false;
+    }
+    return true;
+  }
+
+  // From the array that lies lowest, wherever the others are.
+  void look_up_in_place() {
+    const auto place = [](const void* data) { return reinterpret_cast<std::uintptr_t>(data); };
+    const void* lowest = mesh_.positions.data();
+    for (std::size_t k = 0; k < carried_count(); ++k) {
+      if (place(carried(k).data()) < place(lowest)) lowest = carried(k).data();
+    }
+    const ScalarType type = scalar_type(mesh_.positions.type());
+    const std::size_t x = place(mesh_.positions.data()) - place(lowest);
+    const std::size_t size = winnow::size_of(type);
+    VertexLayout layout{mesh_.positions.stride(), {x, x + size, x + 2 * size}, {type, type, type}};
+    for (std::size_t k = 0; k < carried_count(); ++k) {
+      layout.attributes.push_back(
+          {place(carried(k).data()) - place(lowest), scalar_type(carried(k).type())});
+    }
+    vertices_.look_in(static_cast<const std::byte*>(lowest), mesh_.positions.count(), layout);
+  }
+
+  void keep_vertices() {
+    constexpr std::uint64_t at_once = 4096;
+    const Rows<3>& positions = mesh_.positions;
+    job_.progress.begin("read vertices", positions.count(), "vertices");
+    vertices_.begin_keeping(facts_.double_positions, types_of(facts_.choice.carried));
+    const ScalarType type = scalar_type(positions.type());
+    const auto number = [](const void* data, std::uint64_t offset, ScalarType of) {
+      return load_real(static_cast<const std::byte*>(data) + offset, of, false);
+    };
+    std::vector<double> xyz;
+    std::vector<double> attributes;
+    for (std::uint64_t i = 0; i < positions.count(); ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        xyz.push_back(
+            number(positions.data(), i * positions.stride() + axis * winnow::size_of(type), type));
+      }
+      for (std::size_t k = 0; k < carried_count(); ++k) {
+        attributes.push_back(
+            number(carried(k).data(), i * carried(k).stride(), facts_.choice.carried[k].type));
+      }
+      if (xyz.size() < 3 * at_once && i + 1 < positions.count()) continue;
+      vertices_.keep(xyz, attributes);
+      job_.progress.advance(xyz.size() / 3);
+      xyz.clear();
+      attributes.clear();
+    }
+    vertices_.finish_keeping();
+  }
+
+  const MeshView& mesh_;
+  std::uint64_t next_ = 0;
+};
+
+}  // namespace
+
+void check_view(const MeshView& mesh) {
+  check_rows(mesh.positions, "`positions`");
+  check_rows(mesh.faces, "`faces`");
+  // In a default view nothing has the right type either.
+  if (mesh.positions.count() == 0)
+    throw Error(ErrorKind::bad_input, "`positions` is empty; there is nothing to simplify");
+  if (mesh.faces.count() == 0)
+    throw Error(ErrorKind::bad_input, "`faces` is empty; there is nothing to simplify");
+  if (mesh.positions.type() < NumberType::float32)
+    throw Error(ErrorKind::usage, "`positions` takes floats or doubles, not whole numbers");
+  if (mesh.faces.type() < NumberType::int32 || mesh.faces.type() > NumberType::uint64)
+    throw Error(ErrorKind::usage, "`faces` takes whole numbers of 32 or 64 bits");
+  if (mesh.positions.count() > UINT32_MAX) {
+    throw Error(ErrorKind::bad_input, "`positions` holds " + grouped(mesh.positions.count()) +
+                                          " vertices; at most " + grouped(UINT32_MAX) +
+                                          " are counted");
+  }
+  std::set<std::string> names;
+  for (const MeshView::Attribute& attribute : mesh.attributes) {
+    check_attribute(attribute, mesh.positions.count());
+    if (!names.insert(attribute.name).second)
+      throw Error(ErrorKind::usage, "`attributes` has '" + attribute.name + "' twice");
+  }
+}
+
+std::unique_ptr<MeshReader> open_view(Job& job, const MeshView& mesh, const ReaderMemory& memory,
+                                      const AttributeRequest& wish) {
+  return std::make_unique<ViewReader>(job, mesh, memory, wish);
+}
+
+InputProbe look_at_view(const MeshView& mesh, const AttributeRequest& wish) {
+  InputProbe outlook;
+  outlook.facts = facts_of(mesh, wish);
+  outlook.bytes = size_of(mesh);
+  return outlook;
+}
+
+}  // namespace winnow

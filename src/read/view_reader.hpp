@@ -1,0 +1,20 @@
+// A mesh in arrays of the caller, read where it is.
+#pragma once
+
+#include <winnow/mesh.hpp>
+
+#include "read/mesh_reader.hpp"
+
+#include <memory>
+
+namespace winnow {
+
+// Throws Error, usage or bad_input, naming the array, where the arrays are not those of a mesh.
+void check_view(const MeshView& mesh);
+
+// Of a mesh that was checked, whose arrays outlive the reader; as open_reader() and look_at().
+std::unique_ptr<MeshReader> open_view(Job& job, const MeshView& mesh, const ReaderMemory& memory,
+                                      const AttributeRequest& wish);
+InputProbe look_at_view(const MeshView& mesh, const AttributeRequest& wish);
+
+}  // namespace winnow
