@@ -1,5 +1,5 @@
 // A mesh that comes in batches is kept as the file that it would be, which then takes the usual
-// road.
+// pipeline.
 #include <winnow/error.hpp>
 #include <winnow/simplification.hpp>
 

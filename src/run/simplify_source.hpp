@@ -1,4 +1,5 @@
-// The pipeline from an open input to an open output, whatever these are: read, cluster, refine, write.
+// The pipeline from an open input to an open output, whatever these are: read, cluster, refine,
+// write.
 #pragma once
 
 #include <winnow/simplify.hpp>
