@@ -1,3 +1,3 @@
-// Catch's own main: see winnow_tests --help.
+// Catch's own main: see base_tests --help.
 #define CATCH_CONFIG_MAIN
 #include <catch2/catch.hpp>

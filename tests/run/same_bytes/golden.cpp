@@ -1,7 +1,7 @@
 // Outputs have not changed since they were last looked at: golden.txt beside this file. Whoever
 // changes a result on purpose renews it, looks at what changed and why, and commits it with the
 // change:
-//   build/release/tests/winnow_tests "renew the golden outputs"
+//   build/release/tests/run_tests "renew the golden outputs"
 #include "support/attributes.hpp"
 #include "support/simplified.hpp"
 
