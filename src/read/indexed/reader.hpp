@@ -44,7 +44,7 @@ class IndexedReader : public MeshReader {
 
   void begin_faces() final;
   bool next_faces(RawBatch& batch) final;
-  void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& sink) const final;
+  void decode_faces(const RawBatch& batch, FaceBatch& slice, const FaceSink& given) const final;
 
   void release_memory() override;
   void check_whole() const override { source_->check_whole(); }
