@@ -198,7 +198,10 @@ std::string text_of(const Distance& distance) {
 
 std::string text_of(std::span<const double> numbers) {
   std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : ",") + shortest(number);
+  for (const double number : numbers) {
+    if (!text.empty()) text += ',';
+    text += shortest(number);
+  }
   return text;
 }
 
