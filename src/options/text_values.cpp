@@ -184,11 +184,9 @@ std::vector<std::string> names_in(const std::string& text, const std::string& op
       names.back() += text[i];
     }
   }
-  for (const std::string& name : names) {
-    if (name.empty())
-      throw Error(ErrorKind::usage, "`" + option + "` '" + text +
-                                        "' has an empty name; put one comma between two names");
-  }
+  if (std::find(names.begin(), names.end(), "") != names.end())
+    throw Error(ErrorKind::usage, "`" + option + "` '" + text +
+                                      "' has an empty name; put one comma between two names");
   return names;
 }
 
