@@ -49,8 +49,8 @@ WeldedMesh::WeldedMesh(Job& job, std::span<const NumberedFace> faces) : job_(job
                     " faces is too large to compare; give the smaller mesh second");
   }
   constexpr const char* what = "the simplified mesh";
-  reservation_ = job.budget.reserve(faces.size() * bytes_a_settled_face, what);
-  making_ = job.budget.reserve(faces.size() * (bytes_a_face - bytes_a_settled_face), what);
+  reservation_ = job.budget.reserve(faces.size() * bytes_a_sealed_face, what);
+  making_ = job.budget.reserve(faces.size() * (bytes_a_face - bytes_a_sealed_face), what);
   faces_.reserve(faces.size());
   // A closed surface has half as many vertices as faces; one of loose faces three times as many.
   std::size_t room = faces.size() + 3;

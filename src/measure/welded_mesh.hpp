@@ -24,7 +24,7 @@ class WeldedMesh {
 
   // Gives back what only making it and topology() took.
   void seal() { making_.release(); }
-  static constexpr std::uint64_t bytes_a_settled_face = 24 + 12;
+  static constexpr std::uint64_t bytes_a_sealed_face = 24 + 12;
 
   [[nodiscard]] std::uint64_t more_bytes() const { return more_.bytes(); }  // beyond bytes_a_face
 

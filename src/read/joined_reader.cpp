@@ -23,8 +23,8 @@ void add(std::optional<std::uint64_t>& sum, const std::optional<std::uint64_t>& 
 }
 
 // Has nothing to carry, and keeps others from nothing.
-bool is_bare(const InputProbe& outlook) {
-  return outlook.facts.vertices == std::uint64_t{0};
+bool is_bare(const InputProbe& probe) {
+  return probe.facts.vertices == std::uint64_t{0};
 }
 
 std::string joint_name(const std::vector<std::string>& names) {
@@ -193,7 +193,7 @@ class JoinedReader final : public MeshReader {
     } else if (version != versions_[part]) {
       changed(names_[part]);
     }
-    bare_ = is_bare(look_at(job_, *source, format_, Access::once));
+    bare_ = is_bare(probe_input(job_, *source, format_, Access::once));
     reader_ = open_reader(job_, std::move(source), format_, Access::once, memory_,
                           bare_ ? AttributeRequest{} : carried_);
     place_.clear();
@@ -278,30 +278,30 @@ std::unique_ptr<MeshReader> join_files(Job& job, const std::vector<std::string>&
 
 InputProbe look_at_files(Job& job, const std::vector<std::string>& names, Format format,
                          const AttributeRequest& wish) {
-  InputProbe outlook;
+  InputProbe probe;
   std::vector<AvailableAttributes> offers;
-  outlook.facts.faces = outlook.facts.vertices = 0;
+  probe.facts.faces = probe.facts.vertices = 0;
   std::vector<std::string> formats;
-  outlook.bytes = 0;
+  probe.bytes = 0;
   for (const std::string& name : names) {
     const std::unique_ptr<ByteSource> source = open_source(job, name);
-    const InputProbe one = look_at(job, *source, format, Access::once);
-    add(outlook.facts.faces, one.facts.faces);
-    add(outlook.facts.vertices, one.facts.vertices);
+    const InputProbe one = probe_input(job, *source, format, Access::once);
+    add(probe.facts.faces, one.facts.faces);
+    add(probe.facts.vertices, one.facts.vertices);
     formats.push_back(one.facts.format);
-    add(outlook.bytes, one.bytes);
-    outlook.facts.polygons |= one.facts.polygons;
-    outlook.facts.double_positions |= one.facts.double_positions;
-    outlook.vertices_buffered |= one.vertices_buffered;
-    outlook.vertex_bytes = std::max(outlook.vertex_bytes, one.vertex_bytes);
-    outlook.faces_buffered |= one.faces_buffered;
-    outlook.taken_in |= one.taken_in;
+    add(probe.bytes, one.bytes);
+    probe.facts.polygons |= one.facts.polygons;
+    probe.facts.double_positions |= one.facts.double_positions;
+    probe.vertices_buffered |= one.vertices_buffered;
+    probe.vertex_bytes = std::max(probe.vertex_bytes, one.vertex_bytes);
+    probe.faces_buffered |= one.faces_buffered;
+    probe.taken_in |= one.taken_in;
     if (!is_bare(one)) offers.push_back(one.facts.offer);
   }
-  outlook.facts.format = joined_formats(formats);
-  outlook.facts.offer = common_offer(offers);
-  outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, joint_name(names));
-  return outlook;
+  probe.facts.format = joined_formats(formats);
+  probe.facts.offer = common_offer(offers);
+  probe.facts.choice = choose_attributes(wish, probe.facts.offer, joint_name(names));
+  return probe;
 }
 
 std::uint64_t memory_to_open(Job& job, const std::vector<std::string>& names) {

@@ -151,7 +151,7 @@ struct InputProbe {
   bool taken_in = false;           // all is parsed into memory or scratch before anything else
   std::string compression;
 };
-InputProbe look_at(Job& job, ByteSource& source, Format from, Access access,
-                   const AttributeRequest& wish = {});
+InputProbe probe_input(Job& job, ByteSource& source, Format from, Access access,
+                       const AttributeRequest& wish = {});
 
 }  // namespace winnow

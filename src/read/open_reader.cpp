@@ -122,27 +122,27 @@ std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> so
   return open_stl(job, std::move(source), memory, asked);
 }
 
-InputProbe look_at(Job& job, ByteSource& source, Format from, Access access,
-                   const AttributeRequest& wish) {
+InputProbe probe_input(Job& job, ByteSource& source, Format from, Access access,
+                       const AttributeRequest& wish) {
   const Format format = format_of(source, from);
-  InputProbe outlook;
+  InputProbe probe;
   if (format == Format::ply) {
-    outlook = probe_ply(source, wish);
+    probe = probe_ply(source, wish);
   } else if (const BufferedFormat* kept = buffered_format(format)) {
-    outlook.facts.format = kept->name;
-    if (kept->offer != nullptr) outlook.facts.offer = kept->offer(job, source);
-    outlook.taken_in = true;
+    probe.facts.format = kept->name;
+    if (kept->offer != nullptr) probe.facts.offer = kept->offer(job, source);
+    probe.taken_in = true;
   } else {
-    outlook = probe_stl(source, is_asked_for(Format::stl, from, source));
+    probe = probe_stl(source, is_asked_for(Format::stl, from, source));
   }
   if (format != Format::ply)
-    outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, source.name());
-  outlook.bytes = source.size();
-  outlook.copied_first = needs_copy(source, format, access);
-  outlook.compression = source.compression();
-  if (format == Format::ply && source.map_name().empty() && !outlook.copied_first)
-    outlook.vertices_buffered = true;
-  return outlook;
+    probe.facts.choice = choose_attributes(wish, probe.facts.offer, source.name());
+  probe.bytes = source.size();
+  probe.copied_first = needs_copy(source, format, access);
+  probe.compression = source.compression();
+  if (format == Format::ply && source.map_name().empty() && !probe.copied_first)
+    probe.vertices_buffered = true;
+  return probe;
 }
 
 }  // namespace winnow

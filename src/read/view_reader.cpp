@@ -280,10 +280,10 @@ std::unique_ptr<MeshReader> open_view(Job& job, const MeshView& mesh, const Read
 }
 
 InputProbe look_at_view(const MeshView& mesh, const AttributeRequest& wish) {
-  InputProbe outlook;
-  outlook.facts = facts_of(mesh, wish);
-  outlook.bytes = size_of(mesh);
-  return outlook;
+  InputProbe probe;
+  probe.facts = facts_of(mesh, wish);
+  probe.bytes = size_of(mesh);
+  return probe;
 }
 
 }  // namespace winnow

@@ -53,12 +53,9 @@ std::uint64_t smallest_chunk(unsigned threads) {
 constexpr std::uint64_t bytes_a_chunk_face = sizeof(NumberedFace) + SurfaceTree::bytes_a_face;
 
 std::uint64_t bytes_a_simplified_face() {
-  return sizeof(NumberedFace) + SurfaceTree::bytes_a_face + WeldedMesh::bytes_a_settled_face +
+  return sizeof(NumberedFace) + SurfaceTree::bytes_a_face + WeldedMesh::bytes_a_sealed_face +
          NearestPoints::bytes_a_face;
 }
-
-constexpr std::uint64_t least_samples = 100;
-constexpr std::uint64_t most_samples = 1'000'000'000'000;
 
 bool same_place(const std::string& one, const std::string& other) {
   if (one.empty() || other.empty()) return false;

@@ -45,13 +45,13 @@ std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options,
   return crop_to(box, std::move(reader));
 }
 
-InputProbe Input::outlook(const SimplifyOptions& options, const AttributeRequest& wish) {
-  InputProbe outlook = mesh_ != nullptr ? look_at_view(*mesh_, wish)
-                       : source_ != nullptr
-                           ? look_at(job_, *source_, options.from, access_for(options), wish)
-                           : look_at_files(job_, names_, options.from, wish);
-  if (options.crop) outlook.facts.faces.reset();
-  return outlook;
+InputProbe Input::probe(const SimplifyOptions& options, const AttributeRequest& wish) {
+  InputProbe probe = mesh_ != nullptr ? look_at_view(*mesh_, wish)
+                     : source_ != nullptr
+                         ? probe_input(job_, *source_, options.from, access_for(options), wish)
+                         : look_at_files(job_, names_, options.from, wish);
+  if (options.crop) probe.facts.faces.reset();
+  return probe;
 }
 
 void refuse_without_faces(const MeshReader& reader, const std::string& purpose) {

@@ -18,20 +18,20 @@ namespace winnow {
 
 namespace {
 
-std::vector<std::string> passes_of(const InputProbe& outlook, const SimplifyOptions& options) {
+std::vector<std::string> passes_of(const InputProbe& probe, const SimplifyOptions& options) {
   std::vector<std::string> passes;
-  if (outlook.copied_first) passes.emplace_back("copy the input to scratch");
-  if (outlook.faces_buffered)
+  if (probe.copied_first) passes.emplace_back("copy the input to scratch");
+  if (probe.faces_buffered)
     passes.emplace_back("keep the faces in scratch until the vertices are read");
-  if (outlook.vertices_buffered)
+  if (probe.vertices_buffered)
     passes.emplace_back("read the vertices into memory, or scratch where they do not fit");
-  if (outlook.taken_in)
+  if (probe.taken_in)
     passes.emplace_back("parse the input into memory, or scratch where it does not fit");
-  if (std::any_of(outlook.facts.choice.carried.begin(), outlook.facts.choice.carried.end(),
+  if (std::any_of(probe.facts.choice.carried.begin(), probe.facts.choice.carried.end(),
                   [](const Attribute& attribute) { return !is_integer(attribute.type); }))
     passes.emplace_back("find the largest numbers that the vertices carry");
   const std::string positions =
-      outlook.taken_in || outlook.facts.vertices ? "vertices" : "corners of all faces";
+      probe.taken_in || probe.facts.vertices ? "vertices" : "corners of all faces";
   if (welds(options)) {
     if (options.weld && options.weld->relative) passes.emplace_back("measure the box of the faces");
     passes.push_back("measure where most of the " + positions + " are");
@@ -41,7 +41,7 @@ std::vector<std::string> passes_of(const InputProbe& outlook, const SimplifyOpti
   if (options.grid || part_of_box) passes.emplace_back("measure the box of the faces");
   if (options.error && !part_of_box) passes.push_back("measure the box of the " + positions);
   if (options.faces || options.ratio) {
-    if ((welds(options) || (!outlook.facts.faces && !outlook.taken_in && options.ratio)))
+    if ((welds(options) || (!probe.facts.faces && !probe.taken_in && options.ratio)))
       passes.emplace_back("count the faces");
     passes.push_back("find the box and a rough cell size from the " + positions);
     passes.push_back("sample the " + positions + " for the cell size");
@@ -66,14 +66,14 @@ std::uint64_t vertex_record(const InputFacts& facts) {
 }
 
 // Scratch at the most where faces jump over more vertices than their share of memory has room for.
-std::uint64_t worst_of_jumping(const InputProbe& outlook, const MemoryPlan& plan) {
-  const std::uint64_t record = vertex_record(outlook.facts);
+std::uint64_t worst_of_jumping(const InputProbe& probe, const MemoryPlan& plan) {
+  const std::uint64_t record = vertex_record(probe.facts);
   const std::uint64_t looked_up =
-      std::max(outlook.vertices_buffered ? record : 0, outlook.vertex_bytes);
-  if (outlook.facts.vertices.value_or(0) * looked_up <= plan.reader.vertices) return 0;
+      std::max(probe.vertices_buffered ? record : 0, probe.vertex_bytes);
+  if (probe.facts.vertices.value_or(0) * looked_up <= plan.reader.vertices) return 0;
   // Of a pipe the faces wait, too.
-  const std::uint64_t face = outlook.vertices_buffered ? BufferedFaces::bytes_a_face : 0;
-  return outlook.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
+  const std::uint64_t face = probe.vertices_buffered ? BufferedFaces::bytes_a_face : 0;
+  return probe.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
 }
 
 // Rates of one thread in faces a second, measured once (bench/RESULTS.md), for want of knowing the
@@ -129,28 +129,28 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
   Input input(job, inputs);
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output, options.encoding);
-  const InputProbe outlook = input.outlook(options, wish_for(options, *encoder));
-  const CellNeeds needs = needs_of(options, outlook.facts.choice);
+  const InputProbe probe = input.probe(options, wish_for(options, *encoder));
+  const CellNeeds needs = needs_of(options, probe.facts.choice);
   const MemoryPlan plan = MemoryPlan::divide(context.memory, input.memory(), job.threads, needs);
   SimplifyPlan out;
-  out.input_format = outlook.facts.format;
+  out.input_format = probe.facts.format;
   out.output_format = format_written(options.to, output, options.encoding);
   out.memory = plan.parts();
   out.smallest_memory = plan.smallest + input.memory();
-  out.passes = passes_of(outlook, options);
-  out.faces = outlook.facts.faces;
-  out.vertices = outlook.facts.vertices;
+  out.passes = passes_of(probe, options);
+  out.faces = probe.facts.faces;
+  out.vertices = probe.facts.vertices;
   out.clustered_reason = shows_later;
   if (cost_of(options) == Refine::none) {
     out.clustered = true;
     out.clustered_reason = clustering_alone;
   }
   if (out.faces) {
-    std::uint64_t kept = outlook.copied_first ? outlook.bytes.value_or(0) : 0;
-    if (outlook.vertices_buffered) kept += out.vertices.value_or(0) * vertex_record(outlook.facts);
-    if (outlook.faces_buffered) kept += *out.faces * BufferedFaces::bytes_a_face;
+    std::uint64_t kept = probe.copied_first ? probe.bytes.value_or(0) : 0;
+    if (probe.vertices_buffered) kept += out.vertices.value_or(0) * vertex_record(probe.facts);
+    if (probe.faces_buffered) kept += *out.faces * BufferedFaces::bytes_a_face;
     out.scratch_worst = BlockSums::with_sums(worst_scratch(*out.faces, needs) + kept +
-                                             worst_of_jumping(outlook, plan));
+                                             worst_of_jumping(probe, plan));
     if (cost_of(options) != Refine::none) {
       const auto target = target_of(options, *out.faces);
       const Detail detail = target ? detail_for(options, *out.faces, std::min(*out.faces, *target))

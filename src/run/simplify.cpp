@@ -117,7 +117,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink
   if (checkpoint.opened()) report.resumed.emplace();
   const AttributeRequest wish = wish_for(options, encoder);
   AttributeSelection choice;
-  if (input && !wish.none()) choice = input->outlook(options, wish).facts.choice;
+  if (input && !wish.none()) choice = input->probe(options, wish).facts.choice;
   const auto plan_of = [taken = input ? input->memory() : job.budget.used(), threads = job.threads,
                         needs = needs_of(options, choice)](std::uint64_t total) {
     return MemoryPlan::divide(total, taken, threads, needs);

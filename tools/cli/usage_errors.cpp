@@ -89,16 +89,6 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
       "{" + list + "}");
 }
 
-CLI::Validator whole_number() {
-  return CLI::Validator(
-      [](std::string& text) {
-        const bool whole = !text.empty() && text.size() < 10 &&
-                           text.find_first_not_of("0123456789") == std::string::npos;
-        return whole ? std::string() : "'" + clean(text) + "' is no whole number below a billion";
-      },
-      "");
-}
-
 void refuse_unknown_command(const CLI::App& app, const std::string& word) {
   if (is_option(word)) return;
   const std::vector<std::string> commands = commands_of(app);

@@ -16,9 +16,6 @@ std::string nearest(std::string_view text, const std::vector<std::string>& words
 // Of an option that takes one of these words.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
-// Of an option that takes a whole number.
-CLI::Validator whole_number();
-
 // Throws Error(usage) where the first word of a command line is no option and no command.
 void refuse_unknown_command(const CLI::App& app, const std::string& word);
 

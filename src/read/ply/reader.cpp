@@ -383,19 +383,18 @@ std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> sourc
 InputProbe probe_ply(ByteSource& source, const AttributeRequest& wish) {
   const PlyHeader header = read_ply_header(source);
   source.give_back(header.bytes);
-  InputProbe outlook;
-  outlook.facts = facts_of(header);
-  outlook.facts.offer = offer_of(header);
-  outlook.facts.choice = choose_attributes(wish, outlook.facts.offer, source.name());
+  InputProbe probe;
+  probe.facts = facts_of(header);
+  probe.facts.offer = offer_of(header);
+  probe.facts.choice = choose_attributes(wish, probe.facts.offer, source.name());
   const PlyElement* vertex = header.find("vertex");
-  outlook.vertices_buffered =
+  probe.vertices_buffered =
       vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
-  if (vertex != nullptr && !outlook.vertices_buffered)
-    outlook.vertex_bytes = vertex->smallest_size();
+  if (vertex != nullptr && !probe.vertices_buffered) probe.vertex_bytes = vertex->smallest_size();
   const FaceElement faces = find_faces(header, source.name());
-  outlook.facts.polygons = !surely_triangles(header, faces, source.size());
-  outlook.faces_buffered = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
-  return outlook;
+  probe.facts.polygons = !surely_triangles(header, faces, source.size());
+  probe.faces_buffered = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
+  return probe;
 }
 
 }  // namespace winnow

@@ -604,9 +604,9 @@ std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> sourc
 }
 
 InputProbe probe_stl(ByteSource& source, bool asked) {
-  InputProbe outlook;
-  outlook.facts = facts_of(look_at_head(source, asked));
-  return outlook;
+  InputProbe probe;
+  probe.facts = facts_of(look_at_head(source, asked));
+  return probe;
 }
 
 }  // namespace winnow
