@@ -9,7 +9,7 @@ struct Distance {
   bool relative = false;  // `value` is a part of the diagonal: 0.001 is 0.1 %
 
   constexpr Distance() = default;
-  constexpr Distance(double length) : value(length) {}  // so that `options.error = 0.5` is one
+  constexpr Distance(double length) : value(length) {}  // so that `options.weld = 0.5` is one
   static constexpr Distance of_diagonal(double part) {
     Distance distance(part);
     distance.relative = true;

@@ -6,6 +6,7 @@
 #include <winnow/distance.hpp>
 #include <winnow/format.hpp>
 #include <winnow/simplify_report.hpp>
+#include <winnow/target.hpp>
 
 #include <array>
 #include <cstdint>
@@ -32,20 +33,12 @@ enum class Topology {
   free   // handles and holes may close and parts may come apart, at a price: the count is met
 };
 
-// Options that change the result. Exactly one of cell, grid, faces, ratio and error must be set.
-// options.hpp has them as a table.
+// Options that change the result. options.hpp has them as a table.
 struct SimplifyOptions {
-  std::optional<double> cell;         // edge of a cubic grid cell, in the units of the model; > 0
-  std::optional<std::uint64_t> grid;  // cells along the longest side of the bounding box; 1 to 2^21
-  std::optional<std::uint64_t> faces;  // so many faces; >= 4. Exact if refined, else about
-  std::optional<double> ratio;         // the same as a part of the input's faces; in (0, 1]
-  // As few faces as there can be with this error; > 0, and below the diagonal where it is a part of
-  // that. It bounds the two-sided RMS distance. No point of a boundary is farther than 1.5 times
-  // the error from the other boundary, both ways. Only with Refine::quadric.
-  std::optional<Distance> error;
+  Target target;  // how fine; it must be set: options.target = Target::faces(100'000)
 
-  // Default: quadric with faces, ratio and error, none with cell and grid (which allow nothing
-  // else).
+  // Default: quadric for a target of faces, ratio or error, none for cell and grid (which allow
+  // nothing else).
   std::optional<Refine> refine;
   // Faces that clustering leaves for each that is wanted; > 1. Infinite: none are clustered, equal
   // positions are welded and all faces refined; with an error no other number is allowed. Default:

@@ -88,9 +88,9 @@ std::string few_faces() {
 }  // namespace
 
 std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint64_t available) {
-  if (options.faces) return options.faces;
-  if (!options.ratio) return {};
-  const double part = *options.ratio * static_cast<double>(available);
+  if (options.target.faces()) return options.target.faces();
+  if (!options.target.ratio()) return {};
+  const double part = *options.target.ratio() * static_cast<double>(available);
   return std::max<std::uint64_t>(4, static_cast<std::uint64_t>(part + 0.5));
 }
 
@@ -130,7 +130,7 @@ Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& opti
   }
   settings_.for_refinement = cost_of(options) != Refine::none;
   settings_.attributes = std::move(attributes);
-  settings_.keep_quadrics = options.error.has_value();
+  settings_.keep_quadrics = options.target.error().has_value();
 }
 
 Clustered Clustering::run() {
@@ -150,15 +150,15 @@ Clustered Clustering::run() {
 
 ClusteredMesh Clustering::as_asked() {
   if (cost_of(options_) == Refine::none) report_.clustered = {true, clustering_alone};
-  if (options_.cell || options_.grid) {
-    settings_.grid = options_.cell ? grid_of_cell() : grid_of_box();
+  if (options_.target.of_cells()) {
+    settings_.grid = options_.target.cell() ? grid_of_cell() : grid_of_box();
     ClusteredMesh mesh = once();
     if (mesh.face_count == 0) refuse_result(mesh);
     return mesh;
   }
   available_ = count_faces(job_, reader_);
   if (available_ == 0) refuse_empty();
-  if (options_.error) return to_error();
+  if (options_.target.error()) return to_error();
   target_ = target_of(options_, available_).value_or(0);
   report_.target_faces = target_;
   return cost_of(options_) == Refine::none ? to_count(sample(target_), target_, tolerance)
@@ -168,22 +168,22 @@ ClusteredMesh Clustering::as_asked() {
 Grid Clustering::grid_of_cell() {
   const auto first = reader_.first_finite_position();
   if (!first) refuse_empty();
-  return Grid::around(*first, *options_.cell);
+  return Grid::around(*first, *options_.target.cell());
 }
 
 Grid Clustering::grid_of_box() {
   const Box box = measure_box_of_faces(job_, reader_);
   if (box.empty) refuse_empty();
-  return Grid::over(box, Grid::edge_for(box, *options_.grid));
+  return Grid::over(box, Grid::edge_for(box, *options_.target.grid()));
 }
 
 ClusteredMesh Clustering::to_error() {
   const Box box =
-      options_.error->relative
+      options_.target.error()->relative
           ? measure_box_of_faces(job_, reader_)
           : measure_surface(job_, reader_, reader_.facts().vertices.value_or(available_));
   if (box.empty) refuse_empty();
-  error_ = options_.error->length(box.diagonal());
+  error_ = options_.target.error()->length(box.diagonal());
   const double cell = cell_for_error * error_;
   const Detail detail = detail_for_error(options_, available_);
   if (detail.welded) return welded(detail.reason);
@@ -362,7 +362,7 @@ void Clustering::refuse_empty() const {
 
 void Clustering::refuse_result(const ClusteredMesh& mesh) const {
   if (mesh.cells == 0) refuse_empty();
-  if (!options_.cell && !options_.grid) {
+  if (!options_.target.of_cells()) {
     throw Error(ErrorKind::failed,
                 "no face is left: all cells that were tried, down to " +
                     shortest(settings_.grid.cell) +
@@ -372,7 +372,7 @@ void Clustering::refuse_result(const ClusteredMesh& mesh) const {
   throw Error(ErrorKind::failed,
               "no face is left: the whole model falls into " + grouped(mesh.cells) + " cells of " +
                   shortest(settings_.grid.cell) + "; choose smaller cells" +
-                  (options_.cell ? "" : ", or `crop` if some vertices are far off"));
+                  (options_.target.cell() ? "" : ", or `crop` if some vertices are far off"));
 }
 
 }  // namespace winnow

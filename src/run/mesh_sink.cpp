@@ -20,8 +20,8 @@ namespace {
 std::unique_ptr<MeshEncoder> encoder_for_file(const std::string& name,
                                               const SimplifyOptions& options) {
   std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, name, options.encoding);
-  if (options.faces)
-    (void)encoder->header({.faces = *options.faces});  // refuses what it cannot count
+  if (options.target.faces())
+    (void)encoder->header({.faces = *options.target.faces()});  // refuses what it cannot count
   return encoder;
 }
 

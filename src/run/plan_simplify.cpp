@@ -37,11 +37,12 @@ std::vector<std::string> passes_of(const InputProbe& probe, const SimplifyOption
     passes.push_back("measure where most of the " + positions + " are");
     passes.emplace_back("gather the vertices of the faces, and join those near each other");
   }
-  const bool part_of_box = options.error && options.error->relative;
-  if (options.grid || part_of_box) passes.emplace_back("measure the box of the faces");
-  if (options.error && !part_of_box) passes.push_back("measure the box of the " + positions);
-  if (options.faces || options.ratio) {
-    if ((welds(options) || (!probe.facts.faces && !probe.taken_in && options.ratio)))
+  const bool part_of_box = options.target.error() && options.target.error()->relative;
+  if (options.target.grid() || part_of_box) passes.emplace_back("measure the box of the faces");
+  if (options.target.error() && !part_of_box)
+    passes.push_back("measure the box of the " + positions);
+  if (options.target.of_count()) {
+    if ((welds(options) || (!probe.facts.faces && !probe.taken_in && options.target.ratio())))
       passes.emplace_back("count the faces");
     passes.push_back("find the box and a rough cell size from the " + positions);
     passes.push_back("sample the " + positions + " for the cell size");
@@ -50,7 +51,7 @@ std::vector<std::string> passes_of(const InputProbe& probe, const SimplifyOption
   passes.emplace_back(refine ? "cluster the faces, or weld equal positions where clustering would "
                                "not spare three quarters"
                              : "cluster the faces");
-  if ((options.faces || options.ratio) && !refine)
+  if (options.target.of_count() && !refine)
     passes.emplace_back("cluster them again, only if the sample misled by more than 10 %");
   if (refine) passes.emplace_back("collapse edges, tile by tile");
   passes.emplace_back("count the edges of the result");
@@ -90,7 +91,7 @@ constexpr double split_faces = 1.3;
 // later.
 void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const CellNeeds& needs,
               std::uint64_t memory, unsigned threads, SimplifyPlan& out) {
-  if (options.error) return;
+  if (options.target.error()) return;
   const auto faces = static_cast<double>(*out.faces);
   const std::uint64_t target =
       std::min(*out.faces, target_of(options, *out.faces).value_or(*out.faces / 10));

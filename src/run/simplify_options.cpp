@@ -3,31 +3,25 @@
 #include <winnow/error.hpp>
 
 #include "options/check_ranges.hpp"
+#include "options/refuse_targets.hpp"
 
 #include <cmath>
 
 namespace winnow {
 
 Refine cost_of(const SimplifyOptions& options) {
-  return options.refine.value_or(options.cell || options.grid ? Refine::none : Refine::quadric);
+  return options.refine.value_or(options.target.of_cells() ? Refine::none : Refine::quadric);
 }
 
 void check(const SimplifyOptions& options) {
-  const int given = int{options.cell.has_value()} + int{options.grid.has_value()} +
-                    int{options.faces.has_value()} + int{options.ratio.has_value()} +
-                    int{options.error.has_value()};
-  if (given != 1) {
-    throw Error(ErrorKind::usage,
-                "say how fine the result shall be with exactly one of `faces`, `ratio`, `error`, "
-                "`cell` and `grid`");
-  }
+  if (options.target.kind() == Target::Kind::none) refuse_targets();
   check_ranges(simplify_options(), options);
-  const bool by_error = options.error.has_value();
+  const bool by_error = options.target.error().has_value();
   if (by_error && options.refine.value_or(Refine::quadric) != Refine::quadric) {
     throw Error(ErrorKind::usage,
                 "`error` goes with `refine` quadric alone: the other costs are no distances");
   }
-  if ((options.cell || options.grid) && options.refine.value_or(Refine::none) != Refine::none) {
+  if (options.target.of_cells() && options.refine.value_or(Refine::none) != Refine::none) {
     throw Error(ErrorKind::usage,
                 "`cell` and `grid` only cluster; `refine` goes with `faces`, `ratio` or `error`");
   }
@@ -67,7 +61,7 @@ bool welds(const SimplifyOptions& options) {
 
 Access access_for(const SimplifyOptions& options) {
   if (welds(options)) return Access::repeatedly;
-  return options.cell ? Access::once : Access::repeatedly;
+  return options.target.cell() ? Access::once : Access::repeatedly;
 }
 
 CellNeeds needs_of(const SimplifyOptions& options, const AttributeSelection& choice) {

@@ -16,7 +16,7 @@ int main() {
     winnow::generate(context, "scan.ply", scan);
 
     winnow::SimplifyOptions options;
-    options.grid = 50;
+    options.target = winnow::Target::grid(50);
     options.force = true;
     const winnow::SimplifyReport report =
         winnow::simplify(context, "scan.ply", "small.ply", options);

@@ -80,9 +80,10 @@ void check_table(std::span<const Option<Options>> table) {
 }  // namespace
 
 TEST_CASE("every field of the options is in its table once", "[options]") {
-  // Those of Encoding count for themselves; a view and its viewer are one option.
+  // Those of Encoding count for themselves, and so do the five kinds of targets; a view and its
+  // viewer are one option.
   const std::size_t encoding = field_count<Encoding>() - 1;
-  CHECK(simplify_options().size() == field_count<SimplifyOptions>() + encoding);
+  CHECK(simplify_options().size() == field_count<SimplifyOptions>() + encoding + 4);
   CHECK(convert_options().size() == field_count<ConvertOptions>() + encoding);
   CHECK(compare_options().size() == field_count<CompareOptions>() - 1);
   CHECK(generate_options().size() == field_count<GenerateOptions>());
@@ -106,15 +107,16 @@ TEST_CASE("an option's value comes back from its text bit for bit", "[options]")
   double value = 0x1.23456789abcdp-60;
   for (int i = 0; i < 1000; ++i) {
     value *= 1.0731;
-    SimplifyOptions options, again;
-    options.error = i % 2 == 0 && value < 1 ? Distance::of_diagonal(value) : Distance(value);
-    options.cell = value;
-    options.faces = (std::uint64_t{1} << (i % 60 + 2)) + static_cast<std::uint64_t>(i);
-    for (const Option<SimplifyOptions>& option : {error, cell, faces})
-      option.set(again, option.get(options));
-    CHECK(again.error == options.error);
-    CHECK(again.cell == options.cell);
-    CHECK(again.faces == options.faces);
+    const Distance distance = i % 2 == 0 && value < 1 ? Distance::of_diagonal(value) : value;
+    const std::uint64_t count = (std::uint64_t{1} << (i % 60 + 2)) + static_cast<std::uint64_t>(i);
+    for (const auto& [option, target] :
+         {std::pair(&error, Target::error(distance)), std::pair(&cell, Target::cell(value)),
+          std::pair(&faces, Target::faces(count))}) {
+      SimplifyOptions options, again;
+      options.target = target;
+      option->set(again, option->get(options));
+      CHECK(again.target == target);
+    }
   }
   using Names = std::vector<std::string>;
   for (const Names& names : {Names{}, Names{"none"}, Names{"auto"}, Names{"a,b", "c\\", "\\,"}}) {
@@ -122,6 +124,22 @@ TEST_CASE("an option's value comes back from its text bit for bit", "[options]")
     options.attributes = names;
     attributes.set(again, attributes.get(options));
     CHECK(again.attributes == names);
+  }
+}
+
+TEST_CASE("of several targets none is taken", "[options]") {
+  const std::span<const Option<SimplifyOptions>> kinds = simplify_options().first(5);
+  for (const Option<SimplifyOptions>& first : kinds) {
+    for (const Option<SimplifyOptions>& second : kinds) {
+      SimplifyOptions options;
+      first.set(options, samples.at(first.name));
+      const Target target = options.target;
+      CHECK(target.kind() != Target::Kind::none);
+      const Error error = error_of([&] { second.set(options, samples.at(second.name)); });
+      CHECK(error.kind() == ErrorKind::usage);
+      CHECK(std::string(error.what()).find("exactly one of `faces`") != std::string::npos);
+      CHECK(options.target == target);
+    }
   }
 }
 
@@ -133,7 +151,7 @@ TEST_CASE("a hundredth is rounded once", "[options]") {
           std::pair{"5e-1%", 0.005}, std::pair{"0.07%", 0.0007}}) {
       SimplifyOptions options;
       option.set(options, text);
-      CHECK(options.ratio == value);
+      CHECK(options.target == Target::ratio(value));
     }
   }
 }

@@ -19,7 +19,7 @@ constexpr auto parallelism = tbb::global_control::max_allowed_parallelism;
 
 SimplifyOptions to_few_faces() {
   SimplifyOptions options;
-  options.faces = 500;
+  options.target = Target::faces(500);
   return options;
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 SimplifyOptions to_grid(std::uint64_t cells) {
   SimplifyOptions options;
-  options.grid = cells;
+  options.target = Target::grid(cells);
   return options;
 }
 

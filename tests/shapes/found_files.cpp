@@ -37,13 +37,13 @@ Found simplify_found(const std::vector<std::string>& paths, SimplifyOptions opti
 
 SimplifyOptions on_grid(std::uint64_t cells) {
   SimplifyOptions options;
-  options.grid = cells;
+  options.target = Target::grid(cells);
   return options;
 }
 
 SimplifyOptions by_ratio(double ratio) {
   SimplifyOptions options;
-  options.ratio = ratio;
+  options.target = Target::ratio(ratio);
   return options;
 }
 

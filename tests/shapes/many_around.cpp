@@ -22,7 +22,7 @@ void check_ends(const Shape& shape, const SimplifyOptions& options) {
   try {
     const RefinedShape out = refine_shape(shape, {}, options);
     CAPTURE(out.output.faces.size(), out.report.refine.stopped_by);
-    CHECK((out.output.faces.size() <= options.faces.value_or(UINT64_MAX) ||
+    CHECK((out.output.faces.size() <= options.target.faces().value_or(UINT64_MAX) ||
            !out.report.missed_by.empty()));
     CHECK(out.defects.degenerate + out.defects.duplicates == 0);
   } catch (const Error& error) {

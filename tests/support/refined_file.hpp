@@ -44,7 +44,7 @@ inline RefinedFile refine_faces(const Directory& directory, const std::vector<Tr
 
 inline SimplifyOptions to_faces(std::uint64_t faces) {
   SimplifyOptions options;
-  options.faces = faces;
+  options.target = Target::faces(faces);
   return options;
 }
 

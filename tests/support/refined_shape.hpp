@@ -73,19 +73,19 @@ inline RefinedShape refine_shape(const Shape& shape, const Pose& pose, SimplifyO
 
 inline SimplifyOptions to_count(std::uint64_t faces) {
   SimplifyOptions options;
-  options.faces = faces;
+  options.target = Target::faces(faces);
   return options;
 }
 
 inline SimplifyOptions to_error(double error) {
   SimplifyOptions options;
-  options.error = error;
+  options.target = Target::error(error);
   return options;
 }
 
 inline SimplifyOptions to_relative_error(double error) {
   SimplifyOptions options;
-  options.error = Distance::of_diagonal(error);
+  options.target = Target::error(Distance::of_diagonal(error));
   return options;
 }
 

@@ -36,14 +36,14 @@ void check_resumed(const SimplifyOptions& options) {
 
 TEST_CASE("a run with attributes goes on to the same bytes", "[faults]") {
   SimplifyOptions options;
-  options.faces = 6'000;
+  options.target = Target::faces(6'000);
   check_resumed(options);
 }
 
 TEST_CASE("a run with named attributes and an error to reach goes on to the same bytes",
           "[faults]") {
   SimplifyOptions options;
-  options.error = Distance::of_diagonal(0.001);
+  options.target = Target::error(Distance::of_diagonal(0.001));
   options.attributes = {"colors", "stamp"};
   check_resumed(options);
 }

@@ -36,11 +36,11 @@ AttributedMesh simplified(const std::string& input, const std::string& output,
 
 std::vector<SimplifyOptions> label_ways() {
   std::vector<SimplifyOptions> ways(4);
-  ways[0].ratio = 0.02;
-  ways[1].ratio = 0.02;
+  ways[0].target = Target::ratio(0.02);
+  ways[1].target = Target::ratio(0.02);
   ways[1].detail = std::numeric_limits<double>::infinity();
-  ways[2].cell = 0.1;
-  ways[3].error = Distance::of_diagonal(0.003);
+  ways[2].target = Target::cell(0.1);
+  ways[3].target = Target::error(Distance::of_diagonal(0.003));
   return ways;
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a number that says there is no data takes no part in means") {
     }
     CHECK(none > 0);
     // A quarter of the vertices has none, but few that many became one of.
-    if (!options.error) CHECK(lost < there / 20);
+    if (!options.target.error()) CHECK(lost < there / 20);
   }
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("reals up to 255 are the same colours in every format") {
             notes = convert(context, input, output, {}).notes;
           } else {
             SimplifyOptions options;
-            options.ratio = 0.5;
+            options.target = Target::ratio(0.5);
             notes = simplify(context, input, output, options).notes;
           }
           CHECK(has_note(notes, "255 was taken for 1") == (full == 255));
@@ -72,7 +72,7 @@ TEST_CASE("reals a little above 1 are clipped, and told of") {
   write_attributed(input, mesh, one_color(2, usual));
   Context context;
   SimplifyOptions options;
-  options.ratio = 0.5;
+  options.target = Target::ratio(0.5);
   const std::string output = directory.file("out.ply");
   const SimplifyReport report = simplify(context, input, output, options);
   CHECK(has_note(report.notes, "(up to 1.6) were clipped"));

@@ -20,7 +20,7 @@ class Stopped {
   explicit Stopped(const std::string& stage = "refine") {
     generate("scan", 20'000, input);
     SimplifyOptions options;
-    options.faces = 1'000;
+    options.target = Target::faces(1'000);
     kept = stopped_at(directory, {input}, output, options, stage).directory;
   }
 

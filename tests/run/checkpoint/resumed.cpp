@@ -10,7 +10,7 @@ namespace {
 
 SimplifyOptions to_faces(std::uint64_t faces) {
   SimplifyOptions options;
-  options.faces = faces;
+  options.target = Target::faces(faces);
   return options;
 }
 

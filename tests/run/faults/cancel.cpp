@@ -52,26 +52,26 @@ void check_every_stage(const Directory& directory, const std::string& input,
 
 SimplifyOptions with_cell() {
   SimplifyOptions options;
-  options.cell = 0.002;
+  options.target = Target::cell(0.002);
   return options;
 }
 
 SimplifyOptions with_grid() {
   SimplifyOptions options;
-  options.grid = 300;
+  options.target = Target::grid(300);
   return options;
 }
 
 SimplifyOptions with_ratio() {
   SimplifyOptions options;
-  options.ratio = 0.5;
+  options.target = Target::ratio(0.5);
   options.refine = Refine::none;
   return options;
 }
 
 SimplifyOptions refined() {
   SimplifyOptions options;
-  options.faces = 20'000;
+  options.target = Target::faces(20'000);
   return options;
 }
 
@@ -83,20 +83,20 @@ SimplifyOptions refined_after_welding() {
 
 SimplifyOptions refined_after_clustering() {
   SimplifyOptions options;
-  options.ratio = 0.1;
+  options.target = Target::ratio(0.1);
   options.detail = 3;
   return options;
 }
 
 SimplifyOptions refined_to_error() {
   SimplifyOptions options;
-  options.error = 0.003;
+  options.target = Target::error(0.003);
   return options;
 }
 
 SimplifyOptions with_faces() {
   SimplifyOptions options;
-  options.faces = 20'000;
+  options.target = Target::faces(20'000);
   options.refine = Refine::none;
   return options;
 }
@@ -130,7 +130,7 @@ TEST_CASE("a run over faces that jump is cancelled in every stage", "[faults]") 
   const std::string ply = directory.file("scan.ply");
   generate("scan", 1'500'000, ply, {.shuffle = true});
   SimplifyOptions coarse = with_cell();
-  coarse.cell = 0.05;
+  coarse.target = Target::cell(0.05);
   check_every_stage(directory, ply, coarse, {"sort faces", "cluster", "check", "write"});
   coarse.strict = true;
   check_every_stage(directory, ply, coarse,

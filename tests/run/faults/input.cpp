@@ -127,7 +127,7 @@ TEST_CASE("an input that is changed while it is read is refused, whatever is rea
         written = true;
       };
       SimplifyOptions options;
-      options.faces = 1000;
+      options.target = Target::faces(1000);
       CAPTURE(name, several);
       try {
         simplify(context, inputs, directory.file("out.ply"), options);
@@ -184,7 +184,7 @@ TEST_CASE("a file beside a glTF that is changed during the run is refused as the
         written = true;
       };
       SimplifyOptions options;
-      options.faces = 1000;
+      options.target = Target::faces(1000);
       std::string message;
       try {
         simplify(context, inputs, directory.file("out.ply"), options);

@@ -25,7 +25,7 @@ std::size_t left_by(const std::string& input, const std::string& output, int cod
     Context context;
     context.threads = 4;
     SimplifyOptions options;
-    options.cell = 0.001;
+    options.target = Target::cell(0.001);
     int found = 0;
     try {
       winnow::simplify(context, input, output, options);

@@ -79,20 +79,20 @@ std::string quads_file(const std::string& path, std::uint32_t side) {
 
 SimplifyOptions with_cell(double cell) {
   SimplifyOptions options;
-  options.cell = cell;
+  options.target = Target::cell(cell);
   return options;
 }
 
 SimplifyOptions with_faces(std::uint64_t faces) {
   SimplifyOptions options;
-  options.faces = faces;
+  options.target = Target::faces(faces);
   options.refine = Refine::none;
   return options;
 }
 
 SimplifyOptions refined(std::uint64_t faces) {
   SimplifyOptions options;
-  options.faces = faces;
+  options.target = Target::faces(faces);
   return options;
 }
 

@@ -65,10 +65,10 @@ void in_parts(Random& random, const std::vector<Value>& values, std::size_t unit
 
 std::vector<SimplifyOptions> several_ways() {
   std::vector<SimplifyOptions> all(4);
-  all[0].cell = 0.1;
-  all[1].grid = 30;
-  all[2].faces = 500;
-  all[3].error = Distance::of_diagonal(0.005);
+  all[0].target = Target::cell(0.1);
+  all[1].target = Target::grid(30);
+  all[2].target = Target::faces(500);
+  all[3].target = Target::error(Distance::of_diagonal(0.005));
   for (SimplifyOptions& options : all) options.force = true;
   return all;
 }
@@ -143,7 +143,7 @@ TEST_CASE("the same bytes of added batches with any memory and threads", "[same_
   // Larger than what the smallest budget keeps in memory.
   const std::vector<float> coordinates = as<float>(flat(ball(450, 0.1), false).positions);
   SimplifyOptions options;
-  options.faces = 2000;
+  options.target = Target::faces(2000);
   options.force = true;
   std::vector<std::string> outputs;
   for (const auto& [memory, threads] : {std::pair{std::uint64_t{2} << 30, 1U},
@@ -165,7 +165,7 @@ TEST_CASE("the same bytes of added batches with any memory and threads", "[same_
 TEST_CASE("what cannot be one mesh is refused") {
   Place place;
   SimplifyOptions options;
-  options.faces = 100;
+  options.target = Target::faces(100);
   const std::string path = place.directory.file("out.ply");
   const std::vector<double> doubles(9);
   const std::vector<float> floats(9);
@@ -197,7 +197,7 @@ TEST_CASE("what cannot be one mesh is refused") {
 TEST_CASE("what is added and not finished leaves nothing, and cancelling is noticed") {
   Place place;
   SimplifyOptions options;
-  options.faces = 100;
+  options.target = Target::faces(100);
   const std::vector<float> floats(9 * 1000);
   {
     Simplification simplification(place.context, place.directory.file("out.ply"), options);

@@ -79,12 +79,12 @@ double error_of_result(const Directory& directory, const std::string& original,
 SimplifyOptions by(const char* how) {
   SimplifyOptions options;
   const std::string what(how);
-  if (what == "cell") options.cell = 0x1p-6;
-  if (what == "grid") options.grid = 100;
-  if (what == "error") options.error = 0.002;
-  if (what == "faces" || what == "full") options.faces = 3000;
+  if (what == "cell") options.target = Target::cell(0x1p-6);
+  if (what == "grid") options.target = Target::grid(100);
+  if (what == "error") options.target = Target::error(0.002);
+  if (what == "faces" || what == "full") options.target = Target::faces(3000);
   if (what == "clustered") {
-    options.faces = 2000;
+    options.target = Target::faces(2000);
     options.detail = 4;
   }
   if (what == "full") options.detail = std::numeric_limits<double>::infinity();

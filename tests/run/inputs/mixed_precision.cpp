@@ -37,7 +37,7 @@ SimplifyReport beside_each_other(const Directory& directory, std::array<PlyType,
   }
   SimplifyOptions options = asked;
   options.force = true;
-  options.ratio = 1;
+  options.target = Target::ratio(1);
   Context context;
   return simplify(context, inputs, directory.file("out.ply"), options);
 }

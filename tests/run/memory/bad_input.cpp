@@ -21,7 +21,7 @@ namespace {
 
 SimplifyOptions to_some_faces() {
   SimplifyOptions options;
-  options.faces = 500;
+  options.target = Target::faces(500);
   return options;
 }
 

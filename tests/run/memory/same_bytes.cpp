@@ -16,31 +16,31 @@ constexpr const char* written_comment = "simplified by winnow";
 
 std::vector<SimplifyOptions> memory_targets() {
   std::vector<SimplifyOptions> all(12);
-  all[0].cell = 0.1;
-  all[1].grid = 30;
+  all[0].target = Target::cell(0.1);
+  all[1].target = Target::grid(30);
   all[1].placement = Placement::mean;
-  all[2].faces = 500;
-  all[3].faces = 500;
+  all[2].target = Target::faces(500);
+  all[3].target = Target::faces(500);
   all[3].refine = Refine::none;
-  all[4].ratio = 0.1;
+  all[4].target = Target::ratio(0.1);
   all[4].refine = Refine::volume;
-  all[5].faces = 700;
+  all[5].target = Target::faces(700);
   all[5].refine = Refine::importance;
-  all[6].error = Distance::of_diagonal(0.005);
-  all[7].faces = 400;
+  all[6].target = Target::error(Distance::of_diagonal(0.005));
+  all[7].target = Target::faces(400);
   all[7].weld = 0.05;
   all[7].topology = Topology::free;
-  all[8].faces = 300;
+  all[8].target = Target::faces(300);
   all[8].crop = {{{-2, -2, 0}, {2, 2, 2}}};
   all[8].boundary = Boundary::keep;
-  all[9].faces = 600;
+  all[9].target = Target::faces(600);
   all[9].normals = true;
   all[9].attributes = {"heat"};
-  all[10].faces = 600;
+  all[10].target = Target::faces(600);
   all[10].detail = 2;
   all[10].attributes.emplace();
   all[10].encoding.positions = Positions::doubles;
-  all[11].grid = 25;
+  all[11].target = Target::grid(25);
   all[11].nodata = 70'000;
   all[11].encoding.positions = Positions::floats;
   for (SimplifyOptions& options : all) options.force = true;
@@ -106,7 +106,7 @@ TEST_CASE("memory to memory gives what file to file gives", "[library][same_byte
 TEST_CASE("indices of any type and rows that stand apart make the same mesh", "[library]") {
   MemoryPlace place;
   SimplifyOptions options;
-  options.faces = 500;
+  options.target = Target::faces(500);
   const Mesh mesh = ball_arrays(40, false, true);
   const std::string right = as_written(simplify(place.context, mesh.view(), options));
   const auto with_indices = [&](auto index) {
@@ -163,7 +163,7 @@ TEST_CASE("a mesh in memory of any memory and threads", "[library][same_bytes]")
   MemoryPlace place;
   const Mesh mesh = ball_arrays(300, false, true);
   SimplifyOptions options;
-  options.faces = 5'000;
+  options.target = Target::faces(5'000);
   options.detail = 6;
   std::vector<std::string> results;
   for (const auto& [memory, threads] : {std::pair{std::uint64_t{1} << 30, 1U},
@@ -187,7 +187,7 @@ TEST_CASE("from memory to a file and from a file to memory", "[library][same_byt
   MemoryPlace place;
   const Mesh mesh = ball_arrays(30, true, true);
   SimplifyOptions options;
-  options.faces = 500;
+  options.target = Target::faces(500);
   options.force = true;
   const std::string right = place.by_file(mesh, options);
   const std::string path = place.directory.file("from-memory.ply");
@@ -204,7 +204,7 @@ TEST_CASE("what is added in batches can become a mesh in memory", "[library][sam
   MemoryPlace place;
   const Mesh mesh = ball_arrays(40, false, false);
   SimplifyOptions options;
-  options.faces = 500;
+  options.target = Target::faces(500);
   options.force = true;
   const std::string right = place.by_file(mesh, options);
   Simplification simplification(place.context, options);

@@ -40,7 +40,7 @@ TEST_CASE("a border that is kept keeps every vertex") {
     CHECK((border_of(out.mesh) == before));
   }
   SimplifyOptions options;
-  options.error = 30;
+  options.target = Target::error(30);
   options.boundary = Boundary::keep;
   CHECK((border_of(refine_file(directory, mountains(), options).mesh) == before));
 }

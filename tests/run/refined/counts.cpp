@@ -87,7 +87,7 @@ TEST_CASE("a mesh with a border gets the count") {
 TEST_CASE("a ratio is a count") {
   const Directory directory;
   SimplifyOptions options;
-  options.ratio = 0.0321;
+  options.target = Target::ratio(0.0321);
   const RefinedFile out = refine_file(directory, whale(), options);
   CHECK(out.report.target_faces == 3210);
   CHECK(out.report.output.faces == 3210);
@@ -107,7 +107,7 @@ TEST_CASE("a ratio is one of triangles, of a file of other polygons too") {
     }
   }
   SimplifyOptions options;
-  options.ratio = 0.5;
+  options.target = Target::ratio(0.5);
   for (const PlyForm form : {PlyForm::ascii, PlyForm::little_endian}) {
     PlyStyle style;
     style.form = form;
@@ -218,7 +218,7 @@ TEST_CASE("within an error the faces without neighbours go that are smaller than
   for (const double error : {1e-4, 0.004, 1000.0}) {
     CAPTURE(error);
     SimplifyOptions options;
-    options.error = error;
+    options.target = Target::error(error);
     const auto stays = [error](const Triangle& face) {
       const Box box = box_of({face});
       return box.longest_side() >= error;

@@ -36,26 +36,32 @@ void check_usage(const std::string& word, const std::function<void(SimplifyOptio
 
 TEST_CASE("options of refinement that cannot be are refused by name") {
   for (const Refine cost : {Refine::none, Refine::volume, Refine::importance}) {
-    check_usage("`error`", [&](SimplifyOptions& o) { o.error = 1, o.refine = cost; });
+    check_usage("`error`",
+                [&](SimplifyOptions& o) { o.target = Target::error(1), o.refine = cost; });
   }
   for (const double error : {0.0, -1.0, nan, infinity})
-    check_usage("`error`", [&](SimplifyOptions& o) { o.error = error; });
-  check_usage("`cell`", [](SimplifyOptions& o) { o.cell = 1, o.refine = Refine::quadric; });
-  check_usage("`grid`", [](SimplifyOptions& o) { o.grid = 10, o.refine = Refine::quadric; });
+    check_usage("`error`", [&](SimplifyOptions& o) { o.target = Target::error(error); });
+  check_usage("`cell`",
+              [](SimplifyOptions& o) { o.target = Target::cell(1), o.refine = Refine::quadric; });
+  check_usage("`grid`",
+              [](SimplifyOptions& o) { o.target = Target::grid(10), o.refine = Refine::quadric; });
   for (const double detail : {1.0, 0.5, 0.0, -3.0, nan})
-    check_usage("`detail`", [&](SimplifyOptions& o) { o.faces = 100, o.detail = detail; });
-  check_usage("`detail`",
-              [](SimplifyOptions& o) { o.faces = 100, o.refine = Refine::none, o.detail = 3; });
-  check_usage("`detail`", [](SimplifyOptions& o) { o.cell = 1, o.detail = 3; });
-  for (const double angle : {0.0, -10.0, 90.5, nan, infinity})
-    check_usage("`max_normal_deviation`",
-                [&](SimplifyOptions& o) { o.faces = 100, o.max_normal_deviation = angle; });
-  check_usage("`max_normal_deviation`",
-              [](SimplifyOptions& o) { o.cell = 1, o.max_normal_deviation = 20; });
-  check_usage("`max_normal_deviation`", [](SimplifyOptions& o) {
-    o.faces = 100, o.refine = Refine::none, o.max_normal_deviation = 20;
+    check_usage("`detail`",
+                [&](SimplifyOptions& o) { o.target = Target::faces(100), o.detail = detail; });
+  check_usage("`detail`", [](SimplifyOptions& o) {
+    o.target = Target::faces(100), o.refine = Refine::none, o.detail = 3;
   });
-  check_usage("`error`", [](SimplifyOptions& o) { o.faces = 100, o.error = 1; });
+  check_usage("`detail`", [](SimplifyOptions& o) { o.target = Target::cell(1), o.detail = 3; });
+  for (const double angle : {0.0, -10.0, 90.5, nan, infinity})
+    check_usage("`max_normal_deviation`", [&](SimplifyOptions& o) {
+      o.target = Target::faces(100), o.max_normal_deviation = angle;
+    });
+  check_usage("`max_normal_deviation`",
+              [](SimplifyOptions& o) { o.target = Target::cell(1), o.max_normal_deviation = 20; });
+  check_usage("`max_normal_deviation`", [](SimplifyOptions& o) {
+    o.target = Target::faces(100), o.refine = Refine::none, o.max_normal_deviation = 20;
+  });
+  check_usage("exactly one of `faces`", [](SimplifyOptions& o) { o.target = {}; });
 }
 
 }  // namespace winnow::test

@@ -12,7 +12,7 @@ TEST_CASE("distances to weld that cannot be are refused by name", "[weld]") {
   Context context;
   const auto refused = [&](const Distance& distance) {
     SimplifyOptions options;
-    options.faces = 100;
+    options.target = Target::faces(100);
     options.weld = distance;
     const Error error = error_of([&] { simplify(context, "none.ply", "small.ply", options); });
     CAPTURE(error.what());

@@ -60,7 +60,7 @@ TEST_CASE("a run that welds goes on where it was stopped", "[faults][weld]") {
   generate("scan", 60'000, input);
   for (const bool relative : {false, true}) {
     SimplifyOptions options;
-    options.faces = 5'000;
+    options.target = Target::faces(5'000);
     options.weld = relative ? Distance::of_diagonal(0.003) : Distance(0.003);
     Context context;
     const SimplifyReport right = simplify(context, input, output, options);
