@@ -7,7 +7,7 @@
 #include "cluster/near_welder.hpp"
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
-#include "stitch/refine.hpp"
+#include "stitch/refine_settings.hpp"
 
 #include <cstdint>
 

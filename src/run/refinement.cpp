@@ -151,9 +151,8 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   const RefineMemory memory = refine_memory(job.budget.left());
   RefinedMesh whole{std::move(clustered.mesh), nullptr};
   whole.state = std::move(whole.mesh.quadrics);
-  RefineReport done;
   job.budget.expect_held(HeldBesideTile(job, whole, settings, plan));
-  ClusteredMesh out = refine(job, std::move(whole), settings, memory, done, checkpoint);
+  auto [out, done] = refine(job, std::move(whole), settings, memory, checkpoint);
   job.budget.expect_held({});
   if (out.face_count == 0)
     throw Error(ErrorKind::failed,
@@ -172,7 +171,7 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   if (done.stopped_by != StoppedBy::count && done.stopped_by != StoppedBy::error)
     tell_reasons(job, done, out.face_count, settings.faces, options.topology == Topology::free,
                  report);
-  return out;
+  return std::move(out);
 }
 
 }  // namespace winnow

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "decimate/decimation.hpp"
-#include "stitch/refine.hpp"
+#include "stitch/refine_report.hpp"
 #include "stitch/tile.hpp"
 
 namespace winnow {

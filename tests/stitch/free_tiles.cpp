@@ -26,20 +26,13 @@ std::vector<Triangle> rings(std::size_t count) {
   return as_floats(faces);
 }
 
-struct Left {
-  PlainMesh mesh;
-  RefineReport report;
-};
-
-Left refined_rings(const std::vector<Triangle>& faces, const RefineSettings& settings,
-                   unsigned threads, bool small) {
+RefinedPlain refined_rings(const std::vector<Triangle>& faces, const RefineSettings& settings,
+                           unsigned threads, bool small) {
   TestJob test({.threads = threads});
-  Left out;
   const RefineMemory memory =
       small ? RefineMemory{1, 1 << 14, 1 << 16, 1 << 17} : divided(test.job);
-  out.mesh =
-      plain(refine(test.job, {welded(test.job, faces), nullptr}, settings, memory, out.report));
-  return out;
+  const Refined refined = refine(test.job, {welded(test.job, faces), nullptr}, settings, memory);
+  return {plain(refined.mesh), refined.report};
 }
 
 }  // namespace
@@ -50,7 +43,7 @@ TEST_CASE("rings in many tiles go the same way with any threads and memory", "[s
   settings.decimation.keep_pieces = GENERATE(false, true);
   settings.decimation.free_topology = GENERATE(false, true);
   CAPTURE(settings.decimation.keep_pieces, settings.decimation.free_topology);
-  const Left one = refined_rings(faces, settings, 1, false);
+  const RefinedPlain one = refined_rings(faces, settings, 1, false);
   const TopologyChanges& lost = one.report.changes;
   CHECK(one.report.tiles > 10);
   CHECK((lost.pieces > 0) == !settings.decimation.keep_pieces);
@@ -70,7 +63,7 @@ TEST_CASE("rings in many tiles go the same way with any threads and memory", "[s
     CHECK(one.report.stopped_by != StoppedBy::count);
   }
   for (const auto& [threads, small] : {std::pair{2U, false}, {7U, false}, {2U, true}}) {
-    const Left other = refined_rings(faces, settings, threads, small);
+    const RefinedPlain other = refined_rings(faces, settings, threads, small);
     CHECK(difference(one.mesh, other.mesh) == "");
     CHECK(other.report.changes.pieces == lost.pieces);
     CHECK(other.report.changes.area == lost.area);

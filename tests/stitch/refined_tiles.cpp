@@ -43,7 +43,7 @@ TEST_CASE("tiles meet the count and leave a closed surface closed", "[long]") {
     for (const std::uint64_t tile_faces : {500, 5000}) {
       for (const std::uint64_t wanted : {30'000, 6001, 700}) {
         CAPTURE(path, tile_faces, wanted);
-        const Refined out = refined(path, down_to(wanted, tile_faces));
+        const RefinedPlain out = refined(path, down_to(wanted, tile_faces));
         // A closed surface has an even number of faces.
         CHECK(out.mesh.faces.size() == wanted / 2 * 2);
         CHECK(out.report.tiles > 60'000 / tile_faces);
@@ -64,14 +64,15 @@ TEST_CASE("neither threads nor memory change what tiles become", "[same_bytes]")
       RefineSettings settings = down_to(4001, 500);
       if (with_error)
         settings.decimation.error = 1e9;  // the cost that remembers: states pass between rounds
-      const Refined one = refined(path, settings, {.threads = 1});
+      const RefinedPlain one = refined(path, settings, {.threads = 1});
       CHECK(one.mesh.faces.size() <= 4001);
       CHECK(one.mesh.faces.size() >= 3999);
-      const Refined more = refined(path, settings, {.threads = 4});
+      const RefinedPlain more = refined(path, settings, {.threads = 4});
       CHECK(difference(one.mesh, more.mesh) == "");
       CHECK(more.report.rounds == one.report.rounds);
       CHECK(more.report.largest_error == one.report.largest_error);
-      const Refined small = refined(path, settings, {}, RefineMemory{1, 1 << 14, 1 << 16, 1 << 17});
+      const RefinedPlain small =
+          refined(path, settings, {}, RefineMemory{1, 1 << 14, 1 << 16, 1 << 17});
       CHECK(small.mesh.spilled > one.mesh.spilled);
       CHECK(difference(one.mesh, small.mesh) == "");
     }
@@ -79,11 +80,11 @@ TEST_CASE("neither threads nor memory change what tiles become", "[same_bytes]")
 }
 
 TEST_CASE("one tile takes one round, and several take more for their borders") {
-  const Refined one = refined(whale(), down_to(10'000, 1'000'000));
+  const RefinedPlain one = refined(whale(), down_to(10'000, 1'000'000));
   CHECK(one.report.tiles == 1);
   CHECK(one.report.rounds == 1);
   CHECK(one.report.collapses == (100'000 - 10'000) / 2);
-  const Refined several = refined(whale(), down_to(10'000, 10'000));
+  const RefinedPlain several = refined(whale(), down_to(10'000, 10'000));
   CHECK(several.report.tiles >= 10);
   // A third where the second's own borders freeze much of what is wanted.
   CHECK(several.report.rounds >= 2);
@@ -92,7 +93,7 @@ TEST_CASE("one tile takes one round, and several take more for their borders") {
 }
 
 TEST_CASE("a mesh that has no more faces than wanted stays as it is") {
-  const Refined same = refined(whale(), down_to(100'000, 5000));
+  const RefinedPlain same = refined(whale(), down_to(100'000, 5000));
   CHECK(same.mesh.faces.size() == 100'000);
   CHECK(same.report.collapses == 0);
   CHECK(same.report.rounds == 1);
@@ -115,9 +116,8 @@ TEST_CASE("many tiles of a surface that can become no smaller stop") {
     CAPTURE(keep);
     settings.decimation.keep_pieces = keep;
     TestJob test;
-    RefineReport report;
-    const ClusteredMesh left =
-        refine(test.job, {welded(test.job, faces), nullptr}, settings, divided(test.job), report);
+    const auto [left, report] =
+        refine(test.job, {welded(test.job, faces), nullptr}, settings, divided(test.job));
     CHECK(left.face_count == (keep ? 4000 : 8));
     CHECK(report.stopped_by == (keep ? StoppedBy::pieces : StoppedBy::count));
     CHECK(report.blocked.pieces == (keep ? 4000 : 0));

@@ -109,15 +109,14 @@ RefineMemory divided(const Job& job) {
   return {left / 2, left / 8, left / 4, left / 8};
 }
 
-Refined refined(const std::string& path, const RefineSettings& settings, const JobSettings& job,
-                const std::optional<RefineMemory>& memory) {
+RefinedPlain refined(const std::string& path, const RefineSettings& settings,
+                     const JobSettings& job, const std::optional<RefineMemory>& memory) {
   TestJob test(job);
   return in_arena(test.job, [&] {
     RefinedMesh whole{welded(test.job, path), nullptr};
-    Refined out;
-    const ClusteredMesh mesh = refine(test.job, std::move(whole), settings,
-                                      memory.value_or(divided(test.job)), out.report);
-    out.mesh = plain(mesh);
+    const Refined refined =
+        refine(test.job, std::move(whole), settings, memory.value_or(divided(test.job)));
+    RefinedPlain out{plain(refined.mesh), refined.report};
     out.mesh.spilled = test.job.scratch.written();
     return out;
   });

@@ -44,12 +44,12 @@ RefineSettings down_to(std::uint64_t faces, std::uint64_t tile_faces);
 std::vector<FaceVertices> live_faces(const TileMesh& mesh);
 
 // Refined with parts of the budget as the pipeline divides it.
-struct Refined {
+struct RefinedPlain {
   PlainMesh mesh;
   RefineReport report;
 };
 RefineMemory divided(const Job& job);
-Refined refined(const std::string& path, const RefineSettings& settings,
-                const JobSettings& job = {}, const std::optional<RefineMemory>& memory = {});
+RefinedPlain refined(const std::string& path, const RefineSettings& settings,
+                     const JobSettings& job = {}, const std::optional<RefineMemory>& memory = {});
 
 }  // namespace winnow::test

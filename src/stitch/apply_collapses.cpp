@@ -1,0 +1,108 @@
+#include "stitch/apply_collapses.hpp"
+
+#include "stitch/smaller_mesh.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace winnow {
+
+namespace {
+
+// Of a mesh of one tile so many times the wanted faces, and this part of all, are left to be chosen
+// in the order of prices.
+constexpr double sweeps_beside_wanted = 1.3;
+constexpr double sweeps_beside_faces = 0.02;
+
+// Where as few are wanted as there can be, all is done in sweeps.
+std::uint64_t left_by_sweeps(const Tiles& tiles) {
+  const std::uint64_t wanted = tiles.settings().faces;
+  if (wanted == 0) return 0;
+  return static_cast<std::uint64_t>(sweeps_beside_faces * static_cast<double>(tiles.faces()) +
+                                    sweeps_beside_wanted * static_cast<double>(wanted));
+}
+
+// What the collapses of one tile were.
+struct TileCollapses {
+  std::uint64_t count = 0;
+  double largest_error = 0;
+};
+
+struct CollapsedTile {
+  TileResult rest;
+  TileCollapses done;
+};
+
+// TileCollapses collapse(tile number, decimation, values): of any tile, on any thread.
+template <typename Collapse>
+CollapsedMesh collapse_tiles(const Tiles& tiles, const Collapse& collapse) {
+  const RefineSettings& settings = tiles.settings();
+  const std::size_t state_size = settings.state_size();
+  const std::size_t attributes = settings.attributes.size();
+  RoundOutput output(tiles.job(), state_size, attributes, tiles.memory().mesh);
+  CollapsedMesh out;
+  tiles.for_each<CollapsedTile>(
+      0,
+      [&](std::size_t number, CollapsedTile& collapsed) {
+        Tile tile = tiles.load(number, settings.known_state_size(), attributes);
+        TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked),
+                      false);
+        const std::unique_ptr<Decimation> decimation =
+            Decimation::make(mesh, tile.state, settings.decimation);
+        CarriedValues values = carried_values(tile, settings.attributes);
+        collapsed.done = collapse(number, *decimation, values);
+        collapsed.rest = rest_of(tile, mesh, *decimation, values, state_size);
+      },
+      [&](std::size_t, CollapsedTile& collapsed) {
+        out.collapses += collapsed.done.count;
+        out.largest_error = std::max(out.largest_error, collapsed.done.largest_error);
+        out.changes.add(collapsed.rest.changes);
+        output.append(std::move(collapsed.rest));
+      });
+  out.whole = output.finish(tiles.tiling(), tiles.incoming().hubs());
+  out.whole.mesh.cells = tiles.whole().mesh.cells;
+  out.whole.mesh.fused = tiles.whole().mesh.fused;
+  return out;
+}
+
+}  // namespace
+
+CollapsedMesh collapse_nothing(const Tiles& tiles) {
+  return collapse_tiles(tiles,
+                        [](std::size_t, Decimation&, CarriedValues&) { return TileCollapses{}; });
+}
+
+CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double dearest) {
+  CollapseLimits limits{tiles.settings().faces, dearest};
+  if (tiles.settings().in_sweeps(round)) limits.sweeps_to = left_by_sweeps(tiles);
+  ProgressMeter& progress = tiles.job().progress;
+  return collapse_tiles(tiles, [&](std::size_t, Decimation& decimation, CarriedValues& values) {
+    TileProgress told(progress);
+    std::uint64_t count = 0;
+    decimation.run(
+        limits,
+        [&](const DoneCollapse& done) {
+          ++count;
+          values.collapsed(done.edge);
+          told.add(done.faces);
+        },
+        [&progress] { progress.check_cancelled(); });
+    return TileCollapses{count, decimation.largest_error()};
+  });
+}
+
+CollapsedMesh collapse_chosen(const Tiles& tiles, const ChosenCollapses& chosen) {
+  return collapse_tiles(tiles,
+                        [&](std::size_t tile, Decimation& decimation, CarriedValues& values) {
+                          const std::uint64_t count = chosen.counts[tile];
+                          const std::vector<Collapse> edges = chosen.log->edges(tile, count);
+                          decimation.repeat(edges);
+                          for (const Collapse& edge : edges) values.collapsed(edge);
+                          tiles.job().progress.check_cancelled();
+                          return TileCollapses{count, chosen.log->error(tile, count)};
+                        });
+}
+
+}  // namespace winnow

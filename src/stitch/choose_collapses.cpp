@@ -1,0 +1,210 @@
+#include "stitch/choose_collapses.hpp"
+
+#include "stitch/price_estimate.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+constexpr double no_limit = KnownPrices::no_limit;
+
+// The first round leaves so many times the faces that are wanted, the later rounds the rest: their
+// borders keep faces that are denser than others by no more than this.
+constexpr double spare = 1.03;
+// Part of a tile's faces that is worth not to be tried.
+constexpr double worth_a_limit = 1.0 / 64;
+// Part of the wanted faces that the last round's borders may freeze, and the round that is the last
+// in any case.
+constexpr double few_frozen = 0.25;
+constexpr std::uint64_t last_round = 4;
+// No tile goes below this part of its share of the wanted faces in the first round: what flat tiles
+// can give beyond is left to the later rounds.
+constexpr double deepest = 1.0 / 4;
+// How much dearer than the dearest collapse of the last round those of the next may be, before it
+// is tried again: with more, and then without a limit.
+constexpr double first_headroom = 2;
+// The same beside the price that the tiles of the first round will be cut at, as it is estimated.
+constexpr double headroom_of_estimate = 2;
+constexpr double more_headroom = 64;
+// Where the count is missed, a collapse may be so many times as dear as the dearest of a result
+// that met it: twice as far off. With 1 four faces in a hundred more are left, hardly nearer to the
+// surface; with 64 shapes begin to go (bench/RESULTS.md).
+constexpr double headroom_when_blocked = 4;
+
+}  // namespace
+
+CollapseChooser::CollapseChooser(const Tiles& tiles, std::uint64_t round, KnownPrices& prices,
+                                 const CheckpointDirectory* checkpoint)
+    : tiles_(tiles),
+      settings_(tiles.settings()),
+      round_(round),
+      prices_(prices),
+      checkpoint_(checkpoint) {}
+
+std::uint64_t CollapseChooser::faces_to_try() const {
+  const bool deep = round_ == 1 && tiles_.count() > 1;
+  const double left = (deep ? deepest : 1) * static_cast<double>(settings_.faces);
+  return tiles_.faces() - std::min(tiles_.faces(), static_cast<std::uint64_t>(left));
+}
+
+ChosenCollapses CollapseChooser::all() {
+  Tried tried = try_all({0, no_limit});
+  std::vector<std::uint64_t> counts = tried.log->all();
+  return {std::move(tried.log), std::move(counts)};
+}
+
+ChosenCollapses CollapseChooser::cheapest() {
+  const bool first = round_ == 1;
+  double more = more_headroom;
+  TryLimits limits{first ? deepest : 0,
+                   first || prices_.dearest == 0 ? no_limit : first_headroom * prices_.dearest};
+  limits.price = std::min(limits.price, prices_.dearest_allowed);
+  Tried tried = try_all(limits);
+  for (;;) {
+    const CollapseLog& log = *tried.log;
+    const std::uint64_t wanted = wanted_now(tried.frozen);
+    if (log.removed() < wanted && limits.price < prices_.dearest_allowed) {
+      limits.price =
+          std::min(limits.price * std::exchange(more, no_limit), prices_.dearest_allowed);
+      tried = try_all(limits);
+      continue;
+    }
+    if (log.removed() < wanted && !tried.complete_to(limits.price)) {
+      limits.share = 0;
+      tried = try_all(limits, &tried);
+      continue;
+    }
+    if (log.removed() < wanted) find_dearest_allowed();
+    const double dearest = log.price_of(std::min(wanted, log.removed()));
+    prices_.dearest = std::min(dearest, prices_.dearest_allowed);
+    if (tried.complete_to(prices_.dearest)) {
+      std::vector<std::uint64_t> counts =
+          prices_.dearest < dearest ? log.up_to(prices_.dearest) : log.cut(wanted);
+      return {std::move(tried.log), std::move(counts)};
+    }
+    // Some tiles have more to give at this price than they were let: as those that are flat, beside
+    // a statue.
+    limits = {0, prices_.dearest};
+    tried = try_all(limits, &tried);
+  }
+}
+
+bool CollapseChooser::find_dearest_allowed() {
+  DecimationSettings nothing_kept = settings_.decimation;
+  nothing_kept.free_topology = true;
+  nothing_kept.keep_boundaries = nothing_kept.keep_pieces = false;
+  if (prices_.dearest_allowed < no_limit || settings_.faces == 0 || settings_.decimation.error ||
+      settings_.decimation.cost != CollapseCost::quadric || nothing_kept == settings_.decimation)
+    return false;
+  const Tried tried = try_all({0, no_limit}, nothing_kept, TriedTiles(nullptr, round_, 0), nullptr);
+  const std::uint64_t wanted = wanted_now(tried.frozen);
+  prices_.dearest_allowed =
+      headroom_when_blocked * tried.log->price_of(std::min(wanted, tried.log->removed()));
+  return true;
+}
+
+// How many faces a round removes. The first, and each whose borders freeze more than a few of the
+// faces, leaves some to the next: the frozen faces will become fewer in proportion, and it is not
+// known yet which of them are flat.
+std::uint64_t CollapseChooser::wanted_now(std::uint64_t frozen) const {
+  const auto few = static_cast<std::uint64_t>(few_frozen * static_cast<double>(settings_.faces));
+  const bool last = round_ >= last_round || (round_ > 1 && frozen <= few);
+  const auto free = static_cast<double>(tiles_.faces() - frozen);
+  const double left = left_by_tiles() * free;
+  return last || left >= free ? tiles_.faces() - settings_.faces
+                              : static_cast<std::uint64_t>(free - left);
+}
+
+// The part of the faces that can change which a round leaves that is not the last.
+double CollapseChooser::left_by_tiles() const {
+  return spare * static_cast<double>(settings_.faces) / static_cast<double>(tiles_.faces());
+}
+
+bool CollapseChooser::Tried::complete_to(double price) const {
+  return std::all_of(reached.begin(), reached.end(), [price](double to) { return to >= price; });
+}
+
+CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most, const Tried* before) {
+  return try_all(most, settings_.decimation, TriedTiles(checkpoint_, round_, attempts_++), before);
+}
+
+CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
+                                                const DecimationSettings& settings, TriedTiles kept,
+                                                const Tried* before) {
+  ProgressMeter& progress = tiles_.job().progress;
+  Tried all;
+  // Two attempts may be there at once.
+  all.log = std::make_unique<CollapseLog>(tiles_.job(), tiles_.memory().logs / 2);
+  // Only where tiles go beyond all prices: what they do up to a price does not hang on it.
+  const double left = left_by_tiles();
+  PriceEstimate estimate(1 - left);
+  const bool estimates = most.share > 0 && left < 1;
+  std::size_t known = 0;
+  const auto take = [&](const TriedTile& tried) {
+    all.log->append(tried.edges, tried.prices);
+    all.frozen += tried.frozen;
+    all.reached.push_back(tried.reached);
+  };
+  for (TriedTile tried; known < tiles_.count() && kept.next(tried); ++known) {
+    take(tried);
+    progress.advance(tried.prices.empty() ? 0 : tried.prices.back().removed);
+  }
+  tiles_before_ += known;
+  tiles_.for_each<TriedTile>(
+      known,
+      [&](std::size_t number, TriedTile& tried) {
+        tried.clear();
+        if (before != nullptr && before->reached[number] >= most.price) {
+          tried.edges = before->log->edges(number, before->log->entries(number));
+          tried.prices = before->log->prices(number);
+          tried.reached = before->reached[number];
+          return;
+        }
+        Tile tile = tiles_.load(number, settings_.known_state_size(), 0);
+        TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
+        tried.frozen = tile.frozen;
+        const std::unique_ptr<Decimation> decimation = Decimation::make(mesh, tile.state, settings);
+        CollapseLimits limits{0, most.price};
+        if (settings_.in_sweeps(round_)) limits.sweeps_to = 0;
+        if (estimates)
+          limits.price = std::min(limits.price, headroom_of_estimate * estimate.price());
+        const double share =
+            most.share * static_cast<double>(settings_.faces) / static_cast<double>(tiles_.faces());
+        if (share > worth_a_limit) {
+          const auto others =
+              static_cast<double>(mesh.face_count() - tile.own_faces + tried.frozen);
+          limits.faces =
+              static_cast<std::uint64_t>(share * static_cast<double>(tile.own_faces) + others);
+        }
+        std::uint64_t removed = 0;
+        TileProgress told(progress);
+        decimation->run(
+            limits,
+            [&](const DoneCollapse& done) {
+              removed += done.faces;
+              tried.edges.push_back(done.edge);
+              tried.prices.push_back({done.price, removed, done.error});
+              told.add(done.faces);
+            },
+            [&progress] { progress.check_cancelled(); });
+        if (limits.price < most.price) tried.reached = limits.price;
+        if (limits.faces > 0 && mesh.live_faces() <= limits.faces)
+          tried.reached =
+              std::min(tried.reached, tried.prices.empty() ? 0 : tried.prices.back().price);
+        if (estimates) estimate.add(tried.prices, tile.own_faces - tried.frozen);
+      },
+      [&](std::size_t, const TriedTile& tried) {
+        take(tried);
+        kept.append(tried);
+      });
+  all.log->finish();
+  // Frozen faces hang on the tiles alone.
+  if (before != nullptr) all.frozen = before->frozen;
+  return all;
+}
+
+}  // namespace winnow

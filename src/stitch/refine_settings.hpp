@@ -1,0 +1,49 @@
+// What refinement is asked for, and the memory that it gets.
+#pragma once
+
+#include "base/attribute.hpp"
+#include "decimate/decimation.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace winnow {
+
+struct RefineSettings {
+  DecimationSettings decimation;
+  std::uint64_t faces = 0;  // wanted; 0: as few as there can be
+  std::uint64_t tile_faces = std::uint64_t{1}
+                             << 16;  // changes the result a little: never derived from memory
+  std::uint64_t hub_faces = 512;  // a vertex with more faces across tiles is a hub: as tile_faces
+  std::vector<Attribute> attributes{};  // that vertices carry
+
+  // Whoever asks for an error gets the surface on which it was watched.
+  [[nodiscard]] bool unfolds() const { return !decimation.error; }
+  // Later rounds watch the order of collapses: few are left. So does whoever asks for an error.
+  [[nodiscard]] bool in_sweeps(std::uint64_t round) const {
+    return round == 1 && !decimation.error;
+  }
+
+  // Bytes a vertex that rounds leave, and that a round begins with.
+  [[nodiscard]] std::size_t state_size() const { return Decimation::state_size(decimation); }
+  [[nodiscard]] std::size_t known_state_size() const {
+    return decimation.boundaries_known ? state_size() : Decimation::first_state_size(decimation);
+  }
+};
+
+struct RefineMemory {
+  std::uint64_t tiles = 0;  // being worked on, all threads together
+  std::uint64_t logs = 0;
+  std::uint64_t mesh = 0;   // what comes out of a round
+  std::uint64_t lists = 0;  // sorting
+};
+
+// What a tile of so many vertices and faces takes while it is worked on.
+std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices,
+                          std::uint64_t faces);
+
+// What is left of a tile that was collapsed: a log, or what is left of the mesh.
+std::uint64_t result_memory(const RefineSettings& settings, std::uint64_t faces);
+
+}  // namespace winnow
