@@ -4,10 +4,10 @@
 #include "base/per_slot.hpp"
 #include "cluster/attribute_means.hpp"
 #include "cluster/boundary_sum.hpp"
+#include "cluster/build_mesh.hpp"
 #include "cluster/cell_table.hpp"
 #include "cluster/face_list.hpp"
 #include "cluster/front_cache.hpp"
-#include "cluster/result_mesh.hpp"
 #include "io/sorted_records.hpp"
 
 #include <algorithm>
@@ -169,40 +169,12 @@ class ClustererOf final : public Clusterer {
   }
 
   ClusteredMesh finish() override {
-    const std::vector<Worker*> all = workers_.all();
-    parallel_for(all.size(), [&all, this](std::size_t w) {
-      Worker* worker = all[w];
-      worker->cache.empty_into([&](const Sum& line) { worker->evict(line, table_); });
-      table_.add(worker->pending);
-      worker->pending.clear();
-      if (boundaries_ == nullptr) return;
-      SortedList<BoundarySum>& list = boundaries_->local();
-      worker->boundaries.empty_into([&list](const BoundarySum& sum) { list.add(sum); });
-    });
-    job_.progress.check_cancelled();
+    empty_caches();
     ClusteredMesh mesh;
-    {
-      const std::unique_ptr<RecordCursor<Sum>> cells = table_.finish();
-      std::unique_ptr<AttributeCursor> attributes;
-      if (attributes_ != nullptr) attributes = attributes_->finish();
-      std::optional<MergedCursor<BoundarySum>> boundaries;
-      if (boundaries_ != nullptr) boundaries.emplace(boundaries_->merged());
-      collect_vertices(job_, *cells, boundaries ? &*boundaries : nullptr, attributes.get(),
-                       settings_, memory_.vertices, mesh);
-    }
-    boundaries_.reset();
-    attributes_.reset();
-    table_.release();
-    table_memory_.release();
-    std::vector<std::unique_ptr<RecordCursor<CellFace>>> faces;
-    parallel_for(all.size(), [&all](std::size_t w) {
-      Worker* worker = all[w];
-      worker->faces.sort();
-    });
-    for (Worker* worker : all) worker->faces.finish(faces);
-    face_runs_.add_cursors(faces);
-    MergedCursor<CellFace> merged(std::move(faces));
-    collect_faces(job_, merged, memory_.result, !settings_.for_refinement, mesh);
+    build_vertices(job_, cells(), settings_, memory_.vertices, mesh);
+    release_cells();
+    MergedCursor<CellFace> all = faces();
+    build_faces(job_, all, memory_.result, !settings_.for_refinement, mesh);
     return mesh;
   }
 
@@ -229,6 +201,49 @@ class ClustererOf final : public Clusterer {
     ClusterCounts counts;
     std::array<std::uint16_t, kernel_capacity + 1> inside, pairs, across, bad;
   };
+
+  // What workers still have of cells goes to the tables.
+  void empty_caches() {
+    const std::vector<Worker*> all = workers_.all();
+    parallel_for(all.size(), [&all, this](std::size_t w) {
+      Worker* worker = all[w];
+      worker->cache.empty_into([&](const Sum& line) { worker->evict(line, table_); });
+      table_.add(worker->pending);
+      worker->pending.clear();
+      if (boundaries_ == nullptr) return;
+      SortedList<BoundarySum>& list = boundaries_->local();
+      worker->boundaries.empty_into([&list](const BoundarySum& sum) { list.add(sum); });
+    });
+    job_.progress.check_cancelled();
+  }
+
+  // All cells, in key order: as they lie in the tables and in scratch.
+  MergedCells<Sum> cells() {
+    MergedCells<Sum> all;
+    all.sums = table_.finish();
+    if (attributes_ != nullptr) all.attributes = attributes_->finish();
+    if (boundaries_ != nullptr)
+      all.boundaries = std::make_unique<MergedCursor<BoundarySum>>(boundaries_->merged());
+    return all;
+  }
+
+  // Makes room for faces.
+  void release_cells() {
+    boundaries_.reset();
+    attributes_.reset();
+    table_.release();
+    table_memory_.release();
+  }
+
+  // All faces between cells, in key order.
+  MergedCursor<CellFace> faces() {
+    const std::vector<Worker*> all = workers_.all();
+    parallel_for(all.size(), [&all](std::size_t w) { all[w]->faces.sort(); });
+    std::vector<std::unique_ptr<RecordCursor<CellFace>>> cursors;
+    for (Worker* worker : all) worker->faces.finish(cursors);
+    face_runs_.add_cursors(cursors);
+    return MergedCursor<CellFace>(std::move(cursors));
+  }
 
   // Of a face with two corners in one cell.
   template <typename GiveWay>

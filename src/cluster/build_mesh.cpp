@@ -1,4 +1,4 @@
-#include "cluster/result_mesh.hpp"
+#include "cluster/build_mesh.hpp"
 
 #include <winnow/error.hpp>
 
@@ -100,12 +100,11 @@ bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
 }  // namespace
 
 template <typename Sum>
-void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BoundarySum>* boundaries,
-                      AttributeCursor* attributes, const ClusterSettings& settings,
-                      std::uint64_t memory, ClusteredMesh& mesh) {
+void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& settings,
+                    std::uint64_t memory, ClusteredMesh& mesh) {
   const bool quadrics = settings.keep_quadrics && settings.placement == Placement::quadric;
   const std::size_t carried = settings.attributes.attributes.size();
-  if (attributes != nullptr) {
+  if (cells.attributes != nullptr) {
     const std::uint64_t bytes = settings.attributes.bytes();
     const std::uint64_t share =
         memory / (bytes + sizeof(IndexedVertex) + (quadrics ? sizeof(Quadric) : 0)) * bytes;
@@ -116,9 +115,9 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BoundaryS
   if (quadrics) mesh.quadrics = std::make_unique<Spool>(job, memory / 2);
   if (settings.for_refinement) mesh.vanished = std::make_unique<Spool>(job, memory / 16);
   Sum next{};
-  bool more = cells.next(next);
+  bool more = cells.sums->next(next);
   BoundarySum boundary{};
-  bool more_boundaries = boundaries != nullptr && boundaries->next(boundary);
+  bool more_boundaries = cells.boundaries != nullptr && cells.boundaries->next(boundary);
   struct Chunk {
     std::vector<WholeCell> cells;
     std::vector<IndexedVertex> vertices;
@@ -134,9 +133,9 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BoundaryS
         chunk.vanished.clear();
         while (more && chunk.cells.size() < chunk_cells) {
           WholeCell cell(next.key, settings.split);
-          for (; more && next.key == cell.key(); more = cells.next(next)) cell.add(next);
+          for (; more && next.key == cell.key(); more = cells.sums->next(next)) cell.add(next);
           for (; more_boundaries && boundary.cell <= cell.key();
-               more_boundaries = boundaries->next(boundary)) {
+               more_boundaries = cells.boundaries->next(boundary)) {
             if (boundary.cell == cell.key()) cell.add(boundary);
           }
           ++mesh.cells;
@@ -145,9 +144,9 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BoundaryS
             continue;
           }
           chunk.cells.push_back(cell);
-          if (attributes == nullptr) continue;
+          if (cells.attributes == nullptr) continue;
           chunk.attributes.resize(chunk.attributes.size() + carried);
-          attributes->find(cell.key(), std::span(chunk.attributes).last(carried));
+          cells.attributes->find(cell.key(), std::span(chunk.attributes).last(carried));
         }
         job.progress.check_cancelled();
         return more || !chunk.cells.empty() || !chunk.vanished.empty();
@@ -165,13 +164,13 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BoundaryS
         mesh.vertices->append(chunk.vertices);
         if (!chunk.vanished.empty()) append_records<CellKey>(*mesh.vanished, chunk.vanished);
         if (quadrics) mesh.quadrics->append(std::as_bytes(std::span(chunk.quadrics)));
-        if (attributes != nullptr)
+        if (cells.attributes != nullptr)
           mesh.attributes->append(std::as_bytes(std::span(chunk.attributes)));
       });
   mesh.vertices->finish();
   if (mesh.vanished != nullptr) mesh.vanished->finish();
   if (quadrics) mesh.quadrics->finish();
-  if (attributes != nullptr) mesh.attributes->finish();
+  if (cells.attributes != nullptr) mesh.attributes->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(
         ErrorKind::failed,
@@ -180,16 +179,13 @@ void collect_vertices(Job& job, RecordCursor<Sum>& cells, RecordCursor<BoundaryS
   }
 }
 
-template void collect_vertices<CellSum>(Job&, RecordCursor<CellSum>&, RecordCursor<BoundarySum>*,
-                                        AttributeCursor*, const ClusterSettings&, std::uint64_t,
-                                        ClusteredMesh&);
-template void collect_vertices<QuadricCellSum>(Job&, RecordCursor<QuadricCellSum>&,
-                                               RecordCursor<BoundarySum>*, AttributeCursor*,
-                                               const ClusterSettings&, std::uint64_t,
-                                               ClusteredMesh&);
+template void build_vertices<CellSum>(Job&, MergedCells<CellSum>, const ClusterSettings&,
+                                      std::uint64_t, ClusteredMesh&);
+template void build_vertices<QuadricCellSum>(Job&, MergedCells<QuadricCellSum>,
+                                             const ClusterSettings&, std::uint64_t, ClusteredMesh&);
 
-void collect_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
-                   ClusteredMesh& mesh) {
+void build_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
+                 ClusteredMesh& mesh) {
   mesh.faces = std::make_unique<Spool>(job, memory);
   if (!turn) mesh.several = std::make_unique<Spool>(job, memory / 16);
   FaceFuser fuser(faces);
