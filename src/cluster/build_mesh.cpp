@@ -112,7 +112,7 @@ void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& set
     memory -= share;
   }
   mesh.vertices = std::make_unique<VertexIndex>(job, quadrics ? memory / 2 : memory);
-  if (quadrics) mesh.quadrics = std::make_unique<Spool>(job, memory / 2);
+  if (quadrics) mesh.state = std::make_unique<Spool>(job, memory / 2);
   if (settings.for_refinement) mesh.vanished = std::make_unique<Spool>(job, memory / 16);
   Sum next{};
   bool more = cells.sums->next(next);
@@ -163,13 +163,13 @@ void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& set
       [&](const Chunk& chunk) {
         mesh.vertices->append(chunk.vertices);
         if (!chunk.vanished.empty()) append_records<CellKey>(*mesh.vanished, chunk.vanished);
-        if (quadrics) mesh.quadrics->append(std::as_bytes(std::span(chunk.quadrics)));
+        if (quadrics) mesh.state->append(std::as_bytes(std::span(chunk.quadrics)));
         if (cells.attributes != nullptr)
           mesh.attributes->append(std::as_bytes(std::span(chunk.attributes)));
       });
   mesh.vertices->finish();
   if (mesh.vanished != nullptr) mesh.vanished->finish();
-  if (quadrics) mesh.quadrics->finish();
+  if (quadrics) mesh.state->finish();
   if (cells.attributes != nullptr) mesh.attributes->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(

@@ -22,7 +22,7 @@ struct MergedCells {
   std::unique_ptr<AttributeCursor> attributes;
 };
 
-// Cells that no output face uses leave no vertex. Fills mesh.vertices, quadrics, attributes and
+// Cells that no output face uses leave no vertex. Fills mesh.vertices, state, attributes and
 // cells. Throws Error(failed) beyond 2^32 - 1 vertices.
 template <typename Sum>
 void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& settings,

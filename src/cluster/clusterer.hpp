@@ -4,13 +4,12 @@
 #include <winnow/simplify.hpp>
 
 #include "base/attribute.hpp"
-#include "base/rounding.hpp"
 #include "cluster/folds.hpp"
 #include "cluster/grid.hpp"
 #include "cluster/split_cells.hpp"
-#include "cluster/vertex_index.hpp"
 #include "io/job.hpp"
 #include "io/spool.hpp"
+#include "mesh/stored_mesh.hpp"
 #include "read/face_batch.hpp"
 #include "read/good_faces.hpp"
 
@@ -53,24 +52,16 @@ struct ClusterCounts {
 
 // A face of the result, and how many faces fell onto it: so many of its sense, and of the other.
 struct FusedFace {
-  std::array<std::uint32_t, 3> vertices{};
+  FaceVertices vertices{};
   std::uint32_t along = 0, against = 0;
 };
 
-// The result: vertices in key order, faces as their numbers.
-struct ClusteredMesh {
-  std::unique_ptr<VertexIndex> vertices;
-  std::unique_ptr<Spool> quadrics;  // of each vertex the Quadric of its cell; only for refinement
-  std::unique_ptr<Spool>
-      attributes;  // of each vertex the mean of each, a double; only where some are carried
-  std::unique_ptr<Spool>
-      faces;  // three uint32 a face, the lowest first; in ascending order of that
-  std::uint64_t face_count = 0;
+// The mesh with what was found on the way.
+struct ClusteredMesh : StoredMesh {
   std::uint64_t cells = 0;
   std::uint64_t turned = 0;
   std::uint64_t fused = 0;       // pairs of opposite faces that left one face
   std::uint64_t flat_pairs = 0;  // those without area that left none; only where welded
-  std::optional<CoordinateRounding> rounding{};  // of the input's positions; only where welded
   // Only where clustered for refinement: the faces that several fell onto, a FusedFace each, in the
   // order of faces; and the keys of cells that no face of three cells touches, in ascending order.
   std::unique_ptr<Spool> several{};
@@ -90,7 +81,7 @@ struct ClusterSettings {
   [[nodiscard]] bool keeps_boundaries() const {
     return !for_refinement && placement == Placement::quadric;
   }
-  bool keep_quadrics = false;  // of the cells; with Placement::quadric
+  bool keep_quadrics = false;  // of the cells, as state; with Placement::quadric
   CarriedAttributes attributes{};
   const SplitCells* split = nullptr;  // cells are named by it; none where it is null
 };

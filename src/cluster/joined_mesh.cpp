@@ -28,7 +28,7 @@ class VertexCursor {
  public:
   VertexCursor(const Job& job, const ClusteredMesh& mesh, std::size_t attributes)
       : vertices_(job, mesh.vertices->records()), carried(attributes) {
-    if (mesh.quadrics != nullptr) quadrics_.emplace(job, *mesh.quadrics);
+    if (mesh.state != nullptr) quadrics_.emplace(job, *mesh.state);
     if (attributes > 0) attributes_.emplace(job, *mesh.attributes);
   }
 
@@ -151,11 +151,11 @@ class Joiner {
   [[nodiscard]] bool splits(CellKey name) const { return split_.has(names_.cell_of(name)); }
 
   void join_vertices(std::uint64_t memory) {
-    const bool quadrics = coarse_.quadrics != nullptr;
+    const bool quadrics = coarse_.state != nullptr;
     const std::size_t carried = attributes_ * sizeof(double);
     const std::size_t all = sizeof(IndexedVertex) + (quadrics ? sizeof(Quadric) : 0) + carried;
     out_.vertices = std::make_unique<VertexIndex>(job_, memory / all * sizeof(IndexedVertex));
-    if (quadrics) out_.quadrics = std::make_unique<Spool>(job_, memory / all * sizeof(Quadric));
+    if (quadrics) out_.state = std::make_unique<Spool>(job_, memory / all * sizeof(Quadric));
     if (attributes_ > 0) out_.attributes = std::make_unique<Spool>(job_, memory / all * carried);
     Appender<IndexedVertex, VertexIndex> vertices(job_, *out_.vertices);
     VertexCursor coarse(job_, coarse_, attributes_);
@@ -182,7 +182,7 @@ class Joiner {
       if ((take_coarse || take_fine) && !folded_fine.has(name)) {
         const VertexCursor& from = take_fine ? fine : coarse;
         vertices.add(from.vertex);
-        if (quadrics) append_records<Quadric>(*out_.quadrics, std::span(&from.quadric, 1));
+        if (quadrics) append_records<Quadric>(*out_.state, std::span(&from.quadric, 1));
         if (attributes_ > 0) append_records<double>(*out_.attributes, from.carried);
         if (take_fine) {
           kept_fine_.keep(fine.number(), from_coarse);
@@ -197,7 +197,7 @@ class Joiner {
     }
     vertices.flush();
     out_.vertices->finish();
-    if (quadrics) out_.quadrics->finish();
+    if (quadrics) out_.state->finish();
     if (attributes_ > 0) out_.attributes->finish();
     if (out_.vertices->size() > UINT32_MAX) {
       throw Error(ErrorKind::failed,

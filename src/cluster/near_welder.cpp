@@ -4,10 +4,10 @@
 #include "cluster/components.hpp"
 #include "cluster/near_links.hpp"
 #include "cluster/resolution.hpp"
-#include "cluster/vertex_index.hpp"
 #include "cluster/weld_lattice.hpp"
 #include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
+#include "mesh/vertex_index.hpp"
 #include "read/for_each_batch.hpp"
 #include "read/good_faces.hpp"
 

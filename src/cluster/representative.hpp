@@ -7,7 +7,7 @@
 #include "cluster/cell_sum.hpp"
 #include "cluster/clusterer.hpp"
 #include "cluster/split_cells.hpp"
-#include "cluster/vertex_index.hpp"
+#include "mesh/vertex_index.hpp"
 
 #include <array>
 

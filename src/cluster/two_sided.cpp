@@ -144,7 +144,7 @@ void find_turned(Job& job, const Spool& faces, Components& components, std::uint
   }
 }
 
-void turn_faces(Job& job, MergedCursor<TurnedPlace>& turned, ClusteredMesh& mesh) {
+void turn_faces(Job& job, MergedCursor<TurnedPlace>& turned, StoredMesh& mesh) {
   auto out = std::make_unique<Spool>(job, mesh.faces->memory_limit());
   Appender<MeshFace> append(job, *out);
   SpoolCursor<MeshFace> faces(job, *mesh.faces);
@@ -162,7 +162,7 @@ void turn_faces(Job& job, MergedCursor<TurnedPlace>& turned, ClusteredMesh& mesh
 
 }  // namespace
 
-void agree_on_sides(Job& job, const Spool& faces, std::uint64_t memory, ClusteredMesh& mesh) {
+void agree_on_sides(Job& job, const Spool& faces, std::uint64_t memory, StoredMesh& mesh) {
   if (faces.size() == 0) return;
   bool any = false;
   SortedRecords<TurnedPlace> turned(job, memory / 8);

@@ -1,7 +1,7 @@
 // Which side is left of a surface that is given in both senses.
 #pragma once
 
-#include "cluster/clusterer.hpp"
+#include "mesh/stored_mesh.hpp"
 
 #include <cstdint>
 
@@ -17,6 +17,6 @@ struct TwoSidedFace {
 // stood in one sense, else with the first of them in the input. `faces`: a TwoSidedFace each, in
 // the order of places. Where no side agrees, as on a Möbius strip, each stays as it is. Sorts
 // within `memory`.
-void agree_on_sides(Job& job, const Spool& faces, std::uint64_t memory, ClusteredMesh& mesh);
+void agree_on_sides(Job& job, const Spool& faces, std::uint64_t memory, StoredMesh& mesh);
 
 }  // namespace winnow

@@ -5,6 +5,7 @@
 
 #include "base/hash.hpp"
 #include "base/vector.hpp"
+#include "mesh/face_vertices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,25 +19,12 @@ namespace winnow {
 
 using VertexNumber = std::uint32_t;  // in a tile, from 0
 using FaceNumber = std::uint32_t;
-using FaceVertices = std::array<VertexNumber, 3>;
-
-inline constexpr std::uint32_t no_number = UINT32_MAX;
 
 // A vertex with more faces than this is a hub, until it has no more than the second number. Nothing
 // that is done for each collapse walks around a hub: neighbours are collapsed into it, unless they
 // are hubs too, and it stays where it is.
 inline constexpr std::uint32_t most_faces_beside_hubs = 64;
 inline constexpr std::uint32_t hub_no_more = 32;
-
-inline bool has(const FaceVertices& face, VertexNumber v) {
-  return face[0] == v || face[1] == v || face[2] == v;
-}
-
-// The same face with its lowest number first.
-inline FaceVertices lowest_first(FaceVertices face) {
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  return face;
-}
 
 // One edge collapsed into one of its ends, which moves. Where both ends are the same vertex, the
 // piece of the surface that has it goes as a whole (piece.hpp).

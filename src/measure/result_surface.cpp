@@ -14,8 +14,6 @@ namespace winnow {
 
 namespace {
 
-using Corners3 = std::array<std::uint32_t, 3>;
-
 struct PackedEdge {
   std::uint64_t ends;  // the lower number in the higher half
 
@@ -56,7 +54,7 @@ class JoinedVertices {
 
   static std::uint64_t bytes(std::uint64_t vertices) { return vertices * sizeof(std::uint32_t); }
 
-  void add(const Corners3& face) {
+  void add(const FaceVertices& face) {
     std::uint32_t lowest = top(face[0]);
     for (const std::uint32_t vertex : {face[1], face[2]}) {
       const std::uint32_t other = top(vertex);
@@ -83,11 +81,6 @@ class JoinedVertices {
   std::vector<std::uint32_t> above_;
   std::uint64_t pieces_ = 0;
 };
-
-Corners3 lowest_first(Corners3 face) {
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  return face;
-}
 
 // The edges at their first vertices of faces that leave them to be counted in turn, in order.
 class EdgesInTurn {
@@ -122,16 +115,16 @@ class EdgesInTurn {
     return false;
   }
 
-  SpoolCursor<Corners3> faces_;
+  SpoolCursor<FaceVertices> faces_;
   InTurn in_turn_;
-  Corners3 face_{};
+  FaceVertices face_{};
   bool more_;
   std::vector<std::uint64_t> edges_;  // of one vertex
   std::size_t at_ = 0;
 };
 
 // Each side adds a hash; that of the opposite direction takes it away.
-std::uint64_t directions_of(const Corners3& face) {
+std::uint64_t directions_of(const FaceVertices& face) {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t from = face[i], to = face[(i + 1) % 3];
@@ -143,15 +136,15 @@ std::uint64_t directions_of(const Corners3& face) {
 
 }  // namespace
 
-bool is_closed(Job& job, const ClusteredMesh& mesh) {
+bool is_closed(Job& job, const StoredMesh& mesh) {
   job.progress.begin("check", mesh.face_count, "faces");
   std::uint64_t directions = 0;
-  SpoolCursor<Corners3> faces(job, *mesh.faces);
-  for (Corners3 face; faces.next(face);) directions += directions_of(face);
+  SpoolCursor<FaceVertices> faces(job, *mesh.faces);
+  for (FaceVertices face; faces.next(face);) directions += directions_of(face);
   return mesh.face_count > 0 && directions == 0;
 }
 
-ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t memory) {
+ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t memory) {
   ResultSurface out;
   job.progress.begin("check", 2 * mesh.face_count, "faces");
   std::optional<JoinedVertices> joined;
@@ -174,9 +167,9 @@ ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t 
   std::uint64_t directions = 0;
   {
     VertexIndex::Reader vertices(*mesh.vertices);
-    SpoolCursor<Corners3> faces(job, *mesh.faces);
+    SpoolCursor<FaceVertices> faces(job, *mesh.faces);
     InTurn in_turn;
-    for (Corners3 face; faces.next(face);) {
+    for (FaceVertices face; faces.next(face);) {
       const Point a = vertices.position(face[0]);
       const Point u = vertices.position(face[1]) - a;
       const Point v = vertices.position(face[2]) - a;

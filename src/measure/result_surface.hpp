@@ -1,8 +1,10 @@
 // What a run tells of the surface that it is going to write.
 #pragma once
 
-#include "cluster/clusterer.hpp"
+#include <winnow/simplify_report.hpp>
+
 #include "io/job.hpp"
+#include "mesh/stored_mesh.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -21,10 +23,10 @@ struct ResultSurface {
 // Counts edges exactly, by the numbers of their vertices, and sorts within `memory`, or in scratch.
 // Two passes over the faces. On a mesh whose faces come in the order of their lowest vertices, as
 // all do but for `convert`, a third of the edges is sorted.
-ResultSurface measure_result(Job& job, const ClusteredMesh& mesh, std::uint64_t memory);
+ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t memory);
 
 // Whether every side of a face meets one of the opposite direction, by the numbers of vertices: one
 // pass.
-bool is_closed(Job& job, const ClusteredMesh& mesh);
+bool is_closed(Job& job, const StoredMesh& mesh);
 
 }  // namespace winnow

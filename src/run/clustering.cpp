@@ -135,7 +135,11 @@ Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& opti
 
 Clustered Clustering::run() {
   Clustered out;
-  out.mesh = as_asked();
+  ClusteredMesh mesh = as_asked();
+  report_.cells = mesh.cells;
+  report_.reoriented_faces = mesh.turned;
+  report_.merged_opposite_faces = mesh.fused;
+  out.mesh = std::move(mesh);
   out.target = target_;
   out.error = error_;
   out.normals = reader_.facts().normals;

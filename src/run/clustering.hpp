@@ -21,7 +21,7 @@ namespace winnow {
 
 // What all that comes after has to know of it.
 struct Clustered {
-  ClusteredMesh mesh;
+  StoredMesh mesh;
   std::uint64_t target = 0;       // faces wanted; 0 where an error says how many
   double error = 0;               // the error wanted, in model units; 0 where faces are counted
   bool normals = false;           // of the input

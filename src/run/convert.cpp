@@ -25,7 +25,7 @@ namespace winnow {
 namespace {
 
 // Nothing is clustered, so the shares of that go to the mesh.
-ClusteredMesh mesh_of(Job& job, MeshReader& reader, const MemoryPlan& plan, ClusterCounts& counts) {
+StoredMesh mesh_of(Job& job, MeshReader& reader, const MemoryPlan& plan, ClusterCounts& counts) {
   if (reader.facts().vertices) {
     const std::uint64_t carried = reader.facts().choice.carried.size() * sizeof(double);
     const Reservation under_way = job.budget.reserve(
@@ -83,7 +83,7 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   std::vector<Attribute> attributes = facts.choice.carried;
   if (!encoder->keeps_numbers() && !attributes.empty())
     settle_colors(job, attributes, reader->attribute_ranges());
-  const ClusteredMesh mesh = mesh_of(job, *reader, plan, counts);
+  const StoredMesh mesh = mesh_of(job, *reader, plan, counts);
   if (options.strict && counts.first_bad.face != UINT64_MAX)
     refuse_bad_face(reader->name(), counts.first_bad);
   if (mesh.face_count == 0) refuse_without_faces(*reader, "written");

@@ -81,7 +81,7 @@ FileSink::FileSink(Job& job, std::string name, const SimplifyOptions& options, c
   if (!writes_text(options.to, name_, options.encoding)) sink_.refuse_terminal();
 }
 
-std::uint64_t FileSink::write(const ClusteredMesh& mesh, const MeshShape& shape) {
+std::uint64_t FileSink::write(const StoredMesh& mesh, const MeshShape& shape) {
   write_mesh(job_, mesh, shape, *encoder_, sink_);
   sink_.flush_and_sync();
   return sink_.written();
@@ -90,7 +90,7 @@ std::uint64_t FileSink::write(const ClusteredMesh& mesh, const MeshShape& shape)
 MemorySink::MemorySink(Job& job, Mesh& mesh, const SimplifyOptions& options)
     : job_(job), mesh_(mesh), encoder_(encoder_for_memory(options)) {}
 
-std::uint64_t MemorySink::write(const ClusteredMesh& mesh, const MeshShape& shape) {
+std::uint64_t MemorySink::write(const StoredMesh& mesh, const MeshShape& shape) {
   mesh_ = {};
   std::vector<Column> columns;  // of normals, then of attributes
   Column positions{};

@@ -22,7 +22,7 @@ class MeshSink {
   [[nodiscard]] virtual const MeshEncoder& encoder() const = 0;
 
   // Everything that can fail. Returns the size of the mesh, before compression.
-  virtual std::uint64_t write(const ClusteredMesh& mesh, const MeshShape& shape) = 0;
+  virtual std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) = 0;
   virtual void finish() = 0;
 
   [[nodiscard]] virtual std::string name() const { return {}; }      // of a file, as it was given
@@ -38,7 +38,7 @@ class FileSink final : public MeshSink {
            const char* way_out = ByteSink::by_force);
 
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
-  std::uint64_t write(const ClusteredMesh& mesh, const MeshShape& shape) override;
+  std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
   void finish() override { sink_.finish(); }
   [[nodiscard]] std::string name() const override { return name_; }
   [[nodiscard]] std::string format() const override { return format_; }
@@ -59,7 +59,7 @@ class MemorySink final : public MeshSink {
   MemorySink(Job& job, Mesh& mesh, const SimplifyOptions& options);
 
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
-  std::uint64_t write(const ClusteredMesh& mesh, const MeshShape& shape) override;
+  std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
   void finish() override {}
   [[nodiscard]] std::string format() const override { return "memory"; }
 

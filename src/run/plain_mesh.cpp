@@ -13,7 +13,7 @@ namespace winnow {
 
 namespace {
 
-void read_vertices(Job& job, MeshReader& reader, const Point& instead, ClusteredMesh& mesh) {
+void read_vertices(Job& job, MeshReader& reader, const Point& instead, StoredMesh& mesh) {
   job.progress.begin("read vertices", reader.facts().vertices.value_or(0), "vertices");
   std::atomic<std::uint64_t> not_finite{0};
   std::vector<IndexedVertex> part;
@@ -58,9 +58,9 @@ void read_vertices(Job& job, MeshReader& reader, const Point& instead, Clustered
 
 }  // namespace
 
-ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory,
-                         ClusterCounts& counts) {
-  ClusteredMesh mesh;
+StoredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory,
+                      ClusterCounts& counts) {
+  StoredMesh mesh;
   mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
   if (!reader.facts().choice.carried.empty())
     mesh.attributes = std::make_unique<Spool>(job, memory.attributes);

@@ -19,7 +19,7 @@ struct PlainMeshMemory {
 // in the order of the input; a vertex that is not finite stands where the first that is finite
 // does, and a note says so. Fills `counts` of the faces. The mesh's faces do not begin with their
 // lowest vertex, nor come in the order of those: it is good for write_mesh() alone.
-ClusteredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory,
-                         ClusterCounts& counts);
+StoredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory,
+                      ClusterCounts& counts);
 
 }  // namespace winnow

@@ -73,14 +73,13 @@ void tell_reasons(Job& job, const RefineReport& done, std::uint64_t left, std::u
 // What a run holds at the most beside the tile that it works on, under a budget of any size.
 class HeldBesideTile {
  public:
-  HeldBesideTile(const Job& job, const RefinedMesh& whole, const RefineSettings& settings,
+  HeldBesideTile(const Job& job, const StoredMesh& whole, const RefineSettings& settings,
                  PlanOf plan)
       : plan_(std::move(plan)), total_(job.budget.total()), fixed_(job.budget.used()) {
-    const std::uint64_t vertices = whole.mesh.vertices->size();
-    const std::uint64_t faces = whole.mesh.face_count;
-    const std::array<const Spool*, 4> spools{&whole.mesh.vertices->records(),
-                                             whole.mesh.faces.get(), whole.mesh.attributes.get(),
-                                             whole.state.get()};
+    const std::uint64_t vertices = whole.vertices->size();
+    const std::uint64_t faces = whole.face_count;
+    const std::array<const Spool*, 4> spools{&whole.vertices->records(), whole.faces.get(),
+                                             whole.attributes.get(), whole.state.get()};
     for (const Spool* spool : spools) {
       if (spool == nullptr) continue;
       mesh_.push_back(
@@ -135,8 +134,8 @@ RefineMemory refine_memory(std::uint64_t left) {
   return {left / 2, left / 8, left / 8, left / 8};
 }
 
-ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
-                      const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report) {
+StoredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
+                   const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report) {
   RefineSettings settings;
   settings.faces = clustered.target;
   settings.attributes = clustered.attributes;
@@ -149,8 +148,7 @@ ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& opti
   settings.decimation.free_topology = options.topology == Topology::free;
   if (clustered.error > 0) settings.decimation.error = clustered.error;
   const RefineMemory memory = refine_memory(job.budget.left());
-  RefinedMesh whole{std::move(clustered.mesh), nullptr};
-  whole.state = std::move(whole.mesh.quadrics);
+  StoredMesh whole = std::move(clustered.mesh);
   job.budget.expect_held(HeldBesideTile(job, whole, settings, plan));
   auto [out, done] = refine(job, std::move(whole), settings, memory, checkpoint);
   job.budget.expect_held({});

@@ -24,7 +24,7 @@ using PlanOf = std::function<MemoryPlan(std::uint64_t total)>;
 // `doubles`: positions are going to be written as such. `checkpoint`: null where nothing is kept.
 // Fills report.refine, and what was resumed. Throws Error(resources) where the budget has no room
 // for a tile; it names one that has.
-ClusteredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
-                      const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report);
+StoredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
+                   const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report);
 
 }  // namespace winnow

@@ -113,10 +113,8 @@ class DamageSplitter {
 
   std::optional<Damage> look_at(ClusteredMesh& mesh, std::uint64_t most) {
     job_.progress.begin("look for damage", mesh.face_count, "faces");
-    RefinedMesh whole{std::move(mesh), nullptr};
-    std::optional<Damage> damage = find_damage(job_, whole, most, fold_reach * settings_.grid.cell,
+    std::optional<Damage> damage = find_damage(job_, mesh, most, fold_reach * settings_.grid.cell,
                                                std::min(tile_share, job_.budget.left() / 2));
-    mesh = std::move(whole.mesh);
     if (!damage) return damage;
     mesh.folds.faces = std::move(damage->folds);
     VertexIndex::Reader vertices(*mesh.vertices);

@@ -84,7 +84,7 @@ std::string percentage(double part) {
 }
 
 // Tells what became of the surface.
-void check_surface(Job& job, const ClusteredMesh& mesh, const SimplifyOptions& options,
+void check_surface(Job& job, const StoredMesh& mesh, const SimplifyOptions& options,
                    SimplifyReport& report) {
   const ResultSurface surface = measure_result(job, mesh, job.budget.left() / 2);
   report.topology.output = surface.edges;
@@ -145,7 +145,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink
                                    : clustered.normals && !options.attributes && !taken);
   const bool exact = clustered.double_positions;
   const bool doubles = writes_doubles(options.encoding, exact);
-  ClusteredMesh mesh;
+  StoredMesh mesh;
   if (cost_of(options) == Refine::none) {
     mesh = std::move(clustered.mesh);
   } else {
@@ -163,9 +163,6 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink
   report.output = {mesh.face_count, mesh.vertices->size(), written,
                    sink.name(),     sink.format(),         encoder.position_error(shape)};
   report.input.names = request.inputs;
-  report.cells = mesh.cells;
-  report.reoriented_faces = mesh.turned;
-  report.merged_opposite_faces = mesh.fused;
   report.error_bound = report.cell_size * std::sqrt(3.0);
   report.spilled_bytes = job.scratch.written();
   report.peak_scratch_bytes = job.scratch.peak();

@@ -2,7 +2,7 @@
 
 #include <winnow/version.hpp>
 
-#include "stitch/saved_mesh.hpp"
+#include "mesh/saved_mesh.hpp"
 
 #include <utility>
 
@@ -73,9 +73,7 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory, SimplifyRepor
   job.notes.insert(job.notes.begin(), report.notes.begin(), report.notes.end());
   Clustered clustered;
   job.progress.begin("go on", 0, "bytes");
-  RefinedMesh whole = load_mesh(job, *directory_, memory);
-  clustered.mesh = std::move(whole.mesh);
-  clustered.mesh.quadrics = std::move(whole.state);
+  clustered.mesh = load_mesh(job, *directory_, memory);
   clustered.target = manifest.number("clustered.target");
   clustered.error = manifest.real("clustered.error");
   clustered.normals = manifest.number("clustered.normals") != 0;
@@ -96,7 +94,7 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory, SimplifyRepor
   return clustered;
 }
 
-void SimplifyCheckpoint::save(Job& job, Clustered& clustered, SimplifyReport& report) {
+void SimplifyCheckpoint::save(Job& job, const Clustered& clustered, SimplifyReport& report) {
   if (directory_ == nullptr) return;
   job.progress.begin("keep", 0, "bytes");
   Manifest& manifest = directory_->manifest();
@@ -119,11 +117,7 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered, SimplifyReport& re
     manifest.set(attribute_key(i, "full"), attribute.full);
     if (attribute.no_data) manifest.set(attribute_key(i, "no_data"), *attribute.no_data);
   }
-  RefinedMesh whole{std::move(clustered.mesh), nullptr};
-  whole.state = std::move(whole.mesh.quadrics);
-  save_mesh(*directory_, whole, 0, false);
-  clustered.mesh = std::move(whole.mesh);
-  clustered.mesh.quadrics = std::move(whole.state);
+  save_mesh(*directory_, clustered.mesh, 0, false);
   directory_->commit();
 }
 

@@ -31,7 +31,7 @@ class SimplifyCheckpoint {
   // Whether the input was read, and its mesh is here.
   [[nodiscard]] bool has_mesh() const;
   Clustered load(Job& job, std::uint64_t memory, SimplifyReport& report) const;
-  void save(Job& job, Clustered& clustered, SimplifyReport& report);
+  void save(Job& job, const Clustered& clustered, SimplifyReport& report);
 
   // Whether the output is whole and under its name. Then the report is too.
   bool is_written(const std::string& output, SimplifyReport& report) const;

@@ -70,7 +70,7 @@ struct EncodedBlock {
 
 // Of one thread.
 struct Readers {
-  Readers(const ClusteredMesh& mesh, const MeshShape& shape) : vertices(*mesh.vertices) {
+  Readers(const StoredMesh& mesh, const MeshShape& shape) : vertices(*mesh.vertices) {
     if (!shape.attributes.empty())
       attributes.emplace(*mesh.attributes, shape.attributes.size() * sizeof(double));
   }
@@ -86,7 +86,7 @@ Reservation reserve_block(Job& job, const MeshEncoder& encoder, bool attributes)
   return job.budget.reserve(memory_of_block(attributes), "packing the output");
 }
 
-void write_blocks(Job& job, const ClusteredMesh& mesh, const MeshShape& shape,
+void write_blocks(Job& job, const StoredMesh& mesh, const MeshShape& shape,
                   const BlockEncoder& encoder, ByteSink& sink) {
   // Two blocks a thread keep all busy; fewer do where the budget is small.
   std::vector<Reservation> reservations;

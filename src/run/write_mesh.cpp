@@ -77,7 +77,7 @@ MeshVertex finished(const IndexedVertex& vertex) {
   return out;
 }
 
-std::vector<std::uint32_t> faces_of(const ClusteredMesh& mesh, std::uint64_t first,
+std::vector<std::uint32_t> faces_of(const StoredMesh& mesh, std::uint64_t first,
                                     std::size_t count) {
   constexpr std::size_t size = 3 * sizeof(std::uint32_t);
   std::vector<std::uint32_t> numbers(3 * count);
@@ -90,7 +90,7 @@ bool writes_doubles(const Encoding& encoding, bool input) {
                                                    : encoding.positions == Positions::doubles;
 }
 
-MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encoder, bool normals,
+MeshShape shape_of(Job& job, const StoredMesh& mesh, const MeshEncoder& encoder, bool normals,
                    bool double_positions, bool exact, std::string comment) {
   MeshShape shape{mesh.vertices->size(), mesh.face_count, normals, double_positions,
                   std::move(comment)};
@@ -106,7 +106,7 @@ MeshShape shape_of(Job& job, const ClusteredMesh& mesh, const MeshEncoder& encod
   return shape;
 }
 
-FinishedVertices finished_vertices(const ClusteredMesh& mesh, const MeshShape& shape,
+FinishedVertices finished_vertices(const StoredMesh& mesh, const MeshShape& shape,
                                    std::uint64_t first, std::size_t count) {
   const std::vector<IndexedVertex> indexed =
       read_records<IndexedVertex>(mesh.vertices->records(), first, count);
@@ -125,7 +125,7 @@ FinishedVertices finished_vertices(const ClusteredMesh& mesh, const MeshShape& s
   return out;
 }
 
-void write_mesh(Job& job, const ClusteredMesh& mesh, const MeshShape& shape,
+void write_mesh(Job& job, const StoredMesh& mesh, const MeshShape& shape,
                 const MeshEncoder& encoder, ByteSink& sink) {
   if (encoder.blocks() != nullptr) return write_blocks(job, mesh, shape, *encoder.blocks(), sink);
   const std::string header = encoder.header(shape);

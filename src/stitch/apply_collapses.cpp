@@ -62,8 +62,6 @@ CollapsedMesh collapse_tiles(const Tiles& tiles, const Collapse& collapse) {
         output.append(std::move(collapsed.rest));
       });
   out.whole = output.finish(tiles.tiling(), tiles.incoming().hubs());
-  out.whole.mesh.cells = tiles.whole().mesh.cells;
-  out.whole.mesh.fused = tiles.whole().mesh.fused;
   return out;
 }
 

@@ -9,7 +9,7 @@
 namespace winnow {
 
 struct CollapsedMesh {
-  RefinedMesh whole;
+  StoredMesh whole;
   std::uint64_t collapses = 0;
   double largest_error = 0;
   TopologyChanges changes;

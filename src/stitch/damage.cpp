@@ -267,13 +267,13 @@ std::uint64_t memory_of(std::uint64_t vertices, std::uint64_t faces) {
 
 }  // namespace
 
-std::optional<Damage> find_damage(Job& job, const RefinedMesh& whole, std::uint64_t most,
+std::optional<Damage> find_damage(Job& job, const ClusteredMesh& whole, std::uint64_t most,
                                   double reach, std::uint64_t memory) {
-  if (whole.mesh.several != nullptr && record_count<FusedFace>(*whole.mesh.several) > most)
+  if (whole.several != nullptr && record_count<FusedFace>(*whole.several) > most)
     return std::nullopt;
-  FallenFaces fallen(job, whole.mesh);
-  const Tiling tiling(whole.mesh, damage_tile_faces);
-  const IncomingFaces incoming(job, whole.mesh, tiling, memory, damage_hub_faces);
+  FallenFaces fallen(job, whole);
+  const Tiling tiling(whole, damage_tile_faces);
+  const IncomingFaces incoming(job, whole, tiling, memory, damage_hub_faces);
   const std::uint64_t largest = largest_tile(tiling, incoming, memory_of);
   const std::uint64_t at_once = std::clamp<std::uint64_t>(memory / largest, 1, job.threads);
   const Reservation reserved = job.budget.reserve(at_once * largest, "looking at a tile");

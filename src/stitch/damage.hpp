@@ -26,7 +26,7 @@ struct Damage {
 // Nothing where more than `most` vertices are to be told, or more faces fell together. `reach`: a
 // vertex farther from the edge that stays of its only fold is damaged. `memory`: for tiles at work,
 // and as much again for sorting.
-std::optional<Damage> find_damage(Job& job, const RefinedMesh& whole, std::uint64_t most,
+std::optional<Damage> find_damage(Job& job, const ClusteredMesh& whole, std::uint64_t most,
                                   double reach, std::uint64_t memory);
 
 }  // namespace winnow

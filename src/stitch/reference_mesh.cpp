@@ -43,7 +43,7 @@ void add(Extent& extent, const Extent& more) {
 
 // each(triangle) for some faces.
 template <typename Each>
-void for_each_face(const ClusteredMesh& mesh, VertexIndex::Reader& vertices, std::uint64_t first,
+void for_each_face(const StoredMesh& mesh, VertexIndex::Reader& vertices, std::uint64_t first,
                    std::uint64_t count, const Each& each) {
   for (const auto& [a, b, c] : read_records<FaceVertices>(*mesh.faces, first, count))
     each(Triangle{vertices.position(a), vertices.position(b), vertices.position(c)});
@@ -58,7 +58,7 @@ struct Group {
 
 }  // namespace
 
-ReferenceMesh::ReferenceMesh(Job& job, const ClusteredMesh& mesh, std::uint64_t memory)
+ReferenceMesh::ReferenceMesh(Job& job, const StoredMesh& mesh, std::uint64_t memory)
     : job_(job),
       mesh_(mesh),
       boxes_(job, memory),

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/box.hpp"
-#include "cluster/clusterer.hpp"
 #include "decimate/unfold.hpp"
 #include "io/recent_blocks.hpp"
+#include "mesh/stored_mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@ class ReferenceMesh {
 
   // `mesh` must stay. Uses at most `memory` for the boxes of blocks, and scratch for the rest of
   // them.
-  ReferenceMesh(Job& job, const ClusteredMesh& mesh, std::uint64_t memory);
+  ReferenceMesh(Job& job, const StoredMesh& mesh, std::uint64_t memory);
 
   // For one thread. Gives no faces for a place if more than most_faces() might be near, and none
   // any more when it has looked at so many faces.
@@ -57,7 +57,7 @@ class ReferenceMesh {
 
  private:
   Job& job_;
-  const ClusteredMesh& mesh_;
+  const StoredMesh& mesh_;
   Spool boxes_;  // of blocks
   Reservation reserved_;
   std::vector<std::vector<Extent>> levels_;  // of groups of blocks, of groups of those and so on

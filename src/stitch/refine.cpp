@@ -1,10 +1,10 @@
 #include "stitch/refine.hpp"
 
+#include "mesh/saved_mesh.hpp"
 #include "stitch/apply_collapses.hpp"
 #include "stitch/blocked_faces.hpp"
 #include "stitch/choose_collapses.hpp"
 #include "stitch/reorder.hpp"
-#include "stitch/saved_mesh.hpp"
 #include "stitch/saved_rounds.hpp"
 #include "stitch/tiles.hpp"
 #include "stitch/unfolded_tile.hpp"
@@ -25,20 +25,20 @@ class Refiner {
           CheckpointDirectory* checkpoint)
       : job_(job), settings_(std::move(settings)), memory_(memory), checkpoint_(checkpoint) {}
 
-  Refined run(RefinedMesh whole) {
+  Refined run(StoredMesh whole) {
     if (checkpoint_ != nullptr && holds_rounds(checkpoint_->manifest())) {
       state_ = load_rounds(checkpoint_->manifest());
       settings_.decimation.boundaries_known = true;
     }
     while (!state_.done) whole = round(std::move(whole));
-    ClusteredMesh mesh = unfolded(std::move(whole));
+    StoredMesh mesh = unfolded(std::move(whole));
     return {std::move(mesh), state_.report};
   }
 
  private:
-  RefinedMesh round(RefinedMesh whole) {
+  StoredMesh round(StoredMesh whole) {
     RefineReport& report = state_.report;
-    const std::uint64_t before = whole.mesh.face_count;
+    const std::uint64_t before = whole.face_count;
     ++report.rounds;
     bool one_tile = false;
     {
@@ -49,15 +49,15 @@ class Refiner {
       report.collapses += collapsed.collapses;
       report.largest_error = std::max(report.largest_error, collapsed.largest_error);
       report.changes.add(collapsed.changes);
-      if (report.rounds == 1) keep_reference(whole.mesh);
+      if (report.rounds == 1) keep_reference(whole);
       whole = std::move(collapsed.whole);
     }
     settings_.decimation.boundaries_known = true;
-    state_.done = whole.mesh.face_count <= settings_.faces;
+    state_.done = whole.face_count <= settings_.faces;
     if (!state_.done) {
       // One tile has no borders that kept anything. Of several, two rounds that hardly helped say
       // that no other will: one for each way in which the tiles lie.
-      if (before - whole.mesh.face_count <= before / 1000) ++state_.idle;
+      if (before - whole.face_count <= before / 1000) ++state_.idle;
       state_.done = one_tile || state_.idle > 1;
       if (state_.done) {
         find_reasons(whole);
@@ -79,7 +79,7 @@ class Refiner {
     const bool all = settings_.faces == 0;
     if (tiles.count() == 1 || (all && checkpoint_ == nullptr)) {
       CollapsedMesh collapsed = collapse_all(tiles, report.rounds, state_.prices.dearest_allowed);
-      if (collapsed.whole.mesh.face_count <= settings_.faces || !chooser.find_dearest_allowed())
+      if (collapsed.whole.face_count <= settings_.faces || !chooser.find_dearest_allowed())
         return collapsed;
       return collapse_all(tiles, report.rounds, state_.prices.dearest_allowed);
     }
@@ -88,7 +88,7 @@ class Refiner {
     return collapse_chosen(tiles, chosen);
   }
 
-  void find_reasons(const RefinedMesh& whole) {
+  void find_reasons(const StoredMesh& whole) {
     RefineReport& report = state_.report;
     report.stopped_by = StoppedBy::error;
     if (settings_.decimation.error) return;
@@ -104,14 +104,14 @@ class Refiner {
   }
 
   // A checkpoint keeps it by itself.
-  void keep_reference(ClusteredMesh& mesh) {
+  void keep_reference(StoredMesh& mesh) {
     if (checkpoint_ != nullptr || !settings_.unfolds()) return;
     reference_.vertices = std::move(mesh.vertices);
     reference_.faces = std::move(mesh.faces);
     reference_.face_count = mesh.face_count;
   }
 
-  void keep(const RefinedMesh& whole) {
+  void keep(const StoredMesh& whole) {
     if (checkpoint_ == nullptr) return;
     job_.progress.begin("keep", 0, "bytes");
     save_mesh(*checkpoint_, whole, state_.report.rounds, settings_.unfolds());
@@ -120,14 +120,14 @@ class Refiner {
   }
 
   // The mesh as it is written: no round goes on from it.
-  ClusteredMesh unfolded(RefinedMesh whole) {
-    if (!settings_.unfolds() || state_.report.collapses == 0 || whole.mesh.face_count == 0)
-      return std::move(whole.mesh);
-    job_.progress.begin("unfold", whole.mesh.face_count, "faces");
+  StoredMesh unfolded(StoredMesh whole) {
+    if (!settings_.unfolds() || state_.report.collapses == 0 || whole.face_count == 0)
+      return whole;
+    job_.progress.begin("unfold", whole.face_count, "faces");
     whole.state.reset();
     if (checkpoint_ != nullptr) reference_ = load_reference(job_, *checkpoint_, memory_.mesh);
     const ReferenceMesh reference(job_, reference_, memory_.lists / 4);
-    const std::uint64_t ratio = reference_.face_count / whole.mesh.face_count;
+    const std::uint64_t ratio = reference_.face_count / whole.face_count;
     auto vertices = std::make_unique<VertexIndex>(job_, memory_.mesh);
     {
       const Tiles tiles(job_, whole, settings_, memory_);
@@ -142,8 +142,8 @@ class Refiner {
           [&](std::size_t, const std::vector<IndexedVertex>& moved) { vertices->append(moved); });
     }
     vertices->finish();
-    whole.mesh.vertices = std::move(vertices);
-    return std::move(whole.mesh);
+    whole.vertices = std::move(vertices);
+    return whole;
   }
 
   Job& job_;
@@ -151,12 +151,12 @@ class Refiner {
   RefineMemory memory_;
   CheckpointDirectory* checkpoint_;
   RoundsState state_;
-  ClusteredMesh reference_;  // vertices and faces of the mesh that the first round began with
+  StoredMesh reference_;  // vertices and faces of the mesh that the first round began with
 };
 
 }  // namespace
 
-Refined refine(Job& job, RefinedMesh whole, const RefineSettings& settings,
+Refined refine(Job& job, StoredMesh whole, const RefineSettings& settings,
                const RefineMemory& memory, CheckpointDirectory* checkpoint) {
   return Refiner(job, settings, memory, checkpoint).run(std::move(whole));
 }

@@ -10,7 +10,7 @@
 namespace winnow {
 
 struct Refined {
-  ClusteredMesh mesh;
+  StoredMesh mesh;
   RefineReport report;
 };
 
@@ -19,7 +19,7 @@ struct Refined {
 // With a checkpoint, every round and every tile that is done is kept in it, and at the end the
 // result. Where it holds some already, `whole` has to be the mesh in it, and what is done is not
 // done again; report.tiles_before says how much.
-Refined refine(Job& job, RefinedMesh whole, const RefineSettings& settings,
+Refined refine(Job& job, StoredMesh whole, const RefineSettings& settings,
                const RefineMemory& memory, CheckpointDirectory* checkpoint = nullptr);
 
 }  // namespace winnow

@@ -1,7 +1,7 @@
 #include "stitch/refine_settings.hpp"
 
-#include "cluster/vertex_index.hpp"
 #include "decimate/carried_values.hpp"
+#include "mesh/vertex_index.hpp"
 #include "stitch/collapse_log.hpp"
 #include "stitch/tile.hpp"
 #include "stitch/unfolded_tile.hpp"

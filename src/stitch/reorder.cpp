@@ -3,7 +3,7 @@
 #include "io/recent_blocks.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
-#include "stitch/ordered_face.hpp"
+#include "mesh/ordered_face.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,25 +45,22 @@ struct Renumbered {
 
 }  // namespace
 
-RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_size,
-                    std::size_t attributes, std::uint64_t list_memory, std::uint64_t mesh_memory) {
+StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::size_t state_size,
+                   std::size_t attributes, std::uint64_t list_memory, std::uint64_t mesh_memory) {
   const Reservation reserved = job.budget.reserve(list_memory, "sorting");
-  const std::uint64_t vertices = whole.mesh.vertices->size();
+  const std::uint64_t vertices = whole.vertices->size();
   const std::size_t bytes = attributes * sizeof(double);
-  RefinedMesh out;
-  out.mesh.cells = whole.mesh.cells;
-  out.mesh.fused = whole.mesh.fused;
-  out.mesh.turned = whole.mesh.turned;
-  out.mesh.face_count = whole.mesh.face_count;
-  out.mesh.vertices = std::make_unique<VertexIndex>(job, mesh_memory / 3);
+  StoredMesh out;
+  out.face_count = whole.face_count;
+  out.vertices = std::make_unique<VertexIndex>(job, mesh_memory / 3);
   std::uint64_t left = mesh_memory / 3;
   if (attributes > 0) {
     const std::uint64_t share = left / (state_size + bytes) * bytes;
-    out.mesh.attributes = std::make_unique<Spool>(job, share);
+    out.attributes = std::make_unique<Spool>(job, share);
     left -= share;
   }
   if (whole.state != nullptr) out.state = std::make_unique<Spool>(job, left);
-  out.mesh.faces = std::make_unique<Spool>(job, mesh_memory / 3);
+  out.faces = std::make_unique<Spool>(job, mesh_memory / 3);
   Spool numbers(job, list_memory / 2);  // the new number of each vertex
   {
     SortedRuns<Renumbered> renumbered_runs(job);
@@ -71,15 +68,15 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
     {
       SortedRuns<Moved> runs(job);
       SortedList<Moved> list(job, list_memory / 2, runs);
-      VertexIndex::Reader reader(*whole.mesh.vertices);
+      VertexIndex::Reader reader(*whole.vertices);
       for (std::uint32_t v = 0; v < vertices; ++v)
         list.add({shifted(reader.at(v).key, back), v, 0});
       list.sort();
       MergedCursor<Moved> merged = merge<Moved>({&list}, runs);
-      Appender<IndexedVertex, VertexIndex> append(job, *out.mesh.vertices);
+      Appender<IndexedVertex, VertexIndex> append(job, *out.vertices);
       std::optional<RecentBlocks> state, carried;
       if (out.state != nullptr) state.emplace(*whole.state, state_size);
-      if (attributes > 0) carried.emplace(*whole.mesh.attributes, bytes);
+      if (attributes > 0) carried.emplace(*whole.attributes, bytes);
       std::uint32_t number = 0;
       for (Moved moved{}; merged.next(moved); ++number) {
         renumbered.add({moved.old_number, number});
@@ -87,7 +84,7 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
         vertex.key = moved.key;
         append.add(vertex);
         if (state) out.state->append(state->record(moved.old_number));
-        if (carried) out.mesh.attributes->append(carried->record(moved.old_number));
+        if (carried) out.attributes->append(carried->record(moved.old_number));
       }
       append.flush();
     }
@@ -98,28 +95,28 @@ RefinedMesh reorder(Job& job, RefinedMesh whole, bool back, std::size_t state_si
     append.flush();
     numbers.finish();
   }
-  out.mesh.vertices->finish();
+  out.vertices->finish();
   if (out.state != nullptr) out.state->finish();
-  if (attributes > 0) out.mesh.attributes->finish();
-  whole.mesh.vertices.reset();
-  whole.mesh.attributes.reset();
+  if (attributes > 0) out.attributes->finish();
+  whole.vertices.reset();
+  whole.attributes.reset();
   whole.state.reset();
 
   SortedRuns<OrderedFace> runs(job);
   SortedList<OrderedFace> list(job, list_memory / 2, runs);
-  SpoolCursor<FaceVertices> faces(job, *whole.mesh.faces);
+  SpoolCursor<FaceVertices> faces(job, *whole.faces);
   RecentBlocks new_numbers(numbers, sizeof(std::uint32_t));
   for (FaceVertices face{}; faces.next(face);) {
     for (std::uint32_t& v : face) v = new_numbers.at<std::uint32_t>(v);
     list.add({lowest_first(face)});
   }
-  whole.mesh.faces.reset();
+  whole.faces.reset();
   list.sort();
   MergedCursor<OrderedFace> merged = merge<OrderedFace>({&list}, runs);
-  Appender<OrderedFace> append(job, *out.mesh.faces);
+  Appender<OrderedFace> append(job, *out.faces);
   for (OrderedFace face{}; merged.next(face);) append.add(face);
   append.flush();
-  out.mesh.faces->finish();
+  out.faces->finish();
   return out;
 }
 

@@ -2,7 +2,7 @@
 
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
-#include "stitch/ordered_face.hpp"
+#include "mesh/ordered_face.hpp"
 
 #include <algorithm>
 #include <array>
@@ -84,12 +84,12 @@ RoundOutput::RoundOutput(Job& job, std::size_t state_size, std::size_t attribute
       seam_faces_(job, memory / 32),
       hub_faces_(job, memory / 32),
       named_(job, memory / 32) {
-  out_.mesh.vertices = std::make_unique<VertexIndex>(job, memory / 4);
+  out_.vertices = std::make_unique<VertexIndex>(job, memory / 4);
   std::uint64_t left = memory / 4;
   if (attributes > 0) {
     const std::uint64_t bytes = attributes * sizeof(double);
     const std::uint64_t share = left / (state_size + bytes) * bytes;
-    out_.mesh.attributes = std::make_unique<Spool>(job, share);
+    out_.attributes = std::make_unique<Spool>(job, share);
     left -= share;
   }
   if (state_size > 0) out_.state = std::make_unique<Spool>(job, left);
@@ -107,11 +107,11 @@ void RoundOutput::append(TileResult rest) {
       }
     }
   }
-  out_.mesh.vertices->append(rest.vertices);
+  out_.vertices->append(rest.vertices);
   if (out_.state != nullptr) out_.state->append(rest.state);
-  if (out_.mesh.attributes != nullptr)
-    out_.mesh.attributes->append(std::as_bytes(std::span(rest.attributes)));
-  out_.mesh.face_count += rest.faces.size() + rest.seam_faces.size() + rest.hub_faces.size();
+  if (out_.attributes != nullptr)
+    out_.attributes->append(std::as_bytes(std::span(rest.attributes)));
+  out_.face_count += rest.faces.size() + rest.seam_faces.size() + rest.hub_faces.size();
   append_records<FaceVertices>(faces_, rest.faces);
   append_records<SeamFace>(seam_faces_, rest.seam_faces);
   append_records<SeamFace>(hub_faces_, rest.hub_faces);
@@ -141,9 +141,9 @@ std::uint32_t RoundOutput::new_number(const Tiling& tiling, RecentBlocks& named,
 
 void RoundOutput::set_normals(const std::map<std::uint32_t, Point>& normals) {
   const std::unique_ptr<VertexIndex> before =
-      std::exchange(out_.mesh.vertices, std::make_unique<VertexIndex>(job_, memory_ / 32));
+      std::exchange(out_.vertices, std::make_unique<VertexIndex>(job_, memory_ / 32));
   SpoolCursor<IndexedVertex> vertices(job_, before->records());
-  Appender<IndexedVertex, VertexIndex> append(job_, *out_.mesh.vertices);
+  Appender<IndexedVertex, VertexIndex> append(job_, *out_.vertices);
   std::uint32_t number = 0;
   for (IndexedVertex vertex; vertices.next(vertex); ++number) {
     const auto found = normals.find(number);
@@ -151,13 +151,13 @@ void RoundOutput::set_normals(const std::map<std::uint32_t, Point>& normals) {
     append.add(vertex);
   }
   append.flush();
-  out_.mesh.vertices->finish();
+  out_.vertices->finish();
 }
 
-RefinedMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs) {
-  out_.mesh.vertices->finish();
+StoredMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs) {
+  out_.vertices->finish();
   if (out_.state != nullptr) out_.state->finish();
-  if (out_.mesh.attributes != nullptr) out_.mesh.attributes->finish();
+  if (out_.attributes != nullptr) out_.attributes->finish();
   faces_.finish();
   seam_faces_.finish();
   hub_faces_.finish();
@@ -175,7 +175,7 @@ RefinedMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uin
   SortedRuns<OrderedFace> runs(job_);
   SortedList<OrderedFace> list(job_, memory_ / 32, runs);
   SpoolCursor<SeamFace> at_hubs(job_, hub_faces_);
-  VertexIndex::Reader vertices(*out_.mesh.vertices);
+  VertexIndex::Reader vertices(*out_.vertices);
   for (SeamFace face{}; at_hubs.next(face);) {
     const FaceVertices corners = lowest_first(renumbered(face));
     list.add({corners});
@@ -190,7 +190,7 @@ RefinedMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uin
   MergedCursor<OrderedFace> hub_faces = merge<OrderedFace>({&list}, runs);
 
   // All kinds of faces are in the order of their lowest vertices.
-  out_.mesh.faces = std::make_unique<Spool>(job_, memory_ / 4);
+  out_.faces = std::make_unique<Spool>(job_, memory_ / 4);
   SpoolCursor<FaceVertices> inner(job_, faces_);
   SpoolCursor<SeamFace> seams(job_, seam_faces_);
   constexpr FaceVertices none{no_number, no_number, no_number};
@@ -207,7 +207,7 @@ RefinedMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uin
     return hub_faces.next(face) ? face.vertices : none;
   };
   std::array<FaceVertices, 3> next{next_inner(), next_seam(), next_at_hub()};
-  Appender<FaceVertices> append(job_, *out_.mesh.faces);
+  Appender<FaceVertices> append(job_, *out_.faces);
   for (;;) {
     std::size_t first = 0;
     for (std::size_t i = 1; i < 3; ++i) {
@@ -218,7 +218,7 @@ RefinedMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uin
     next[first] = first == 0 ? next_inner() : first == 1 ? next_seam() : next_at_hub();
   }
   append.flush();
-  out_.mesh.faces->finish();
+  out_.faces->finish();
   if (!hubs.empty()) set_normals(normals);
   return std::move(out_);
 }

@@ -54,7 +54,7 @@ class RoundOutput {
 
   // `tiling`: that of the tiles; `hubs`: IncomingFaces::hubs(). A hub that has lost all its faces
   // is left.
-  RefinedMesh finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs);
+  StoredMesh finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs);
 
  private:
   void set_normals(const std::map<std::uint32_t, Point>& normals);
@@ -63,7 +63,7 @@ class RoundOutput {
 
   Job& job_;
   std::uint64_t memory_;
-  RefinedMesh out_;
+  StoredMesh out_;
   Spool faces_, seam_faces_, hub_faces_, named_;
   std::vector<std::uint64_t> first_vertex_{0}, first_named_{0};
 };

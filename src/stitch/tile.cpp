@@ -36,8 +36,7 @@ std::uint32_t incoming_list(std::size_t tile) {
 
 // each(face) for the faces with corners in several tiles.
 template <typename Each>
-void for_each_seam_face(Job& job, const ClusteredMesh& mesh, const Tiling& tiling,
-                        const Each& each) {
+void for_each_seam_face(Job& job, const StoredMesh& mesh, const Tiling& tiling, const Each& each) {
   std::size_t tile = 0;  // of the lowest vertices, which come in order
   SpoolCursor<FaceVertices> faces(job, *mesh.faces);
   for (FaceVertices face{}; faces.next(face);) {
@@ -49,7 +48,7 @@ void for_each_seam_face(Job& job, const ClusteredMesh& mesh, const Tiling& tilin
 
 }  // namespace
 
-IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& tiling,
+IncomingFaces::IncomingFaces(Job& job, const StoredMesh& mesh, const Tiling& tiling,
                              std::uint64_t memory, std::uint64_t hub_faces)
     : faces_(job, memory / 2), first_(2 * tiling.tiles() + 1, 0) {
   if (tiling.tiles() == 1) {
@@ -91,7 +90,7 @@ IncomingFaces::IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& 
 
 // Counts by hashes first, as there may be more vertices than memory has room for: few are worth a
 // count of their own.
-void IncomingFaces::find_hubs(Job& job, const ClusteredMesh& mesh, const Tiling& tiling,
+void IncomingFaces::find_hubs(Job& job, const StoredMesh& mesh, const Tiling& tiling,
                               std::uint64_t hub_faces) {
   constexpr std::uint64_t least_counts = std::uint64_t{1} << 12;
   const std::uint64_t counts = std::bit_ceil(std::max(least_counts, mesh.face_count / hub_faces));
@@ -188,23 +187,23 @@ void lock_shared(Tile& tile, const IncomingFaces& incoming) {
 
 }  // namespace
 
-Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
+Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                std::size_t number, std::size_t state_size, std::size_t attributes) {
   Tile tile;
   tile.first_vertex = tiling.first_vertex(number);
   const std::uint64_t end = tiling.first_vertex(number + 1);
   tile.own_vertices = static_cast<VertexNumber>(end - tile.first_vertex);
   const std::uint64_t first_face = tiling.first_face(number);
-  tile.vertices = read_records<IndexedVertex>(whole.mesh.vertices->records(), tile.first_vertex,
-                                              tile.own_vertices);
+  tile.vertices =
+      read_records<IndexedVertex>(whole.vertices->records(), tile.first_vertex, tile.own_vertices);
   const std::uint64_t end_face = tiling.first_face(number + 1);
   if (incoming.hubs().empty()) {
-    tile.faces = read_records<FaceVertices>(*whole.mesh.faces, first_face, end_face - first_face);
+    tile.faces = read_records<FaceVertices>(*whole.faces, first_face, end_face - first_face);
   } else {
     // A hub may have more faces than a tile has room for, most of them in other tiles.
     for (std::uint64_t at = first_face; at < end_face; at += chunk_records) {
       const std::uint64_t count = std::min<std::uint64_t>(chunk_records, end_face - at);
-      for (const FaceVertices& face : read_records<FaceVertices>(*whole.mesh.faces, at, count)) {
+      for (const FaceVertices& face : read_records<FaceVertices>(*whole.faces, at, count)) {
         if (!incoming.is_hub(face[0]) || incoming.home(face, tiling) == number)
           tile.faces.push_back(face);
       }
@@ -237,7 +236,7 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
   tile.positions.reserve(vertices);
   for (const IndexedVertex& vertex : tile.vertices) tile.positions.push_back(vertex.position);
   if (!tile.others.empty()) {
-    VertexIndex::Reader reader(*whole.mesh.vertices);
+    VertexIndex::Reader reader(*whole.vertices);
     for (const std::uint32_t v : tile.others) tile.positions.push_back(reader.at(v).position);
   }
   if (whole.state != nullptr) {
@@ -246,7 +245,7 @@ Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFac
                       std::span(tile.state).first(std::size_t{tile.own_vertices} * state_size));
   }
   if (attributes > 0) {
-    tile.attributes = read_records<double>(*whole.mesh.attributes, tile.first_vertex * attributes,
+    tile.attributes = read_records<double>(*whole.attributes, tile.first_vertex * attributes,
                                            std::uint64_t{tile.own_vertices} * attributes);
   }
   return tile;

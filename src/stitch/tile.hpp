@@ -1,9 +1,9 @@
 // One tile in memory: its own vertices, all faces that touch one, and the other corners of those.
 #pragma once
 
-#include "cluster/clusterer.hpp"
 #include "decimate/carried_values.hpp"
 #include "decimate/tile_mesh.hpp"
+#include "mesh/stored_mesh.hpp"
 #include "stitch/tiling.hpp"
 
 #include <algorithm>
@@ -12,13 +12,6 @@
 #include <vector>
 
 namespace winnow {
-
-// A mesh between two rounds: clustered or welded, then smaller and smaller.
-struct RefinedMesh {
-  ClusteredMesh mesh;
-  std::unique_ptr<Spool>
-      state;  // Decimation::state_size() bytes a vertex; none where nothing was collapsed
-};
 
 // Which faces a tile has beside those whose lowest vertex is its own.
 //
@@ -30,7 +23,7 @@ struct RefinedMesh {
 class IncomingFaces {
  public:
   // `hub_faces`: a vertex with more faces across tiles is a hub.
-  IncomingFaces(Job& job, const ClusteredMesh& mesh, const Tiling& tiling, std::uint64_t memory,
+  IncomingFaces(Job& job, const StoredMesh& mesh, const Tiling& tiling, std::uint64_t memory,
                 std::uint64_t hub_faces);
 
   // The tile's own, of hubs in other tiles.
@@ -58,8 +51,7 @@ class IncomingFaces {
   [[nodiscard]] std::uint64_t seam_faces() const { return seam_faces_; }
 
  private:
-  void find_hubs(Job& job, const ClusteredMesh& mesh, const Tiling& tiling,
-                 std::uint64_t hub_faces);
+  void find_hubs(Job& job, const StoredMesh& mesh, const Tiling& tiling, std::uint64_t hub_faces);
   [[nodiscard]] std::vector<FaceVertices> read(std::size_t list) const;
 
   Spool faces_;
@@ -104,7 +96,7 @@ std::uint64_t largest_tile(const Tiling& tiling, const IncomingFaces& incoming,
   return largest;
 }
 
-Tile load_tile(const RefinedMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
+Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                std::size_t number, std::size_t state_size, std::size_t attributes);
 
 // What the tile's own vertices carry.

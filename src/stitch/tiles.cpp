@@ -11,14 +11,14 @@ constexpr std::uint64_t largest_tiles = 64;
 
 }  // namespace
 
-Tiles::Tiles(Job& job, const RefinedMesh& whole, const RefineSettings& settings,
+Tiles::Tiles(Job& job, const StoredMesh& whole, const RefineSettings& settings,
              const RefineMemory& memory)
     : job_(job), whole_(whole), settings_(settings), memory_(memory), cut_(cut()) {}
 
 // Where most faces are longer than tiles, as those of a tube without rings, nothing could go: such
 // a mesh gets larger tiles.
 Tiles::Cut Tiles::cut() const {
-  const ClusteredMesh& mesh = whole_.mesh;
+  const StoredMesh& mesh = whole_;
   for (std::uint64_t tile_faces = settings_.tile_faces;; tile_faces *= 8) {
     Tiling tiling(mesh, tile_faces);
     IncomingFaces incoming(job_, mesh, tiling, memory_.lists, settings_.hub_faces);

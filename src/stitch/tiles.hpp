@@ -15,14 +15,14 @@ namespace winnow {
 class Tiles {
  public:
   // `whole` and `settings` must stay.
-  Tiles(Job& job, const RefinedMesh& whole, const RefineSettings& settings,
+  Tiles(Job& job, const StoredMesh& whole, const RefineSettings& settings,
         const RefineMemory& memory);
 
   [[nodiscard]] Job& job() const { return job_; }
   [[nodiscard]] const RefineSettings& settings() const { return settings_; }
   [[nodiscard]] const RefineMemory& memory() const { return memory_; }
-  [[nodiscard]] const RefinedMesh& whole() const { return whole_; }
-  [[nodiscard]] std::uint64_t faces() const { return whole_.mesh.face_count; }
+  [[nodiscard]] const StoredMesh& whole() const { return whole_; }
+  [[nodiscard]] std::uint64_t faces() const { return whole_.face_count; }
   [[nodiscard]] std::size_t count() const { return cut_.tiling.tiles(); }
   [[nodiscard]] const Tiling& tiling() const { return cut_.tiling; }
   [[nodiscard]] const IncomingFaces& incoming() const { return cut_.incoming; }
@@ -66,7 +66,7 @@ class Tiles {
   [[nodiscard]] AtOnce reserve() const;
 
   Job& job_;
-  const RefinedMesh& whole_;
+  const StoredMesh& whole_;
   const RefineSettings& settings_;
   RefineMemory memory_;
   Cut cut_;

@@ -14,7 +14,7 @@ struct Place {
 
 class Cutter {
  public:
-  Cutter(const ClusteredMesh& mesh, std::uint64_t most)
+  Cutter(const StoredMesh& mesh, std::uint64_t most)
       : mesh_(mesh), vertices_(*mesh.vertices), most_(most) {}
 
   // Cuts the keys from `low`, 3 * `level` bits of them, and writes where the tiles end.
@@ -72,14 +72,14 @@ class Cutter {
     return low;
   }
 
-  const ClusteredMesh& mesh_;
+  const StoredMesh& mesh_;
   VertexIndex::Reader vertices_;
   std::uint64_t most_;
 };
 
 }  // namespace
 
-Tiling::Tiling(const ClusteredMesh& mesh, std::uint64_t tile_faces)
+Tiling::Tiling(const StoredMesh& mesh, std::uint64_t tile_faces)
     : first_vertex_{0}, first_face_{0} {
   std::vector<Place> ends;
   Cutter(mesh, tile_faces).cut(0, axis_bits, {}, {mesh.vertices->size(), mesh.face_count}, ends);

@@ -1,7 +1,7 @@
 // A mesh cut into tiles: ranges of its vertices, each under one prefix of their Morton keys.
 #pragma once
 
-#include "cluster/clusterer.hpp"
+#include "mesh/stored_mesh.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@ class Tiling {
   // Tiles of at most `tile_faces` faces and as many vertices: eighths of the lattice are cut into
   // eighths until they are small enough, and neighbours under one prefix joined while they are.
   // Only vertices that share one key cannot be told apart.
-  Tiling(const ClusteredMesh& mesh, std::uint64_t tile_faces);
+  Tiling(const StoredMesh& mesh, std::uint64_t tile_faces);
 
   [[nodiscard]] std::size_t tiles() const { return first_vertex_.size() - 1; }
   [[nodiscard]] std::uint64_t first_vertex(std::size_t tile) const { return first_vertex_[tile]; }

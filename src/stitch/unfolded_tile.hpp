@@ -1,7 +1,7 @@
 // One tile in the last step of refinement: flipped faces are turned over.
 #pragma once
 
-#include "cluster/vertex_index.hpp"
+#include "mesh/vertex_index.hpp"
 #include "stitch/reference_mesh.hpp"
 #include "stitch/tile.hpp"
 

@@ -28,7 +28,7 @@ Counted counted(const std::vector<Point>& vertices, const std::vector<CornerNumb
                 std::uint64_t memory = 16 * mebibyte) {
   TestJob test;
   return in_arena(test.job, [&] {
-    ClusteredMesh mesh;
+    StoredMesh mesh;
     mesh.vertices = std::make_unique<VertexIndex>(test.job, 64 * mebibyte);
     for (const Point& p : vertices) {
       IndexedVertex vertex;

@@ -69,9 +69,8 @@ std::vector<FaceVertices> faces_of(const ClusteredMesh& mesh) {
   return faces;
 }
 
-void check_damage(Job& job, ClusteredMesh mesh) {
-  const Sorted right = looked_at(faces_of(mesh));
-  RefinedMesh whole{std::move(mesh), nullptr};
+void check_damage(Job& job, const ClusteredMesh& whole) {
+  const Sorted right = looked_at(faces_of(whole));
   const Damage found = *find_damage(job, whole, UINT64_MAX, 0, std::uint64_t{1} << 26);
   CHECK(std::vector(right.damaged.begin(), right.damaged.end()) == found.vertices);
   CHECK(std::vector(right.at_boundaries.begin(), right.at_boundaries.end()) == found.at_boundaries);
@@ -111,7 +110,7 @@ TEST_CASE("damage is found in several tiles") {
 
 TEST_CASE("a whale has no damage") {
   TestJob test;
-  RefinedMesh whole{welded(test.job, whale()), nullptr};
+  const ClusteredMesh whole = welded(test.job, whale());
   const Damage damage = *find_damage(test.job, whole, 0, 0, std::uint64_t{1} << 26);
   CHECK(damage.vertices.empty());
   CHECK(damage.at_boundaries.empty());

@@ -32,11 +32,11 @@ Looked look_at(const std::vector<Triangle>& faces, double cell) {
   TestJob test;
   ClusterSettings settings = settings_over(faces, cell);
   settings.for_refinement = true;
-  RefinedMesh whole{clustered(test.job, faces, settings), nullptr};
+  const ClusteredMesh whole = clustered(test.job, faces, settings);
   Looked out;
-  out.mesh = plain(whole.mesh);
+  out.mesh = plain(whole);
   out.damage = *find_damage(test.job, whole, UINT64_MAX, cell / 2, std::uint64_t{1} << 26);
-  out.fallen = whole.mesh.several->size() / sizeof(FusedFace);
+  out.fallen = whole.several->size() / sizeof(FusedFace);
   return out;
 }
 

@@ -31,7 +31,7 @@ RefinedPlain refined_rings(const std::vector<Triangle>& faces, const RefineSetti
   TestJob test({.threads = threads});
   const RefineMemory memory =
       small ? RefineMemory{1, 1 << 14, 1 << 16, 1 << 17} : divided(test.job);
-  const Refined refined = refine(test.job, {welded(test.job, faces), nullptr}, settings, memory);
+  const Refined refined = refine(test.job, welded(test.job, faces), settings, memory);
   return {plain(refined.mesh), refined.report};
 }
 

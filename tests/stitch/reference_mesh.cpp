@@ -18,7 +18,7 @@ namespace winnow::test {
 
 namespace {
 
-std::vector<Triangle> triangles_of(const ClusteredMesh& mesh) {
+std::vector<Triangle> triangles_of(const StoredMesh& mesh) {
   VertexIndex::Reader vertices(*mesh.vertices);
   std::vector<Triangle> all;
   for (const auto& [a, b, c] : read_records<FaceVertices>(*mesh.faces, 0, mesh.face_count))
@@ -42,7 +42,7 @@ TEST_CASE("a reference mesh gives the faces near a place, whatever its memory") 
   // More than one group of groups of blocks.
   generate("scan", 1'200'000, scan);
   TestJob test;
-  const ClusteredMesh mesh = welded(test.job, scan);
+  const StoredMesh mesh = welded(test.job, scan);
   const std::vector<Triangle> all = triangles_of(mesh);
   Random random(1);
   for (const std::uint64_t memory : {0, 1 << 20}) {

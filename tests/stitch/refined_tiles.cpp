@@ -117,7 +117,7 @@ TEST_CASE("many tiles of a surface that can become no smaller stop") {
     settings.decimation.keep_pieces = keep;
     TestJob test;
     const auto [left, report] =
-        refine(test.job, {welded(test.job, faces), nullptr}, settings, divided(test.job));
+        refine(test.job, welded(test.job, faces), settings, divided(test.job));
     CHECK(left.face_count == (keep ? 4000 : 8));
     CHECK(report.stopped_by == (keep ? StoppedBy::pieces : StoppedBy::count));
     CHECK(report.blocked.pieces == (keep ? 4000 : 0));

@@ -22,8 +22,8 @@ std::vector<NumberedFace> numbered_faces(const PlainMesh& mesh) {
 }
 
 // Faces within so many rings of the borders between the tiles of the first round.
-std::vector<bool> strip_of(const ClusteredMesh& whole, const PlainMesh& mesh,
-                           std::uint64_t tile_faces, int rings) {
+std::vector<bool> strip_of(const StoredMesh& whole, const PlainMesh& mesh, std::uint64_t tile_faces,
+                           int rings) {
   const Tiling tiling(whole, tile_faces);
   REQUIRE(tiling.tiles() >= 10);
   std::vector<bool> near(mesh.vertices.size(), false);
@@ -93,7 +93,7 @@ TEST_CASE("along the borders of tiles faces are as dense and as near as elsewher
   constexpr std::uint64_t tile_faces = 32'000;
 
   TestJob test;
-  const ClusteredMesh whole = welded(test.job, path);
+  const StoredMesh whole = welded(test.job, path);
   const PlainMesh original = plain(whole);
   // An edge of the result is about as long as three of the original: two of them to either side.
   const std::vector<bool> strip = strip_of(whole, original, tile_faces, 6);

@@ -13,7 +13,7 @@ using namespace test;
 
 namespace {
 
-void check_tiles(const ClusteredMesh& mesh, std::uint64_t most) {
+void check_tiles(const StoredMesh& mesh, std::uint64_t most) {
   CAPTURE(most);
   const PlainMesh lists = plain(mesh);
   const Tiling tiling(mesh, most);
@@ -52,7 +52,7 @@ void check_tiles(const ClusteredMesh& mesh, std::uint64_t most) {
 TEST_CASE("tiles hold every vertex and face once and are small enough") {
   TestJob test;
   for (const std::string& path : {whale(), mountains()}) {
-    const ClusteredMesh mesh = welded(test.job, path);
+    const StoredMesh mesh = welded(test.job, path);
     for (const std::uint64_t most : {50, 500, 7000, 1'000'000}) check_tiles(mesh, most);
     CHECK(Tiling(mesh, 1'000'000).tiles() == 1);
     CHECK(Tiling(mesh, 7000).tiles() >= mesh.face_count / 7000);

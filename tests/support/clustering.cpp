@@ -51,12 +51,17 @@ bool same(const IndexedVertex& a, const IndexedVertex& b) {
 
 }  // namespace
 
-PlainMesh plain(const ClusteredMesh& mesh) {
+PlainMesh plain(const StoredMesh& mesh) {
   PlainMesh out;
   out.vertices.resize(mesh.vertices->size());
   mesh.vertices->records().read(0, std::as_writable_bytes(std::span(out.vertices)));
   out.faces.resize(mesh.face_count);
   mesh.faces->read(0, std::as_writable_bytes(std::span(out.faces)));
+  return out;
+}
+
+PlainMesh plain(const ClusteredMesh& mesh) {
+  PlainMesh out = plain(static_cast<const StoredMesh&>(mesh));
   out.cells = mesh.cells;
   out.turned = mesh.turned;
   out.fused = mesh.fused;

@@ -33,6 +33,8 @@ struct ClusterStyle {
 };
 
 // Vertices and faces of a result; the counts are the caller's.
+PlainMesh plain(const StoredMesh& mesh);
+// With what clustering found.
 PlainMesh plain(const ClusteredMesh& mesh);
 
 // As it leaves the clusterer.

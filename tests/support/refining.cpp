@@ -113,9 +113,8 @@ RefinedPlain refined(const std::string& path, const RefineSettings& settings,
                      const JobSettings& job, const std::optional<RefineMemory>& memory) {
   TestJob test(job);
   return in_arena(test.job, [&] {
-    RefinedMesh whole{welded(test.job, path), nullptr};
     const Refined refined =
-        refine(test.job, std::move(whole), settings, memory.value_or(divided(test.job)));
+        refine(test.job, welded(test.job, path), settings, memory.value_or(divided(test.job)));
     RefinedPlain out{plain(refined.mesh), refined.report};
     out.mesh.spilled = test.job.scratch.written();
     return out;

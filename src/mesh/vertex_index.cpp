@@ -1,4 +1,4 @@
-#include "cluster/vertex_index.hpp"
+#include "mesh/vertex_index.hpp"
 
 #include "base/hash.hpp"
 #include "base/search.hpp"

@@ -1,4 +1,4 @@
-#include "stitch/saved_mesh.hpp"
+#include "mesh/saved_mesh.hpp"
 
 #include "io/spool_records.hpp"
 
@@ -20,7 +20,7 @@ std::string stage_after(std::uint64_t rounds) {
 
 }  // namespace
 
-void save_mesh(CheckpointDirectory& checkpoint, const RefinedMesh& whole, std::uint64_t rounds,
+void save_mesh(CheckpointDirectory& checkpoint, const StoredMesh& whole, std::uint64_t rounds,
                bool keep_first) {
   Manifest& manifest = checkpoint.manifest();
   if (manifest.has(stage_key)) {
@@ -31,43 +31,34 @@ void save_mesh(CheckpointDirectory& checkpoint, const RefinedMesh& whole, std::u
     }
   }
   const std::string stage = stage_after(rounds);
-  checkpoint.save(stage + vertices_part, whole.mesh.vertices->records());
-  checkpoint.save(stage + faces_part, *whole.mesh.faces);
+  checkpoint.save(stage + vertices_part, whole.vertices->records());
+  checkpoint.save(stage + faces_part, *whole.faces);
   if (whole.state != nullptr) checkpoint.save(stage + state_part, *whole.state);
-  if (whole.mesh.attributes != nullptr)
-    checkpoint.save(stage + attributes_part, *whole.mesh.attributes);
+  if (whole.attributes != nullptr) checkpoint.save(stage + attributes_part, *whole.attributes);
   manifest.set(stage_key, stage);
-  manifest.set("mesh.faces", whole.mesh.face_count);
-  manifest.set("mesh.cells", whole.mesh.cells);
-  manifest.set("mesh.turned", whole.mesh.turned);
-  manifest.set("mesh.fused", whole.mesh.fused);
+  manifest.set("mesh.faces", whole.face_count);
 }
 
-RefinedMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
+StoredMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
   const Manifest& manifest = checkpoint.manifest();
   const std::string stage = manifest.text(stage_key);
-  RefinedMesh whole;
+  StoredMesh whole;
   if (checkpoint.has(stage + attributes_part)) {
     memory /= 2;
-    whole.mesh.attributes =
-        std::make_unique<Spool>(checkpoint.load(stage + attributes_part, memory));
+    whole.attributes = std::make_unique<Spool>(checkpoint.load(stage + attributes_part, memory));
   }
-  whole.mesh.vertices =
+  whole.vertices =
       std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
   if (checkpoint.has(stage + state_part))
     whole.state = std::make_unique<Spool>(checkpoint.load(stage + state_part, memory / 4));
-  whole.mesh.faces = std::make_unique<Spool>(checkpoint.load(stage + faces_part, memory / 4));
-  whole.mesh.face_count = manifest.number("mesh.faces");
-  whole.mesh.cells = manifest.number("mesh.cells");
-  whole.mesh.turned = manifest.number("mesh.turned");
-  whole.mesh.fused = manifest.number("mesh.fused");
+  whole.faces = std::make_unique<Spool>(checkpoint.load(stage + faces_part, memory / 4));
+  whole.face_count = manifest.number("mesh.faces");
   return whole;
 }
 
-ClusteredMesh load_reference(Job& job, const CheckpointDirectory& checkpoint,
-                             std::uint64_t memory) {
+StoredMesh load_reference(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
   const std::string stage = stage_after(0);
-  ClusteredMesh mesh;
+  StoredMesh mesh;
   mesh.vertices =
       std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
   mesh.faces = std::make_unique<Spool>(checkpoint.load(stage + faces_part, memory / 2));

@@ -1,7 +1,7 @@
 // Faces on their way into the order of their vertices.
 #pragma once
 
-#include "decimate/tile_mesh.hpp"
+#include "mesh/face_vertices.hpp"
 
 namespace winnow {
 

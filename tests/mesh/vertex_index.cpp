@@ -1,5 +1,5 @@
 // The vertices of a result, found by key and by number.
-#include "cluster/vertex_index.hpp"
+#include "mesh/vertex_index.hpp"
 
 #include "support/job.hpp"
 #include "support/random.hpp"
