@@ -101,19 +101,9 @@ bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
 
 template <typename Sum>
 void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& settings,
-                    std::uint64_t memory, ClusteredMesh& mesh) {
-  const bool quadrics = settings.keep_quadrics && settings.placement == Placement::quadric;
-  const std::size_t carried = settings.attributes.attributes.size();
-  if (cells.attributes != nullptr) {
-    const std::uint64_t bytes = settings.attributes.bytes();
-    const std::uint64_t share =
-        memory / (bytes + sizeof(IndexedVertex) + (quadrics ? sizeof(Quadric) : 0)) * bytes;
-    mesh.attributes = std::make_unique<Spool>(job, share);
-    memory -= share;
-  }
-  mesh.vertices = std::make_unique<VertexIndex>(job, quadrics ? memory / 2 : memory);
-  if (quadrics) mesh.state = std::make_unique<Spool>(job, memory / 2);
-  if (settings.for_refinement) mesh.vanished = std::make_unique<Spool>(job, memory / 16);
+                    ClusteredMesh& mesh) {
+  const bool quadrics = mesh.state != nullptr;
+  const std::size_t carried = mesh.layout.attributes;
   Sum next{};
   bool more = cells.sums->next(next);
   BoundarySum boundary{};
@@ -161,16 +151,12 @@ void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& set
         }
       },
       [&](const Chunk& chunk) {
-        mesh.vertices->append(chunk.vertices);
+        mesh.append_vertices(chunk.vertices, std::as_bytes(std::span(chunk.quadrics)),
+                             chunk.attributes);
         if (!chunk.vanished.empty()) append_records<CellKey>(*mesh.vanished, chunk.vanished);
-        if (quadrics) mesh.state->append(std::as_bytes(std::span(chunk.quadrics)));
-        if (cells.attributes != nullptr)
-          mesh.attributes->append(std::as_bytes(std::span(chunk.attributes)));
       });
-  mesh.vertices->finish();
+  mesh.finish_vertices();
   if (mesh.vanished != nullptr) mesh.vanished->finish();
-  if (quadrics) mesh.state->finish();
-  if (cells.attributes != nullptr) mesh.attributes->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(
         ErrorKind::failed,
@@ -180,21 +166,18 @@ void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& set
 }
 
 template void build_vertices<CellSum>(Job&, MergedCells<CellSum>, const ClusterSettings&,
-                                      std::uint64_t, ClusteredMesh&);
+                                      ClusteredMesh&);
 template void build_vertices<QuadricCellSum>(Job&, MergedCells<QuadricCellSum>,
-                                             const ClusterSettings&, std::uint64_t, ClusteredMesh&);
+                                             const ClusterSettings&, ClusteredMesh&);
 
-void build_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
-                 ClusteredMesh& mesh) {
-  mesh.faces = std::make_unique<Spool>(job, memory);
-  if (!turn) mesh.several = std::make_unique<Spool>(job, memory / 16);
+void build_faces(Job& job, RecordCursor<CellFace>& faces, bool turn, ClusteredMesh& mesh) {
   FaceFuser fuser(faces);
   PerSlot<VertexIndex::Reader> readers(
       job.threads, [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
   std::atomic<std::uint64_t> turned{0};
   struct Chunk {
     std::vector<Triple> faces;
-    std::vector<std::uint32_t> numbers;
+    std::vector<FaceVertices> numbers;
     std::vector<FusedFace> several;
   };
   pipeline<Chunk>(
@@ -213,7 +196,7 @@ void build_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, 
         std::uint64_t turned_here = 0;
         for (const Triple& triple : chunk.faces) {
           std::array<IndexedVertex, 3> corner;
-          std::array<std::uint32_t, 3> number{};
+          FaceVertices number{};
           for (std::size_t i = 0; i < 3; ++i) {
             const VertexIndex::Reader::Found& found = reader.find(triple.cell[i]);
             corner[i] = found.vertex;
@@ -223,18 +206,17 @@ void build_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, 
             std::swap(number[1], number[2]);
             ++turned_here;
           }
-          chunk.numbers.insert(chunk.numbers.end(), number.begin(), number.end());
-          if (!turn && triple.along + triple.against > 1)
+          chunk.numbers.push_back(number);
+          if (mesh.several != nullptr && triple.along + triple.against > 1)
             chunk.several.push_back({number, counted(triple.along), counted(triple.against)});
         }
         turned += turned_here;
       },
       [&](const Chunk& chunk) {
-        mesh.faces->append(std::as_bytes(std::span(chunk.numbers)));
-        mesh.face_count += chunk.numbers.size() / 3;
+        mesh.append_faces(chunk.numbers);
         if (!chunk.several.empty()) append_records<FusedFace>(*mesh.several, chunk.several);
       });
-  mesh.faces->finish();
+  mesh.finish_faces();
   if (mesh.several != nullptr) mesh.several->finish();
   mesh.turned = turned;
 }

@@ -8,7 +8,6 @@
 #include "cluster/clusterer.hpp"
 #include "io/sorted_runs.hpp"
 
-#include <cstdint>
 #include <memory>
 
 namespace winnow {
@@ -22,15 +21,14 @@ struct MergedCells {
   std::unique_ptr<AttributeCursor> attributes;
 };
 
-// Cells that no output face uses leave no vertex. Fills mesh.vertices, state, attributes and
-// cells. Throws Error(failed) beyond 2^32 - 1 vertices.
+// Cells that no output face uses leave no vertex. Fills the vertices of `mesh` and what is beside
+// them. Throws Error(failed) beyond 2^32 - 1 vertices.
 template <typename Sum>
 void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& settings,
-                    std::uint64_t memory, ClusteredMesh& mesh);
+                    ClusteredMesh& mesh);
 
 // Faces come in key order; the same three cells give one face. Each is turned to agree with the
 // normals of its cells, if `turn`. Fills the rest of `mesh`.
-void build_faces(Job& job, RecordCursor<CellFace>& faces, std::uint64_t memory, bool turn,
-                 ClusteredMesh& mesh);
+void build_faces(Job& job, RecordCursor<CellFace>& faces, bool turn, ClusteredMesh& mesh);
 
 }  // namespace winnow

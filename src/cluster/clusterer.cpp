@@ -170,11 +170,15 @@ class ClustererOf final : public Clusterer {
 
   ClusteredMesh finish() override {
     empty_caches();
-    ClusteredMesh mesh;
-    build_vertices(job_, cells(), settings_, memory_.vertices, mesh);
+    ClusteredMesh mesh{{job_, settings_.layout(), {memory_.vertices, memory_.result}}};
+    if (settings_.for_refinement) {
+      mesh.vanished = std::make_unique<Spool>(job_, memory_.vertices / 16);
+      mesh.several = std::make_unique<Spool>(job_, memory_.result / 16);
+    }
+    build_vertices(job_, cells(), settings_, mesh);
     release_cells();
     MergedCursor<CellFace> all = faces();
-    build_faces(job_, all, memory_.result, !settings_.for_refinement, mesh);
+    build_faces(job_, all, !settings_.for_refinement, mesh);
     return mesh;
   }
 
@@ -367,6 +371,11 @@ class ClustererOf final : public Clusterer {
 };
 
 }  // namespace
+
+MeshLayout ClusterSettings::layout() const {
+  const bool quadrics = keep_quadrics && placement == Placement::quadric;
+  return {quadrics ? sizeof(Quadric) : 0, attributes.attributes.size()};
+}
 
 std::uint64_t ClusterMemory::per_thread(bool quadrics) {
   const std::uint64_t line = quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);

@@ -82,6 +82,7 @@ struct ClusterSettings {
     return !for_refinement && placement == Placement::quadric;
   }
   bool keep_quadrics = false;  // of the cells, as state; with Placement::quadric
+  [[nodiscard]] MeshLayout layout() const;
   CarriedAttributes attributes{};
   const SplitCells* split = nullptr;  // cells are named by it; none where it is null
 };

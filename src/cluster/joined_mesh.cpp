@@ -21,7 +21,7 @@ namespace winnow {
 
 namespace {
 
-using Numbers = std::array<std::uint32_t, 3>;
+using Numbers = FaceVertices;
 
 // Vertices of a mesh in order, with what is beside them in other spools.
 class VertexCursor {
@@ -125,7 +125,8 @@ class NamesInOrder {
 class Joiner {
  public:
   Joiner(Job& job, const ClusteredMesh& coarse, unsigned shift, const ClusteredMesh& fine,
-         const SplitCells& names, const CellSet& split, std::size_t attributes)
+         const SplitCells& names, const CellSet& split, std::size_t attributes,
+         const MeshMemory& memory)
       : job_(job),
         coarse_(coarse),
         fine_(fine),
@@ -138,25 +139,22 @@ class Joiner {
                                          64 * split.size(),
                                      "joining parts of cells")),
         kept_coarse_(coarse.vertices->size()),
-        kept_fine_(fine.vertices->size()) {}
+        kept_fine_(fine.vertices->size()),
+        part_memory_(memory.faces / 4),
+        out_{{job, coarse.layout, {memory.vertices, memory.faces / 2}}} {}
 
-  ClusteredMesh run(const JoinedMemory& memory) {
+  ClusteredMesh run() {
     out_.cells = coarse_.cells;
-    join_vertices(memory.vertices);
-    join_faces(memory.faces);
+    join_vertices();
+    join_faces();
     return std::move(out_);
   }
 
  private:
   [[nodiscard]] bool splits(CellKey name) const { return split_.has(names_.cell_of(name)); }
 
-  void join_vertices(std::uint64_t memory) {
+  void join_vertices() {
     const bool quadrics = coarse_.state != nullptr;
-    const std::size_t carried = attributes_ * sizeof(double);
-    const std::size_t all = sizeof(IndexedVertex) + (quadrics ? sizeof(Quadric) : 0) + carried;
-    out_.vertices = std::make_unique<VertexIndex>(job_, memory / all * sizeof(IndexedVertex));
-    if (quadrics) out_.state = std::make_unique<Spool>(job_, memory / all * sizeof(Quadric));
-    if (attributes_ > 0) out_.attributes = std::make_unique<Spool>(job_, memory / all * carried);
     Appender<IndexedVertex, VertexIndex> vertices(job_, *out_.vertices);
     VertexCursor coarse(job_, coarse_, attributes_);
     VertexCursor fine(job_, fine_, attributes_);
@@ -196,9 +194,7 @@ class Joiner {
       if (in_fine) more_fine = fine.next();
     }
     vertices.flush();
-    out_.vertices->finish();
-    if (quadrics) out_.state->finish();
-    if (attributes_ > 0) out_.attributes->finish();
+    out_.finish_vertices();
     if (out_.vertices->size() > UINT32_MAX) {
       throw Error(ErrorKind::failed,
                   "the result has " + grouped(out_.vertices->size()) +
@@ -220,7 +216,7 @@ class Joiner {
         [&](Chunk& chunk) {
           const std::uint64_t count =
               std::min<std::uint64_t>(chunk_records, mesh.face_count - next);
-          chunk.old = read_records<Numbers>(*mesh.faces, next, count);
+          chunk.old = mesh.read_faces(next, count);
           next += count;
           job_.progress.check_cancelled();
           return count > 0;
@@ -239,9 +235,9 @@ class Joiner {
   }
 
   // New numbers rise with the old ones, so faces stay in order.
-  void join_faces(std::uint64_t memory) {
+  void join_faces() {
     const std::unique_ptr<Spool> coarse =
-        renumbered(coarse_, memory / 4, [&](const Numbers& face, Numbers& now) {
+        renumbered(coarse_, part_memory_, [&](const Numbers& face, Numbers& now) {
           for (std::size_t i = 0; i < 3; ++i) {
             if (!kept_coarse_.has(face[i])) return false;
             now[i] = kept_coarse_.number(face[i]);
@@ -255,7 +251,7 @@ class Joiner {
     PerSlot<Readers> readers(
         job_.threads, [&] { return std::make_unique<Readers>(*fine_.vertices, *out_.vertices); });
     const std::unique_ptr<Spool> fine =
-        renumbered(fine_, memory / 4, [&](const Numbers& face, Numbers& now) {
+        renumbered(fine_, part_memory_, [&](const Numbers& face, Numbers& now) {
           if (!kept_fine_.has(face[0]) && !kept_fine_.has(face[1]) && !kept_fine_.has(face[2]))
             return false;
           for (std::size_t i = 0; i < 3; ++i) {
@@ -269,7 +265,6 @@ class Joiner {
           }
           return true;
         });
-    out_.faces = std::make_unique<Spool>(job_, memory / 2);
     Appender<Numbers> append(job_, *out_.faces);
     SpoolCursor<Numbers> from_coarse(job_, *coarse);
     SpoolCursor<Numbers> from_fine(job_, *fine);
@@ -283,7 +278,7 @@ class Joiner {
       (take_b ? more_b : more_a) = take_b ? from_fine.next(b) : from_coarse.next(a);
     }
     append.flush();
-    out_.faces->finish();
+    out_.finish_faces();
   }
 
   Job& job_;
@@ -295,6 +290,7 @@ class Joiner {
   std::size_t attributes_;
   Reservation reserved_;
   BufferedVertices kept_coarse_, kept_fine_;
+  std::uint64_t part_memory_;  // of the faces of either mesh that are kept
   ClusteredMesh out_;
 };
 
@@ -302,8 +298,8 @@ class Joiner {
 
 ClusteredMesh joined(Job& job, const ClusteredMesh& coarse, unsigned shift,
                      const ClusteredMesh& fine, const SplitCells& names, const CellSet& split,
-                     std::size_t attributes, const JoinedMemory& memory) {
-  return Joiner(job, coarse, shift, fine, names, split, attributes).run(memory);
+                     std::size_t attributes, const MeshMemory& memory) {
+  return Joiner(job, coarse, shift, fine, names, split, attributes, memory).run();
 }
 
 }  // namespace winnow

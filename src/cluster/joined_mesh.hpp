@@ -6,14 +6,8 @@
 #include "io/job.hpp"
 
 #include <cstddef>
-#include <cstdint>
 
 namespace winnow {
-
-struct JoinedMemory {
-  std::uint64_t vertices = 0;  // and what they carry
-  std::uint64_t faces = 0;
-};
 
 // `fine` is of the faces near cells of `split` and has names for keys (cluster/split_cells.hpp). So
 // has `coarse`, or keys of cells, which become names when they are shifted by `shift` bits. Folds
@@ -21,6 +15,6 @@ struct JoinedMemory {
 // `coarse`, and the faces that have one for a corner; of `coarse` all others.
 ClusteredMesh joined(Job& job, const ClusteredMesh& coarse, unsigned shift,
                      const ClusteredMesh& fine, const SplitCells& names, const CellSet& split,
-                     std::size_t attributes, const JoinedMemory& memory);
+                     std::size_t attributes, const MeshMemory& memory);
 
 }  // namespace winnow

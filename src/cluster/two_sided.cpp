@@ -14,7 +14,7 @@ namespace winnow {
 
 namespace {
 
-using MeshFace = std::array<std::uint32_t, 3>;
+using MeshFace = FaceVertices;
 
 // A face in the sense that it has in the mesh; the next number is the same face turned. Faces that
 // cannot turn come first, so that they decide.

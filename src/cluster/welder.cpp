@@ -195,7 +195,6 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const MostPos
     mesh.rounding = all.rounding(most.box.longest_side(), largest);
   }
 
-  mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
   struct Stretch {
     std::vector<IndexedVertex> vertices;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> places;  // of a number, in `vertices`
@@ -235,10 +234,9 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const MostPos
 }
 
 // Two-sided faces go to `sided`, too.
-void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, std::uint64_t memory,
-                   Spool& sided, ClusteredMesh& mesh) {
-  mesh.faces = std::make_unique<Spool>(job, memory);
-  Appender<std::array<std::uint32_t, 3>> append(job, *mesh.faces);
+void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, Spool& sided,
+                   ClusteredMesh& mesh) {
+  Appender<FaceVertices> append(job, *mesh.faces);
   Appender<TwoSidedFace> append_sided(job, sided);
   VertexIndex::Reader vertices(*mesh.vertices);
   const auto has_area = [&](const std::array<std::uint32_t, 3>& face) {
@@ -283,28 +281,25 @@ void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, std::uint64_
       });
   if (last) settle(*last);
   append.flush();
-  mesh.faces->finish();
+  mesh.finish_faces();
   append_sided.flush();
   sided.finish();
 }
 
-std::unique_ptr<Spool> collect_attributes(Job& job, AttributeMeans& means,
-                                          const CarriedAttributes& attributes, std::uint64_t memory,
-                                          std::uint64_t vertices) {
-  auto spool = std::make_unique<Spool>(job, memory);
+void collect_attributes(Job& job, AttributeMeans& means, StoredMesh& mesh) {
   const std::unique_ptr<AttributeCursor> cursor = means.finish();
-  const std::size_t carried = attributes.attributes.size();
+  const std::size_t carried = mesh.layout.attributes;
+  const std::uint64_t vertices = mesh.vertices->size();
   std::vector<double> chunk;
   for (std::uint64_t v = 0; v < vertices; ++v) {
     chunk.resize(chunk.size() + carried);
     cursor->find(v, std::span(chunk).last(carried));
     if (chunk.size() < carried * chunk_records && v + 1 < vertices) continue;
-    spool->append(std::as_bytes(std::span(chunk)));
+    mesh.attributes->append(std::as_bytes(std::span(chunk)));
     chunk.clear();
     job.progress.check_cancelled();
   }
-  spool->finish();
-  return spool;
+  mesh.attributes->finish();
 }
 
 }  // namespace
@@ -316,6 +311,8 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
   const std::uint64_t positions = reader.facts().vertices.value_or(available);
   const MostPositions most = measure_most(job, reader, positions);
   if (most.box.empty) return mesh;
+  static_cast<StoredMesh&>(mesh) = {
+      job, {0, attributes.attributes.size()}, {memory.vertices, memory.faces}};
   const Grid grid = lattice_over(most.box);
   // A third of what the lists would take, on a surface.
   VertexNumbers numbers(job, reader.facts().vertices.value_or(0), memory.lists / 2);
@@ -384,12 +381,10 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
   reader.release_memory();
   numbers = {};
   Spool sided(job, memory.faces / 16);
-  collect_faces(job, *faces, memory.faces, sided, mesh);
+  collect_faces(job, *faces, sided, mesh);
   faces.reset();
   agree_on_sides(job, sided, memory.lists, mesh);
-  if (means != nullptr)
-    mesh.attributes =
-        collect_attributes(job, *means, attributes, memory.means, mesh.vertices->size());
+  if (means != nullptr) collect_attributes(job, *means, mesh);
   return mesh;
 }
 

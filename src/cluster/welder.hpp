@@ -9,10 +9,9 @@ namespace winnow {
 
 struct WeldMemory {
   std::uint64_t lists = 0;     // for sorting, all threads together
-  std::uint64_t vertices = 0;  // of the result
+  std::uint64_t vertices = 0;  // of the result, with what they carry
   std::uint64_t faces = 0;
   AttributeMemory attributes;  // while they are summed up
-  std::uint64_t means = 0;     // of the result
 };
 
 struct WeldSettings {

@@ -139,7 +139,7 @@ std::uint64_t directions_of(const FaceVertices& face) {
 bool is_closed(Job& job, const StoredMesh& mesh) {
   job.progress.begin("check", mesh.face_count, "faces");
   std::uint64_t directions = 0;
-  SpoolCursor<FaceVertices> faces(job, *mesh.faces);
+  SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
   for (FaceVertices face; faces.next(face);) directions += directions_of(face);
   return mesh.face_count > 0 && directions == 0;
 }
@@ -167,7 +167,7 @@ ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t mem
   std::uint64_t directions = 0;
   {
     VertexIndex::Reader vertices(*mesh.vertices);
-    SpoolCursor<FaceVertices> faces(job, *mesh.faces);
+    SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
     InTurn in_turn;
     for (FaceVertices face; faces.next(face);) {
       const Point a = vertices.position(face[0]);

@@ -18,6 +18,29 @@ std::string stage_after(std::uint64_t rounds) {
   return "stage-" + std::to_string(rounds);
 }
 
+// Of each part so many times its bytes a vertex.
+std::uint64_t vertex_memory(const MeshLayout& layout, std::uint64_t memory) {
+  return MeshMemory::divide(memory).vertices / layout.vertex_bytes();
+}
+
+MeshLayout layout_in(const Manifest& manifest) {
+  return {manifest.number("mesh.state_bytes"), manifest.number("mesh.attributes")};
+}
+
+// Vertices and faces.
+StoredMesh load_surface(Job& job, const CheckpointDirectory& checkpoint, const std::string& stage,
+                        const MeshLayout& layout, std::uint64_t memory) {
+  StoredMesh mesh;
+  mesh.layout = layout;
+  mesh.vertices = std::make_unique<VertexIndex>(
+      job, checkpoint.load(stage + vertices_part,
+                           vertex_memory(layout, memory) * sizeof(IndexedVertex)));
+  mesh.faces = std::make_unique<Spool>(
+      checkpoint.load(stage + faces_part, MeshMemory::divide(memory).faces));
+  mesh.face_count = record_count<FaceVertices>(*mesh.faces);
+  return mesh;
+}
+
 }  // namespace
 
 void save_mesh(CheckpointDirectory& checkpoint, const StoredMesh& whole, std::uint64_t rounds,
@@ -36,34 +59,26 @@ void save_mesh(CheckpointDirectory& checkpoint, const StoredMesh& whole, std::ui
   if (whole.state != nullptr) checkpoint.save(stage + state_part, *whole.state);
   if (whole.attributes != nullptr) checkpoint.save(stage + attributes_part, *whole.attributes);
   manifest.set(stage_key, stage);
-  manifest.set("mesh.faces", whole.face_count);
+  manifest.set("mesh.state_bytes", std::uint64_t{whole.layout.state});
+  manifest.set("mesh.attributes", std::uint64_t{whole.layout.attributes});
 }
 
 StoredMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
   const Manifest& manifest = checkpoint.manifest();
   const std::string stage = manifest.text(stage_key);
-  StoredMesh whole;
-  if (checkpoint.has(stage + attributes_part)) {
-    memory /= 2;
-    whole.attributes = std::make_unique<Spool>(checkpoint.load(stage + attributes_part, memory));
-  }
-  whole.vertices =
-      std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
-  if (checkpoint.has(stage + state_part))
-    whole.state = std::make_unique<Spool>(checkpoint.load(stage + state_part, memory / 4));
-  whole.faces = std::make_unique<Spool>(checkpoint.load(stage + faces_part, memory / 4));
-  whole.face_count = manifest.number("mesh.faces");
-  return whole;
+  StoredMesh mesh = load_surface(job, checkpoint, stage, layout_in(manifest), memory);
+  const std::uint64_t each = vertex_memory(mesh.layout, memory);
+  const auto load = [&](const char* part, std::size_t bytes) -> std::unique_ptr<Spool> {
+    if (bytes == 0) return nullptr;
+    return std::make_unique<Spool>(checkpoint.load(stage + part, each * bytes));
+  };
+  mesh.state = load(state_part, mesh.layout.state);
+  mesh.attributes = load(attributes_part, mesh.layout.attribute_bytes());
+  return mesh;
 }
 
 StoredMesh load_reference(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
-  const std::string stage = stage_after(0);
-  StoredMesh mesh;
-  mesh.vertices =
-      std::make_unique<VertexIndex>(job, checkpoint.load(stage + vertices_part, memory / 2));
-  mesh.faces = std::make_unique<Spool>(checkpoint.load(stage + faces_part, memory / 2));
-  mesh.face_count = record_count<FaceVertices>(*mesh.faces);
-  return mesh;
+  return load_surface(job, checkpoint, stage_after(0), {}, memory);
 }
 
 }  // namespace winnow

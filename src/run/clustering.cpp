@@ -237,15 +237,10 @@ std::optional<SafeMesh> Clustering::safely(const Box& box, ClusteredMesh coarse)
 ClusteredMesh Clustering::welded(const std::string& reason) {
   report_.clustered = {false, reason};
   settings_.grid = {};
-  WeldMemory memory{plan_.cluster.table,
-                    plan_.cluster.vertices,
-                    plan_.cluster.result,
-                    {plan_.cluster.attributes, plan_.cluster.table_parts},
-                    0};
-  if (const std::uint64_t bytes = settings_.attributes.bytes(); bytes > 0) {
-    memory.means = memory.vertices / (bytes + sizeof(IndexedVertex)) * bytes;
-    memory.vertices -= memory.means;
-  }
+  const WeldMemory memory{plan_.cluster.table,
+                          plan_.cluster.vertices,
+                          plan_.cluster.result,
+                          {plan_.cluster.attributes, plan_.cluster.table_parts}};
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   ClusterCounts counts;
   const WeldSettings settings{settings_.attributes, !settings_.double_positions,

@@ -31,11 +31,9 @@ StoredMesh mesh_of(Job& job, MeshReader& reader, const MemoryPlan& plan, Cluster
     const Reservation under_way = job.budget.reserve(
         batches_in_flight(job.threads) * plan.reader.batch_faces * carried, "what vertices carry");
     const std::uint64_t left = plan.cluster.table - std::min(under_way.bytes(), plan.cluster.table);
-    const std::uint64_t attributes = left / (sizeof(IndexedVertex) + carried) * carried;
-    return plain_mesh(job, reader, {left - attributes, attributes, plan.cluster.result}, counts);
+    return plain_mesh(job, reader, {left, plan.cluster.result}, counts);
   }
-  return weld(job, reader, {},
-              {plan.cluster.table, plan.cluster.vertices, plan.cluster.result, {}, 0},
+  return weld(job, reader, {}, {plan.cluster.table, plan.cluster.vertices, plan.cluster.result, {}},
               reader.facts().faces.value_or(0), counts);
 }
 

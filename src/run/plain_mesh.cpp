@@ -49,8 +49,7 @@ void read_vertices(Job& job, MeshReader& reader, const Point& instead, StoredMes
         mesh.vertices->append(part);
         if (attributes > 0) mesh.attributes->append(carried);
       });
-  mesh.vertices->finish();
-  if (attributes > 0) mesh.attributes->finish();
+  mesh.finish_vertices();
   if (not_finite == 0) return;
   job.note(grouped(not_finite) + (not_finite == 1 ? " vertex is" : " vertices are") +
            " not finite; written in its place: the first that is");
@@ -58,13 +57,9 @@ void read_vertices(Job& job, MeshReader& reader, const Point& instead, StoredMes
 
 }  // namespace
 
-StoredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory,
+StoredMesh plain_mesh(Job& job, MeshReader& reader, const MeshMemory& memory,
                       ClusterCounts& counts) {
-  StoredMesh mesh;
-  mesh.vertices = std::make_unique<VertexIndex>(job, memory.vertices);
-  if (!reader.facts().choice.carried.empty())
-    mesh.attributes = std::make_unique<Spool>(job, memory.attributes);
-  mesh.faces = std::make_unique<Spool>(job, memory.faces);
+  StoredMesh mesh(job, {0, reader.facts().choice.carried.size()}, memory);
   const auto first = reader.first_finite_position();
   if (!first) return mesh;
   read_vertices(job, reader, *first, mesh);
@@ -87,9 +82,9 @@ StoredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memor
       },
       [&](std::span<const std::byte> bytes) {
         mesh.faces->append(bytes);
-        mesh.face_count += bytes.size() / (3 * sizeof(std::uint32_t));
+        mesh.face_count += bytes.size() / MeshLayout::face_bytes();
       });
-  mesh.faces->finish();
+  mesh.finish_faces();
   for (const ClusterCounts* worker : workers.all()) counts.add(*worker);
   return mesh;
 }

@@ -5,21 +5,13 @@
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
 
-#include <cstdint>
-
 namespace winnow {
-
-struct PlainMeshMemory {
-  std::uint64_t vertices = 0;
-  std::uint64_t attributes = 0;
-  std::uint64_t faces = 0;
-};
 
 // All vertices, with the attributes that the reader carries as they are stored, and all good faces,
 // in the order of the input; a vertex that is not finite stands where the first that is finite
 // does, and a note says so. Fills `counts` of the faces. The mesh's faces do not begin with their
 // lowest vertex, nor come in the order of those: it is good for write_mesh() alone.
-StoredMesh plain_mesh(Job& job, MeshReader& reader, const PlainMeshMemory& memory,
+StoredMesh plain_mesh(Job& job, MeshReader& reader, const MeshMemory& memory,
                       ClusterCounts& counts);
 
 }  // namespace winnow

@@ -128,7 +128,7 @@ std::uint64_t worst_scratch(std::uint64_t faces, const CellNeeds& needs) {
   const std::uint64_t vertex = vertex_size(needs);
   const std::uint64_t weld = needs.weld ? near_weld_scratch(faces) : 0;
   return weld + weld / 100 +
-         faces * (runs + runs / 100 + 1 + 3 * vertex + 3 * sizeof(std::uint32_t)) + mebibyte;
+         faces * (runs + runs / 100 + 1 + 3 * vertex + MeshLayout::face_bytes()) + mebibyte;
 }
 
 std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan,
@@ -143,7 +143,8 @@ std::uint64_t expected_scratch(std::uint64_t faces, const MemoryPlan& plan,
   if (kept * sizeof(CellFace) > plan.cluster.faces) bytes += kept * sizeof(CellFace) * 7 / 10;
   const std::uint64_t vertex = vertex_size(needs);
   if (cells * vertex > plan.cluster.vertices) bytes += cells * vertex;
-  if (kept * 12 > plan.cluster.result) bytes += kept * 12;
+  const std::uint64_t numbered = kept * MeshLayout::face_bytes();
+  if (numbered > plan.cluster.result) bytes += numbered;
   return bytes;
 }
 

@@ -78,9 +78,7 @@ class HeldBesideTile {
       : plan_(std::move(plan)), total_(job.budget.total()), fixed_(job.budget.used()) {
     const std::uint64_t vertices = whole.vertices->size();
     const std::uint64_t faces = whole.face_count;
-    const std::array<const Spool*, 4> spools{&whole.vertices->records(), whole.faces.get(),
-                                             whole.attributes.get(), whole.state.get()};
-    for (const Spool* spool : spools) {
+    for (const Spool* spool : whole.spools()) {
       if (spool == nullptr) continue;
       mesh_.push_back(
           {spool->size(), spool->memory_limit() + mebibyte});  // limits are rounded down

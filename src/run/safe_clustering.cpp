@@ -240,7 +240,7 @@ class DamageSplitter {
     auto ring = std::make_unique<Spool>(job_, memory_.result / 16);
     VertexIndex::Reader reader(*mesh.vertices);
     Appender<NamedFace> append(job_, *ring);
-    SpoolCursor<FaceVertices> faces(job_, *mesh.faces);
+    SpoolCursor<FaceVertices> faces = mesh.face_cursor(job_);
     FoldedFaces folds(mesh.folds);
     for (FaceVertices face{}; faces.next(face);) {
       const auto [a, b, c] = face;
@@ -268,7 +268,7 @@ class DamageSplitter {
     };
     for_each_vertex(
         [&](std::uint64_t v, CellKey name) { split[v] = level.split.has(names_.cell_of(name)); });
-    SpoolCursor<FaceVertices> faces(job_, *level.mesh.faces);
+    SpoolCursor<FaceVertices> faces = level.mesh.face_cursor(job_);
     for (FaceVertices face{}; faces.next(face);) {
       const auto [a, b, c] = face;
       if (split[a] || split[b] || split[c]) known[a] = known[b] = known[c] = true;

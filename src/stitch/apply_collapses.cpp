@@ -39,21 +39,20 @@ struct CollapsedTile {
 template <typename Collapse>
 CollapsedMesh collapse_tiles(const Tiles& tiles, const Collapse& collapse) {
   const RefineSettings& settings = tiles.settings();
-  const std::size_t state_size = settings.state_size();
-  const std::size_t attributes = settings.attributes.size();
-  RoundOutput output(tiles.job(), state_size, attributes, tiles.memory().mesh);
+  const MeshLayout layout{settings.state_size(), settings.attributes.size()};
+  RoundOutput output(tiles.job(), layout, tiles.memory().mesh);
   CollapsedMesh out;
   tiles.for_each<CollapsedTile>(
       0,
       [&](std::size_t number, CollapsedTile& collapsed) {
-        Tile tile = tiles.load(number, settings.known_state_size(), attributes);
+        Tile tile = tiles.load(number, settings.known_state_size(), layout.attributes);
         TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked),
                       false);
         const std::unique_ptr<Decimation> decimation =
             Decimation::make(mesh, tile.state, settings.decimation);
         CarriedValues values = carried_values(tile, settings.attributes);
         collapsed.done = collapse(number, *decimation, values);
-        collapsed.rest = rest_of(tile, mesh, *decimation, values, state_size);
+        collapsed.rest = rest_of(tile, mesh, *decimation, values, layout.state);
       },
       [&](std::size_t, CollapsedTile& collapsed) {
         out.collapses += collapsed.done.count;

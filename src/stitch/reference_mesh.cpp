@@ -45,7 +45,7 @@ void add(Extent& extent, const Extent& more) {
 template <typename Each>
 void for_each_face(const StoredMesh& mesh, VertexIndex::Reader& vertices, std::uint64_t first,
                    std::uint64_t count, const Each& each) {
-  for (const auto& [a, b, c] : read_records<FaceVertices>(*mesh.faces, first, count))
+  for (const auto& [a, b, c] : mesh.read_faces(first, count))
     each(Triangle{vertices.position(a), vertices.position(b), vertices.position(c)});
 }
 

@@ -63,8 +63,7 @@ class Refiner {
         find_reasons(whole);
       } else {
         const bool back = report.rounds % 2 == 0;
-        whole = reorder(job_, std::move(whole), back, settings_.state_size(),
-                        settings_.attributes.size(), memory_.lists, memory_.mesh);
+        whole = reorder(job_, std::move(whole), back, memory_.lists, memory_.mesh);
       }
     }
     keep(whole);

@@ -45,22 +45,13 @@ struct Renumbered {
 
 }  // namespace
 
-StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::size_t state_size,
-                   std::size_t attributes, std::uint64_t list_memory, std::uint64_t mesh_memory) {
+StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_memory,
+                   std::uint64_t mesh_memory) {
   const Reservation reserved = job.budget.reserve(list_memory, "sorting");
   const std::uint64_t vertices = whole.vertices->size();
-  const std::size_t bytes = attributes * sizeof(double);
-  StoredMesh out;
+  const MeshLayout layout = whole.layout;
+  StoredMesh out(job, layout, MeshMemory::divide(mesh_memory));
   out.face_count = whole.face_count;
-  out.vertices = std::make_unique<VertexIndex>(job, mesh_memory / 3);
-  std::uint64_t left = mesh_memory / 3;
-  if (attributes > 0) {
-    const std::uint64_t share = left / (state_size + bytes) * bytes;
-    out.attributes = std::make_unique<Spool>(job, share);
-    left -= share;
-  }
-  if (whole.state != nullptr) out.state = std::make_unique<Spool>(job, left);
-  out.faces = std::make_unique<Spool>(job, mesh_memory / 3);
   Spool numbers(job, list_memory / 2);  // the new number of each vertex
   {
     SortedRuns<Renumbered> renumbered_runs(job);
@@ -75,8 +66,8 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::size_t state_size
       MergedCursor<Moved> merged = merge<Moved>({&list}, runs);
       Appender<IndexedVertex, VertexIndex> append(job, *out.vertices);
       std::optional<RecentBlocks> state, carried;
-      if (out.state != nullptr) state.emplace(*whole.state, state_size);
-      if (attributes > 0) carried.emplace(*whole.attributes, bytes);
+      if (layout.state > 0) state.emplace(*whole.state, layout.state);
+      if (layout.attributes > 0) carried.emplace(*whole.attributes, layout.attribute_bytes());
       std::uint32_t number = 0;
       for (Moved moved{}; merged.next(moved); ++number) {
         renumbered.add({moved.old_number, number});
@@ -95,16 +86,14 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::size_t state_size
     append.flush();
     numbers.finish();
   }
-  out.vertices->finish();
-  if (out.state != nullptr) out.state->finish();
-  if (attributes > 0) out.attributes->finish();
+  out.finish_vertices();
   whole.vertices.reset();
   whole.attributes.reset();
   whole.state.reset();
 
   SortedRuns<OrderedFace> runs(job);
   SortedList<OrderedFace> list(job, list_memory / 2, runs);
-  SpoolCursor<FaceVertices> faces(job, *whole.faces);
+  SpoolCursor<FaceVertices> faces = whole.face_cursor(job);
   RecentBlocks new_numbers(numbers, sizeof(std::uint32_t));
   for (FaceVertices face{}; faces.next(face);) {
     for (std::uint32_t& v : face) v = new_numbers.at<std::uint32_t>(v);
@@ -116,7 +105,7 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::size_t state_size
   Appender<OrderedFace> append(job, *out.faces);
   for (OrderedFace face{}; merged.next(face);) append.add(face);
   append.flush();
-  out.faces->finish();
+  out.finish_faces();
   return out;
 }
 

@@ -9,7 +9,7 @@ namespace winnow {
 // a third of a tile away from where they were, as a third is never near a sum of powers of one
 // half. What is shifted out of the lattice comes in again on the other side, where it is as good as
 // anywhere.
-StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::size_t state_size,
-                   std::size_t attributes, std::uint64_t list_memory, std::uint64_t mesh_memory);
+StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_memory,
+                   std::uint64_t mesh_memory);
 
 }  // namespace winnow

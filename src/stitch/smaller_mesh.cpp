@@ -76,24 +76,15 @@ TileResult rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& dec
   return rest;
 }
 
-RoundOutput::RoundOutput(Job& job, std::size_t state_size, std::size_t attributes,
-                         std::uint64_t memory)
+// A quarter of the memory is for faces on their way.
+RoundOutput::RoundOutput(Job& job, const MeshLayout& layout, std::uint64_t memory)
     : job_(job),
       memory_(memory),
+      out_(job, layout, MeshMemory::divide(memory / 4 * 3)),
       faces_(job, memory / 8),
       seam_faces_(job, memory / 32),
       hub_faces_(job, memory / 32),
-      named_(job, memory / 32) {
-  out_.vertices = std::make_unique<VertexIndex>(job, memory / 4);
-  std::uint64_t left = memory / 4;
-  if (attributes > 0) {
-    const std::uint64_t bytes = attributes * sizeof(double);
-    const std::uint64_t share = left / (state_size + bytes) * bytes;
-    out_.attributes = std::make_unique<Spool>(job, share);
-    left -= share;
-  }
-  if (state_size > 0) out_.state = std::make_unique<Spool>(job, left);
-}
+      named_(job, memory / 32) {}
 
 void RoundOutput::append(TileResult rest) {
   const auto base = static_cast<std::uint32_t>(first_vertex_.back());
@@ -107,10 +98,7 @@ void RoundOutput::append(TileResult rest) {
       }
     }
   }
-  out_.vertices->append(rest.vertices);
-  if (out_.state != nullptr) out_.state->append(rest.state);
-  if (out_.attributes != nullptr)
-    out_.attributes->append(std::as_bytes(std::span(rest.attributes)));
+  out_.append_vertices(rest.vertices, rest.state, rest.attributes);
   out_.face_count += rest.faces.size() + rest.seam_faces.size() + rest.hub_faces.size();
   append_records<FaceVertices>(faces_, rest.faces);
   append_records<SeamFace>(seam_faces_, rest.seam_faces);
@@ -155,9 +143,7 @@ void RoundOutput::set_normals(const std::map<std::uint32_t, Point>& normals) {
 }
 
 StoredMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uint32_t>& hubs) {
-  out_.vertices->finish();
-  if (out_.state != nullptr) out_.state->finish();
-  if (out_.attributes != nullptr) out_.attributes->finish();
+  out_.finish_vertices();
   faces_.finish();
   seam_faces_.finish();
   hub_faces_.finish();
@@ -190,7 +176,6 @@ StoredMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uint
   MergedCursor<OrderedFace> hub_faces = merge<OrderedFace>({&list}, runs);
 
   // All kinds of faces are in the order of their lowest vertices.
-  out_.faces = std::make_unique<Spool>(job_, memory_ / 4);
   SpoolCursor<FaceVertices> inner(job_, faces_);
   SpoolCursor<SeamFace> seams(job_, seam_faces_);
   constexpr FaceVertices none{no_number, no_number, no_number};
@@ -218,7 +203,7 @@ StoredMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uint
     next[first] = first == 0 ? next_inner() : first == 1 ? next_seam() : next_at_hub();
   }
   append.flush();
-  out_.faces->finish();
+  out_.finish_faces();
   if (!hubs.empty()) set_normals(normals);
   return std::move(out_);
 }

@@ -48,7 +48,7 @@ TileResult rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& dec
 // Takes the tiles in order, on one thread.
 class RoundOutput {
  public:
-  RoundOutput(Job& job, std::size_t state_size, std::size_t attributes, std::uint64_t memory);
+  RoundOutput(Job& job, const MeshLayout& layout, std::uint64_t memory);
 
   void append(TileResult rest);
 

@@ -38,7 +38,7 @@ std::uint32_t incoming_list(std::size_t tile) {
 template <typename Each>
 void for_each_seam_face(Job& job, const StoredMesh& mesh, const Tiling& tiling, const Each& each) {
   std::size_t tile = 0;  // of the lowest vertices, which come in order
-  SpoolCursor<FaceVertices> faces(job, *mesh.faces);
+  SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
   for (FaceVertices face{}; faces.next(face);) {
     while (face[0] >= tiling.first_vertex(tile + 1)) ++tile;
     const std::uint64_t end = tiling.first_vertex(tile + 1);
@@ -198,12 +198,12 @@ Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFace
       read_records<IndexedVertex>(whole.vertices->records(), tile.first_vertex, tile.own_vertices);
   const std::uint64_t end_face = tiling.first_face(number + 1);
   if (incoming.hubs().empty()) {
-    tile.faces = read_records<FaceVertices>(*whole.faces, first_face, end_face - first_face);
+    tile.faces = whole.read_faces(first_face, end_face - first_face);
   } else {
     // A hub may have more faces than a tile has room for, most of them in other tiles.
     for (std::uint64_t at = first_face; at < end_face; at += chunk_records) {
       const std::uint64_t count = std::min<std::uint64_t>(chunk_records, end_face - at);
-      for (const FaceVertices& face : read_records<FaceVertices>(*whole.faces, at, count)) {
+      for (const FaceVertices& face : whole.read_faces(at, count)) {
         if (!incoming.is_hub(face[0]) || incoming.home(face, tiling) == number)
           tile.faces.push_back(face);
       }

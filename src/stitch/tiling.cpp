@@ -63,7 +63,7 @@ class Cutter {
     std::uint64_t high = mesh_.face_count;
     while (low < high) {
       const std::uint64_t middle = low + (high - low) / 2;
-      if (read_record<std::array<std::uint32_t, 3>>(*mesh_.faces, middle)[0] < vertex) {
+      if (mesh_.face(middle)[0] < vertex) {
         low = middle + 1;
       } else {
         high = middle;

@@ -195,7 +195,7 @@ TEST_CASE("the first face is known where the reader sorts them") {
     const std::uint64_t part = std::uint64_t{32} << 20;
     ClusterCounts counts;
     welded_meshes.push_back(plain(in_arena(test.job, [&] {
-      return weld(test.job, *reader, {}, {part, part, part, {}, 0}, mesh.faces.size(), counts);
+      return weld(test.job, *reader, {}, {part, part, part, {}}, mesh.faces.size(), counts);
     })));
     const bool sorted = memory.vertices < std::uint64_t{1} << 20;
     CHECK((test.job.scratch.written() >= 16 * mesh.faces.size()) == sorted);

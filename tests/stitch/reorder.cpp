@@ -84,11 +84,11 @@ TEST_CASE("a mesh in the order of a shifted lattice is the same surface") {
       TestJob test;
       StoredMesh whole = welded(test.job, path);
       PlainMesh before = plain(whole);
+      whole.layout = {sizeof(Point), 2};
       whole.state = states_of(test.job, before);
       whole.attributes = attributes_of(test.job, before);
 
-      StoredMesh there =
-          reorder(test.job, std::move(whole), false, sizeof(Point), 2, memory, memory);
+      StoredMesh there = reorder(test.job, std::move(whole), false, memory, memory);
       const PlainMesh shifted = plain(there);
       check_order(shifted);
       check_states(there, shifted);
@@ -100,8 +100,7 @@ TEST_CASE("a mesh in the order of a shifted lattice is the same surface") {
         same += shifted.vertices[v].position == before.vertices[v].position;
       CHECK(same < before.vertices.size() / 10);
 
-      const StoredMesh back =
-          reorder(test.job, std::move(there), true, sizeof(Point), 2, memory, memory);
+      const StoredMesh back = reorder(test.job, std::move(there), true, memory, memory);
       // Only faces of one lowest vertex had another order.
       std::sort(before.faces.begin(), before.faces.end());
       CHECK(difference(plain(back), before) == "");

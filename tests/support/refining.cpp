@@ -17,8 +17,8 @@ ClusteredMesh weld_source(Job& job, std::unique_ptr<ByteSource> source, ClusterC
       open_reader(job, std::move(source), Format::automatic, Access::repeatedly, {part, 8192});
   return in_arena(job, [&] {
     const WeldSettings settings{{}, !reader->facts().double_positions};
-    return weld(job, *reader, settings, {part, part, part, {}, 0},
-                reader->facts().faces.value_or(0), counts);
+    return weld(job, *reader, settings, {part, part, part, {}}, reader->facts().faces.value_or(0),
+                counts);
   });
 }
 
