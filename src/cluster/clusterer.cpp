@@ -1,5 +1,6 @@
 #include "cluster/clusterer.hpp"
 
+#include "base/memory_shares.hpp"
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "cluster/attribute_means.hpp"
@@ -63,7 +64,7 @@ class ClustererOf final : public Clusterer {
         memory_(memory),
         kernel_(best_corner_kernel()),
         table_memory_(job.budget.reserve(memory.table, "the table of cells")),
-        boundary_share_(settings.keeps_boundaries() ? memory.faces / 8 : 0),
+        boundary_share_(settings.keeps_boundaries() ? share::cluster::boundaries(memory.faces) : 0),
         face_memory_(job.budget.reserve(memory.faces - boundary_share_, "the list of faces")),
         table_(job, memory.table, memory.table_parts),
         face_runs_(job),
@@ -172,8 +173,8 @@ class ClustererOf final : public Clusterer {
     empty_caches();
     ClusteredMesh mesh{{job_, settings_.layout(), {memory_.vertices, memory_.result}}};
     if (settings_.for_refinement) {
-      mesh.vanished = std::make_unique<Spool>(job_, memory_.vertices / 16);
-      mesh.several = std::make_unique<Spool>(job_, memory_.result / 16);
+      mesh.vanished = std::make_unique<Spool>(job_, share::cluster::vanished(memory_.vertices));
+      mesh.several = std::make_unique<Spool>(job_, share::cluster::several(memory_.result));
     }
     build_vertices(job_, cells(), settings_, mesh);
     release_cells();

@@ -1,5 +1,6 @@
 #include "cluster/components.hpp"
 
+#include "base/memory_shares.hpp"
 #include "io/spool_records.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace winnow {
 
 Components::Components(Job& job, std::uint64_t memory)
-    : job_(job), memory_(memory / 2), links_(make()) {}
+    : job_(job), memory_(share::components::links(memory)), links_(make()) {}
 
 Components::Links Components::make() const {
   return std::make_unique<SortedRecords<Link>>(job_, memory_);

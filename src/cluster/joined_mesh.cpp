@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/memory_shares.hpp"
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "base/quadric.hpp"
@@ -140,8 +141,8 @@ class Joiner {
                                      "joining parts of cells")),
         kept_coarse_(coarse.vertices->size()),
         kept_fine_(fine.vertices->size()),
-        part_memory_(memory.faces / 4),
-        out_{{job, coarse.layout, {memory.vertices, memory.faces / 2}}} {}
+        memory_(memory.faces),
+        out_{{job, coarse.layout, {memory.vertices, share::split::joined(memory.faces)}}} {}
 
   ClusteredMesh run() {
     out_.cells = coarse_.cells;
@@ -236,14 +237,15 @@ class Joiner {
 
   // New numbers rise with the old ones, so faces stay in order.
   void join_faces() {
-    const std::unique_ptr<Spool> coarse =
-        renumbered(coarse_, part_memory_, [&](const Numbers& face, Numbers& now) {
-          for (std::size_t i = 0; i < 3; ++i) {
-            if (!kept_coarse_.has(face[i])) return false;
-            now[i] = kept_coarse_.number(face[i]);
-          }
-          return true;
-        });
+    const std::unique_ptr<Spool> coarse = renumbered(coarse_, share::split::kept_coarse(memory_),
+                                                     [&](const Numbers& face, Numbers& now) {
+                                                       for (std::size_t i = 0; i < 3; ++i) {
+                                                         if (!kept_coarse_.has(face[i]))
+                                                           return false;
+                                                         now[i] = kept_coarse_.number(face[i]);
+                                                       }
+                                                       return true;
+                                                     });
     struct Readers {
       Readers(const VertexIndex& from, const VertexIndex& to) : old(from), now(to) {}
       VertexIndex::Reader old, now;
@@ -251,7 +253,7 @@ class Joiner {
     PerSlot<Readers> readers(
         job_.threads, [&] { return std::make_unique<Readers>(*fine_.vertices, *out_.vertices); });
     const std::unique_ptr<Spool> fine =
-        renumbered(fine_, part_memory_, [&](const Numbers& face, Numbers& now) {
+        renumbered(fine_, share::split::kept_fine(memory_), [&](const Numbers& face, Numbers& now) {
           if (!kept_fine_.has(face[0]) && !kept_fine_.has(face[1]) && !kept_fine_.has(face[2]))
             return false;
           for (std::size_t i = 0; i < 3; ++i) {
@@ -290,7 +292,7 @@ class Joiner {
   std::size_t attributes_;
   Reservation reserved_;
   BufferedVertices kept_coarse_, kept_fine_;
-  std::uint64_t part_memory_;  // of the faces of either mesh that are kept
+  std::uint64_t memory_;  // for faces
   ClusteredMesh out_;
 };
 

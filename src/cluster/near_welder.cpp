@@ -1,6 +1,7 @@
 #include "cluster/near_welder.hpp"
 
 #include "base/hash.hpp"
+#include "base/memory_shares.hpp"
 #include "cluster/components.hpp"
 #include "cluster/near_links.hpp"
 #include "cluster/resolution.hpp"
@@ -226,8 +227,8 @@ class NearWeld {
       });
     }
     Moved moved;
-    moved.from = std::make_unique<VertexIndex>(job_, memory_.moved / 3 * 2);
-    moved.to = std::make_unique<Spool>(job_, memory_.moved / 3);
+    moved.from = std::make_unique<VertexIndex>(job_, share::weld::moved_from(memory_.moved));
+    moved.to = std::make_unique<Spool>(job_, share::weld::moved_to(memory_.moved));
     Appender<IndexedVertex, VertexIndex> from(job_, *moved.from);
     Appender<Point> to(job_, *moved.to);
     Numbered positions(job_, positions_);

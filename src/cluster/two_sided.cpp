@@ -1,6 +1,7 @@
 #include "cluster/two_sided.hpp"
 
 #include "base/hash.hpp"
+#include "base/memory_shares.hpp"
 #include "cluster/components.hpp"
 #include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
@@ -165,16 +166,16 @@ void turn_faces(Job& job, MergedCursor<TurnedPlace>& turned, StoredMesh& mesh) {
 void agree_on_sides(Job& job, const Spool& faces, std::uint64_t memory, StoredMesh& mesh) {
   if (faces.size() == 0) return;
   bool any = false;
-  SortedRecords<TurnedPlace> turned(job, memory / 8);
+  SortedRecords<TurnedPlace> turned(job, share::sides::turned(memory));
   {
-    Components components(job, memory / 4);
+    Components components(job, share::sides::components(memory));
     {
       Touched touched;
       for_each_face(job, *mesh.faces, faces,
                     [&](std::uint64_t /*place*/, const MeshFace& face, const TwoSidedFace* sided) {
                       if (sided != nullptr) touched.add(face);
                     });
-      SortedRecords<EdgeSide> edges(job, memory / 2);
+      SortedRecords<EdgeSide> edges(job, share::sides::edges(memory));
       for_each_face(job, *mesh.faces, faces,
                     [&](std::uint64_t place, const MeshFace& face, const TwoSidedFace* sided) {
                       add_sides(
@@ -183,7 +184,7 @@ void agree_on_sides(Job& job, const Spool& faces, std::uint64_t memory, StoredMe
                     });
       link_neighbours(job, edges, components);
     }
-    find_turned(job, faces, components, memory / 4, [&](std::uint64_t place) {
+    find_turned(job, faces, components, share::sides::labels(memory), [&](std::uint64_t place) {
       turned.add({place});
       any = true;
     });

@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/memory_shares.hpp"
 #include "base/pages.hpp"
 #include "base/per_slot.hpp"
 #include "base/rounding.hpp"
@@ -315,7 +316,8 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
       job, {0, attributes.attributes.size()}, {memory.vertices, memory.faces}};
   const Grid grid = lattice_over(most.box);
   // A third of what the lists would take, on a surface.
-  VertexNumbers numbers(job, reader.facts().vertices.value_or(0), memory.lists / 2);
+  VertexNumbers numbers(job, reader.facts().vertices.value_or(0),
+                        share::weld::numbers(memory.lists));
   memory.lists -= numbers.bytes();
   if (reader.facts().double_positions) {
     weld_vertices<double>(job, reader, grid, most, positions, memory, numbers, mesh);
@@ -380,7 +382,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
   if (settings.area != nullptr) *settings.area = area.value();
   reader.release_memory();
   numbers = {};
-  Spool sided(job, memory.faces / 16);
+  Spool sided(job, share::weld::two_sided(memory.faces));
   collect_faces(job, *faces, sided, mesh);
   faces.reset();
   agree_on_sides(job, sided, memory.lists, mesh);

@@ -1,5 +1,7 @@
 #include "io/parted_records.hpp"
 
+#include "base/memory_shares.hpp"
+
 namespace winnow {
 
 PartsPlan PartsPlan::divide(std::uint64_t memory, unsigned threads, std::uint64_t records,
@@ -10,16 +12,16 @@ PartsPlan PartsPlan::divide(std::uint64_t memory, unsigned threads, std::uint64_
   constexpr std::uint64_t smallest_chunk = std::uint64_t{1} << 12;
   constexpr std::uint64_t largest_chunk = std::uint64_t{1} << 15;
   PartsPlan plan{};
-  // The first chunks of all lists take a third of the memory at the most.
-  const std::uint64_t lists = std::max<std::uint64_t>(memory / 3 / smallest_chunk / threads, 1);
+  const std::uint64_t chunks = share::parted::first_chunks(memory);
+  const std::uint64_t lists = std::max<std::uint64_t>(chunks / smallest_chunk / threads, 1);
   plan.parts = std::min({records / usual_records + 1, most_parts, lists});
-  const std::uint64_t share = records / plan.parts + 1;
+  const std::uint64_t even = records / plan.parts + 1;
   plan.chunk_bytes =
-      std::clamp(std::bit_floor(std::min(memory / 3 / threads / plan.parts, share * record_bytes)),
+      std::clamp(std::bit_floor(std::min(chunks / threads / plan.parts, even * record_bytes)),
                  smallest_chunk, largest_chunk);
   // Parts may be twice as large as they should be.
-  plan.sorting =
-      std::min(memory / 2, at_work(threads) * 2 * std::max(share, usual_records) * bytes_at_work);
+  plan.sorting = std::min(share::parted::sorting(memory),
+                          at_work(threads) * 2 * std::max(even, usual_records) * bytes_at_work);
   plan.largest_records =
       std::max<std::uint64_t>(plan.sorting * 3 / 4 / at_work(threads) / bytes_at_work, 1);
   // Whole steps of growing pages.

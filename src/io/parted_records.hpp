@@ -4,6 +4,7 @@
 
 #include "base/checksum.hpp"
 #include "base/growing_pages.hpp"
+#include "base/memory_shares.hpp"
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "base/rank_order.hpp"
@@ -131,9 +132,10 @@ class PartedRecords {
             if (records == 0) continue;
             if (records <= plan_.largest_records) return true;
             // In memory where there is room.
-            large.emplace(
-                job_, std::max({plan_.sorting / 4, SortedRecords<Record>::least_memory,
-                                std::min(2 * records * sizeof(Record), job_.budget.left() / 2)}));
+            large.emplace(job_,
+                          std::max({plan_.sorting / 4, SortedRecords<Record>::least_memory,
+                                    std::min(2 * records * sizeof(Record),
+                                             share::left::crowded_part(job_.budget.left()))}));
             for_each_chunk(item.part, [&](std::span<const Record> chunk) {
               for (const Record& record : chunk) large->add(record);
             });

@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/hash.hpp"
+#include "base/memory_shares.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -19,7 +20,7 @@ namespace {
 
 // Of the memory, what reading all that was spilled takes.
 std::uint64_t beside_merging(std::uint64_t memory, std::uint64_t merging) {
-  return std::max(memory - std::min(memory, merging), memory / 8);
+  return std::max(memory - std::min(memory, merging), share::count::least_beside_merging(memory));
 }
 
 }  // namespace

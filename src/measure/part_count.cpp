@@ -1,5 +1,6 @@
 #include "measure/part_count.hpp"
 
+#include "base/memory_shares.hpp"
 #include "base/wide.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ constexpr std::uint64_t most_slots = UINT32_MAX - 1;
 
 PartCount::PartCount(Job& job, std::uint64_t memory, std::optional<std::uint64_t> positions)
     : job_(job),
-      link_memory_(memory / 5),
+      link_memory_(share::count::links(memory)),
       recent_(job.threads, [] { return std::make_unique<Recent>(); }) {
   const std::uint64_t room = std::min((memory - link_memory_) / slot_bytes, most_slots);
   const std::uint64_t wanted = positions ? std::min(*positions, most_slots) * 3 / 2 : most_slots;

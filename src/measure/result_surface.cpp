@@ -1,6 +1,7 @@
 #include "measure/result_surface.hpp"
 
 #include "base/hash.hpp"
+#include "base/memory_shares.hpp"
 #include "io/parted_records.hpp"
 #include "io/spool_records.hpp"
 #include "measure/edge_count.hpp"
@@ -150,7 +151,7 @@ ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t mem
   std::optional<JoinedVertices> joined;
   Reservation for_joined;
   if (const std::uint64_t bytes = JoinedVertices::bytes(mesh.vertices->size());
-      bytes <= memory / 2) {
+      bytes <= share::count::joined_vertices(memory)) {
     memory -= bytes;
     for_joined = job.budget.reserve(bytes, "counting pieces");
     joined.emplace(mesh.vertices->size());

@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/memory_shares.hpp"
 #include "base/text.hpp"
 
 #include <algorithm>
@@ -28,9 +29,10 @@ BufferedReader::BufferedReader(Job& job, std::unique_ptr<ByteSource> source,
                                const ReaderMemory& memory, const AttributeRequest& wish,
                                const std::string& format, const AvailableAttributes& offer,
                                const Parse& parse)
-    : IndexedReader(job, std::move(source), memory, memory.vertices / 2),
-      faces_(job, memory.vertices * 3 / 8),
-      numbers_(job, memory.vertices / 8) {
+    : IndexedReader(job, std::move(source), memory,
+                    share::reading::buffered_vertices(memory.vertices)),
+      faces_(job, share::reading::buffered_faces(memory.vertices)),
+      numbers_(job, share::reading::buffered_numbers(memory.vertices)) {
   facts_.format = format;
   if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
   facts_.offer = offer;

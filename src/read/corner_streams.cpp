@@ -1,5 +1,6 @@
 #include "read/corner_streams.hpp"
 
+#include "base/memory_shares.hpp"
 #include "base/pages.hpp"
 #include "base/parallel.hpp"
 #include "read/for_each_batch.hpp"
@@ -48,9 +49,9 @@ void copy_records(const std::byte* records, std::size_t bytes,
 std::optional<CornerStreams::Plan> CornerStreams::plan(std::uint64_t vertices,
                                                        std::size_t record_bytes,
                                                        std::uint64_t memory, unsigned threads) {
-  if (vertices == 0 || memory / 2 < record_bytes) return {};
+  if (vertices == 0 || share::reading::corner_part(memory) < record_bytes) return {};
   Plan plan;
-  plan.part_bits = part_bits_for(memory / 2, record_bytes);
+  plan.part_bits = part_bits_for(share::reading::corner_part(memory), record_bytes);
   const unsigned usual_bits = part_bits_for(usual_part_bytes, record_bytes);
   while (plan.part_bits > usual_bits && parts_of(vertices, plan.part_bits - 1) <= usual_parts)
     --plan.part_bits;
@@ -60,8 +61,10 @@ std::optional<CornerStreams::Plan> CornerStreams::plan(std::uint64_t vertices,
   plan.buffer_bytes = part_buffer_bytes(memory, parts);
   plan.chunks = std::min<std::size_t>(2 * std::size_t{threads} + 1, 9);
   plan.chunk_corners = std::min<std::uint64_t>(
-      usual_chunk_corners, memory / 4 / (plan.chunks * (sizeof(std::uint32_t) + record_bytes)));
-  plan.batch_faces = memory / 2 / (batches_in_flight(threads) * 3 * record_bytes);
+      usual_chunk_corners, share::reading::corner_chunks(memory) /
+                               (plan.chunks * (sizeof(std::uint32_t) + record_bytes)));
+  plan.batch_faces =
+      share::reading::corner_batches(memory) / (batches_in_flight(threads) * 3 * record_bytes);
   // Less would be no better than a lookup for each.
   constexpr std::size_t least = 64;
   if (plan.buffer_bytes < least || plan.chunk_corners < least || plan.batch_faces < least)

@@ -4,6 +4,7 @@
 
 #include "base/budget.hpp"
 #include "base/hash.hpp"
+#include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "base/viridis.hpp"
 #include "io/arena.hpp"
@@ -134,7 +135,7 @@ class Comparison {
     }
     const std::unique_ptr<MeshReader> reader =
         open_reader(job_, open_source(job_, name), options_.from_simplified, Access::once,
-                    {job_.budget.left() / 8, batch_faces});
+                    {share::compare::reading_simplified(job_.budget.left()), batch_faces});
     report_.simplified.format = reader->facts().format;
     if (reader->facts().faces) check_room(*reader->facts().faces);
     simplified_ =
@@ -198,13 +199,14 @@ class Comparison {
 
   void compare_with(const std::string& name, const SurfaceTree& tree, NearestPoints& points) {
     const std::uint64_t left = job_.budget.left();
+    const std::uint64_t reading = share::compare::reading_original(left);
     const std::unique_ptr<MeshReader> reader =
         open_reader(job_, open_source(job_, name), options_.from_original, Access::repeatedly,
-                    {left / 4, batch_faces});
+                    {reading, batch_faces});
     report_.original.format = reader->facts().format;
-    const std::uint64_t capacity = std::min(
-        SurfaceTree::most_faces,
-        (job_.budget.left() - std::min(job_.budget.left(), left / 4)) / bytes_a_chunk_face);
+    const std::uint64_t capacity =
+        std::min(SurfaceTree::most_faces,
+                 (job_.budget.left() - std::min(job_.budget.left(), reading)) / bytes_a_chunk_face);
     if (capacity < smallest_chunk(job_.threads))
       refuse(simplified_->size(), 2 * (left - job_.budget.left()));
     FaceStore chunk(job_.budget, capacity);

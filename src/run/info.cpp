@@ -3,6 +3,7 @@
 
 #include "base/budget.hpp"
 #include "base/exact_sum.hpp"
+#include "base/memory_shares.hpp"
 #include "base/per_slot.hpp"
 #include "base/text.hpp"
 #include "io/arena.hpp"
@@ -30,7 +31,8 @@ struct InfoMemory {
                                             size_option(fixed + least));
     }
     const std::uint64_t rest = total - fixed;
-    return {{rest / 8, 2048}, {rest / 8 * 3, rest / 2}};
+    return {{share::info::reading(rest), 2048},
+            {share::info::edges(rest), share::info::pieces(rest)}};
   }
 };
 

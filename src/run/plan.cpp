@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/budget.hpp"
+#include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "cluster/attribute_means.hpp"
 #include "cluster/boundary_sum.hpp"
@@ -58,7 +59,8 @@ std::uint64_t MemoryPlan::smallest_for(unsigned threads, const CellNeeds& needs)
   const std::uint64_t merge = SortedRuns<CellFace>::merge_memory() * (needs.attributes > 0 ? 2 : 1);
   // The smallest share decides.
   const std::uint64_t rest =
-      std::max({table * 8 / 3, faces * 4, merge * 8, CellCounts::memory(threads)}) *
+      std::max({share::plan::cells.whole(table), share::plan::faces.whole(faces),
+                share::plan::merging.whole(merge), CellCounts::memory(threads)}) *
       (needs.weld ? 4 : 3) / 3;
   const std::uint64_t fixed = threads * per_thread(needs) + blocks_in_flight(threads, small_batch);
   return (fixed + rest + mebibyte - 1) / mebibyte * mebibyte;
@@ -79,19 +81,17 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned
   const bool large = total - taken >= std::max(256 * mebibyte, 4 * plan.smallest);
   plan.reader.batch_faces = large ? large_batch : small_batch;
   plan.fixed = threads * per_thread(needs) + blocks_in_flight(threads, plan.reader.batch_faces);
-  // The rest in eighths: three for cells, two for faces, two for vertices of the input, one for
-  // merging.
   std::uint64_t rest = total - taken - plan.fixed;
   if (needs.weld) {
     // What has moved is looked up for as long as faces are read. The rest of what welding takes is
-    // free before they are clustered. Two lists are merged at a time; a quarter is left for that.
-    plan.weld.moved = rest / 4;
+    // free before they are clustered.
+    plan.weld.moved = share::plan::moved(rest);
     rest -= plan.weld.moved;
-    plan.weld.sorting = rest / 4;
-    plan.weld.links = rest / 8;
-    plan.weld.positions = rest / 8;
+    plan.weld.sorting = share::plan::weld_sorting(rest);
+    plan.weld.links = share::plan::weld_links(rest);
+    plan.weld.positions = share::plan::weld_positions(rest);
   }
-  plan.cluster.table = rest * 3 / 8;
+  plan.cluster.table = share::plan::cells(rest);
   if (needs.attributes > 0) {
     // As many cells in either table.
     const std::uint64_t entry = AttributeMemory::entry_size(needs.attributes);
@@ -99,12 +99,10 @@ MemoryPlan MemoryPlan::divide(std::uint64_t total, std::uint64_t taken, unsigned
     plan.cluster.attributes = plan.cluster.table / (cell + entry) * entry;
     plan.cluster.table -= plan.cluster.attributes;
   }
-  plan.cluster.faces = rest / 4;
-  plan.reader.vertices = rest / 4;
-  // When the input is read, its vertices make room for those of the result, and the table, once
-  // merged, for the faces.
-  plan.cluster.vertices = rest / 4;
-  plan.cluster.result = rest / 4;
+  plan.cluster.faces = share::plan::faces(rest);
+  plan.reader.vertices = share::plan::input_vertices(rest);
+  plan.cluster.vertices = share::plan::vertices(rest);
+  plan.cluster.result = share::plan::result(rest);
   return plan;
 }
 

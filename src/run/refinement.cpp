@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "base/trigonometry.hpp"
 #include "run/simplify_options.hpp"
@@ -129,7 +130,8 @@ class HeldBesideTile {
 }  // namespace
 
 RefineMemory refine_memory(std::uint64_t left) {
-  return {left / 2, left / 8, left / 8, left / 8};
+  return {share::refine::tiles(left), share::refine::logs(left), share::refine::mesh(left),
+          share::refine::lists(left)};
 }
 
 StoredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,

@@ -1,5 +1,6 @@
 #include "run/safe_clustering.hpp"
 
+#include "base/memory_shares.hpp"
 #include "base/sort_unique.hpp"
 #include "cluster/batch_boxes.hpp"
 #include "cluster/cell_set.hpp"
@@ -113,8 +114,9 @@ class DamageSplitter {
 
   std::optional<Damage> look_at(ClusteredMesh& mesh, std::uint64_t most) {
     job_.progress.begin("look for damage", mesh.face_count, "faces");
-    std::optional<Damage> damage = find_damage(job_, mesh, most, fold_reach * settings_.grid.cell,
-                                               std::min(tile_share, job_.budget.left() / 2));
+    std::optional<Damage> damage =
+        find_damage(job_, mesh, most, fold_reach * settings_.grid.cell,
+                    std::min(tile_share, share::left::damage(job_.budget.left())));
     if (!damage) return damage;
     mesh.folds.faces = std::move(damage->folds);
     VertexIndex::Reader vertices(*mesh.vertices);
@@ -131,7 +133,8 @@ class DamageSplitter {
     std::set<CellKey> unsettled;
     for (Names deeper = damaged; !deeper.empty();) {
       const bool first = levels.empty();
-      Level& level = levels.emplace_back(job_, attributes_, memory_.vertices / 2 >> levels.size());
+      Level& level = levels.emplace_back(
+          job_, attributes_, share::split::near_faces(memory_.vertices) >> levels.size());
       for (const CellKey name : deeper) {
         level.split.set(names_.cell_of(name));
         if (first && std::binary_search(boundary_.begin(), boundary_.end(), name)) continue;
@@ -207,10 +210,8 @@ class DamageSplitter {
   ClusteredMesh cluster_near(Level& level, const ClusteredMesh& around, unsigned shift) {
     const std::unique_ptr<Spool> ring = ring_of(level, around, shift);
     job_.progress.begin("split cells", level.near.size(), "faces");
-    ClusterMemory memory = memory_;
-    memory.vertices /= 4;
-    memory.result /= 4;
-    const std::unique_ptr<Clusterer> clusterer = Clusterer::make(job_, settings_, memory);
+    const std::unique_ptr<Clusterer> clusterer =
+        Clusterer::make(job_, settings_, safe_memory(memory_));
     const FaceSink sink = [&](const FaceBatch& faces) {
       clusterer->add(faces);
       job_.progress.advance(faces.count);
@@ -237,7 +238,7 @@ class DamageSplitter {
       split[v] = level.split.has(cell);
       beside[v] = level.beside.has(cell);
     }
-    auto ring = std::make_unique<Spool>(job_, memory_.result / 16);
+    auto ring = std::make_unique<Spool>(job_, share::split::ring(memory_.result));
     VertexIndex::Reader reader(*mesh.vertices);
     Appender<NamedFace> append(job_, *ring);
     SpoolCursor<FaceVertices> faces = mesh.face_cursor(job_);
@@ -347,8 +348,8 @@ class DamageSplitter {
 }  // namespace
 
 ClusterMemory safe_memory(ClusterMemory memory) {
-  memory.vertices /= 4;
-  memory.result /= 4;
+  memory.vertices = share::split::vertices(memory.vertices);
+  memory.result = share::split::result(memory.result);
   return memory;
 }
 

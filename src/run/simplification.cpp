@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 #include <winnow/simplification.hpp>
 
+#include "base/memory_shares.hpp"
 #include "io/arena.hpp"
 #include "io/spool.hpp"
 #include "io/spooled_source.hpp"
@@ -31,11 +32,11 @@ SimplifyOptions checked(SimplifyOptions options) {
   return options;
 }
 
-// What is left of the budget beside the smallest that works is for the mesh that is added, by half.
-std::uint64_t share(const Job& job, const SimplifyOptions& options) {
+// Of what is left of the budget beside the smallest that works.
+std::uint64_t memory_of_mesh(const Job& job, const SimplifyOptions& options) {
   MemoryPlan::divide(job.budget.total(), job.budget.used(), job.threads, needs_of(options));
   const std::uint64_t needed = MemoryPlan::smallest_for(job.threads, needs_of(options));
-  return (job.budget.left() - needed) / 4;
+  return share::left::added_mesh(job.budget.left() - needed);
 }
 
 }  // namespace
@@ -50,8 +51,8 @@ struct Simplification::State {
     } else {
       sink = std::make_unique<MemorySink>(job, result, options);
     }
-    vertices = std::make_unique<Spool>(job, share(job, options));
-    faces = std::make_unique<Spool>(job, share(job, options));
+    vertices = std::make_unique<Spool>(job, memory_of_mesh(job, options));
+    faces = std::make_unique<Spool>(job, memory_of_mesh(job, options));
   }
 
   template <typename Real>

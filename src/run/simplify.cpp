@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 #include <winnow/simplify.hpp>
 
+#include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "cluster/near_welder.hpp"
 #include "cluster/resolution.hpp"
@@ -86,7 +87,7 @@ std::string percentage(double part) {
 // Tells what became of the surface.
 void check_surface(Job& job, const StoredMesh& mesh, const SimplifyOptions& options,
                    SimplifyReport& report) {
-  const ResultSurface surface = measure_result(job, mesh, job.budget.left() / 2);
+  const ResultSurface surface = measure_result(job, mesh, share::left::checking(job.budget.left()));
   report.topology.output = surface.edges;
   report.topology.output_pieces = surface.pieces;
   report.topology.closed = surface.closed;

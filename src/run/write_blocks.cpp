@@ -1,5 +1,6 @@
 #include "run/write_blocks.hpp"
 
+#include "base/memory_shares.hpp"
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
 #include "base/sort_unique.hpp"
@@ -95,7 +96,7 @@ void write_blocks(Job& job, const StoredMesh& mesh, const MeshShape& shape,
     if (!more) break;
     reservations.push_back(std::move(more));
   }
-  Spool packed(job, job.budget.left() / 2);
+  Spool packed(job, share::left::packing(job.budget.left()));
   PerSlot<Readers> slots(job.threads, [&] { return std::make_unique<Readers>(mesh, shape); });
   const std::uint64_t count = (shape.faces + block_faces - 1) / block_faces;
   std::vector<MeshBlock> blocks;

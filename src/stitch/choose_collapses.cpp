@@ -1,5 +1,6 @@
 #include "stitch/choose_collapses.hpp"
 
+#include "base/memory_shares.hpp"
 #include "stitch/price_estimate.hpp"
 
 #include <algorithm>
@@ -138,7 +139,8 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
   ProgressMeter& progress = tiles_.job().progress;
   Tried all;
   // Two attempts may be there at once.
-  all.log = std::make_unique<CollapseLog>(tiles_.job(), tiles_.memory().logs / 2);
+  all.log =
+      std::make_unique<CollapseLog>(tiles_.job(), share::refine::attempt(tiles_.memory().logs));
   // Only where tiles go beyond all prices: what they do up to a price does not hang on it.
   const double left = left_by_tiles();
   PriceEstimate estimate(1 - left);

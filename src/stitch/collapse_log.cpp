@@ -1,5 +1,6 @@
 #include "stitch/collapse_log.hpp"
 
+#include "base/memory_shares.hpp"
 #include "base/search.hpp"
 #include "io/spool_records.hpp"
 
@@ -10,7 +11,7 @@
 namespace winnow {
 
 CollapseLog::CollapseLog(Job& job, std::uint64_t memory)
-    : edges_(job, memory / 2), prices_(job, memory / 2) {}
+    : edges_(job, share::refine::edges(memory)), prices_(job, share::refine::prices(memory)) {}
 
 void CollapseLog::append(const std::vector<Collapse>& edges, const std::vector<Price>& prices) {
   append_records<Collapse>(edges_, edges);

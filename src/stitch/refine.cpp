@@ -1,5 +1,6 @@
 #include "stitch/refine.hpp"
 
+#include "base/memory_shares.hpp"
 #include "mesh/saved_mesh.hpp"
 #include "stitch/apply_collapses.hpp"
 #include "stitch/blocked_faces.hpp"
@@ -120,12 +121,11 @@ class Refiner {
 
   // The mesh as it is written: no round goes on from it.
   StoredMesh unfolded(StoredMesh whole) {
-    if (!settings_.unfolds() || state_.report.collapses == 0 || whole.face_count == 0)
-      return whole;
+    if (!settings_.unfolds() || state_.report.collapses == 0 || whole.face_count == 0) return whole;
     job_.progress.begin("unfold", whole.face_count, "faces");
     whole.state.reset();
     if (checkpoint_ != nullptr) reference_ = load_reference(job_, *checkpoint_, memory_.mesh);
-    const ReferenceMesh reference(job_, reference_, memory_.lists / 4);
+    const ReferenceMesh reference(job_, reference_, share::refine::boxes(memory_.lists));
     const std::uint64_t ratio = reference_.face_count / whole.face_count;
     auto vertices = std::make_unique<VertexIndex>(job_, memory_.mesh);
     {

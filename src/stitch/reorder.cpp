@@ -1,5 +1,6 @@
 #include "stitch/reorder.hpp"
 
+#include "base/memory_shares.hpp"
 #include "io/recent_blocks.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
@@ -52,13 +53,14 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_mem
   const MeshLayout layout = whole.layout;
   StoredMesh out(job, layout, MeshMemory::divide(mesh_memory));
   out.face_count = whole.face_count;
-  Spool numbers(job, list_memory / 2);  // the new number of each vertex
+  Spool numbers(job, share::refine::renumbering(list_memory));  // the new number of each vertex
   {
     SortedRuns<Renumbered> renumbered_runs(job);
-    SortedList<Renumbered> renumbered(job, list_memory / 2, renumbered_runs);
+    SortedList<Renumbered> renumbered(job, share::refine::renumbering(list_memory),
+                                      renumbered_runs);
     {
       SortedRuns<Moved> runs(job);
-      SortedList<Moved> list(job, list_memory / 2, runs);
+      SortedList<Moved> list(job, share::refine::sorting_vertices(list_memory), runs);
       VertexIndex::Reader reader(*whole.vertices);
       for (std::uint32_t v = 0; v < vertices; ++v)
         list.add({shifted(reader.at(v).key, back), v, 0});
@@ -92,7 +94,7 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_mem
   whole.state.reset();
 
   SortedRuns<OrderedFace> runs(job);
-  SortedList<OrderedFace> list(job, list_memory / 2, runs);
+  SortedList<OrderedFace> list(job, share::refine::sorting_vertices(list_memory), runs);
   SpoolCursor<FaceVertices> faces = whole.face_cursor(job);
   RecentBlocks new_numbers(numbers, sizeof(std::uint32_t));
   for (FaceVertices face{}; faces.next(face);) {

@@ -1,5 +1,6 @@
 #include "stitch/smaller_mesh.hpp"
 
+#include "base/memory_shares.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
 #include "mesh/ordered_face.hpp"
@@ -76,15 +77,14 @@ TileResult rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& dec
   return rest;
 }
 
-// A quarter of the memory is for faces on their way.
 RoundOutput::RoundOutput(Job& job, const MeshLayout& layout, std::uint64_t memory)
     : job_(job),
       memory_(memory),
-      out_(job, layout, MeshMemory::divide(memory / 4 * 3)),
-      faces_(job, memory / 8),
-      seam_faces_(job, memory / 32),
-      hub_faces_(job, memory / 32),
-      named_(job, memory / 32) {}
+      out_(job, layout, MeshMemory::divide(share::round::mesh(memory))),
+      faces_(job, share::round::inner_faces(memory)),
+      seam_faces_(job, share::round::seam_faces(memory)),
+      hub_faces_(job, share::round::hub_faces(memory)),
+      named_(job, share::round::named(memory)) {}
 
 void RoundOutput::append(TileResult rest) {
   const auto base = static_cast<std::uint32_t>(first_vertex_.back());
@@ -128,8 +128,8 @@ std::uint32_t RoundOutput::new_number(const Tiling& tiling, RecentBlocks& named,
 }
 
 void RoundOutput::set_normals(const std::map<std::uint32_t, Point>& normals) {
-  const std::unique_ptr<VertexIndex> before =
-      std::exchange(out_.vertices, std::make_unique<VertexIndex>(job_, memory_ / 32));
+  const std::unique_ptr<VertexIndex> before = std::exchange(
+      out_.vertices, std::make_unique<VertexIndex>(job_, share::round::hub_normals(memory_)));
   SpoolCursor<IndexedVertex> vertices(job_, before->records());
   Appender<IndexedVertex, VertexIndex> append(job_, *out_.vertices);
   std::uint32_t number = 0;
@@ -159,7 +159,7 @@ StoredMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uint
   std::map<std::uint32_t, Point> normals;  // of hubs
   for (const std::uint32_t hub : hubs) normals[new_number(tiling, named, hub)] = {};
   SortedRuns<OrderedFace> runs(job_);
-  SortedList<OrderedFace> list(job_, memory_ / 32, runs);
+  SortedList<OrderedFace> list(job_, share::round::sorted_hub_faces(memory_), runs);
   SpoolCursor<SeamFace> at_hubs(job_, hub_faces_);
   VertexIndex::Reader vertices(*out_.vertices);
   for (SeamFace face{}; at_hubs.next(face);) {

@@ -1,6 +1,7 @@
 #include "stitch/tile.hpp"
 
 #include "base/hash.hpp"
+#include "base/memory_shares.hpp"
 #include "base/sort_unique.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
@@ -50,16 +51,17 @@ void for_each_seam_face(Job& job, const StoredMesh& mesh, const Tiling& tiling, 
 
 IncomingFaces::IncomingFaces(Job& job, const StoredMesh& mesh, const Tiling& tiling,
                              std::uint64_t memory, std::uint64_t hub_faces)
-    : faces_(job, memory / 2), first_(2 * tiling.tiles() + 1, 0) {
+    : faces_(job, share::refine::incoming(memory)), first_(2 * tiling.tiles() + 1, 0) {
   if (tiling.tiles() == 1) {
     faces_.finish();
     return;
   }
   find_hubs(job, mesh, tiling, hub_faces);
   away_.assign(tiling.tiles(), 0);
-  const Reservation reserved = job.budget.reserve(memory / 2, "sorting");
+  const std::uint64_t sorting = share::refine::sorting_incoming(memory);
+  const Reservation reserved = job.budget.reserve(sorting, "sorting");
   SortedRuns<ListedFace> runs(job);
-  SortedList<ListedFace> list(job, memory / 2, runs);
+  SortedList<ListedFace> list(job, sorting, runs);
   for_each_seam_face(job, mesh, tiling, [&](const FaceVertices& face) {
     const std::size_t at_home = home(face, tiling);
     if (const std::size_t lowest = tiling.tile_of(face[0]); at_home != lowest) {

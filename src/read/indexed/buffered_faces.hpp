@@ -1,6 +1,7 @@
 // Triangles that wait for their vertices, in memory or scratch.
 #pragma once
 
+#include "base/memory_shares.hpp"
 #include "io/spool.hpp"
 #include "read/mesh_reader.hpp"
 
@@ -19,7 +20,7 @@ class BufferedFaces {
   static constexpr std::uint64_t bytes_a_face = 12;
 
   BufferedFaces(Job& job, std::uint64_t memory_limit)
-      : spool_(job, memory_limit), fans_(job, memory_limit / 8) {}
+      : spool_(job, memory_limit), fans_(job, share::reading::fans(memory_limit)) {}
 
   // How a face of fewer than three corners is kept: numbers that no three vertices of one face
   // have. The first is of none, see MeshReader's indices.

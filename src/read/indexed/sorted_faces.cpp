@@ -1,5 +1,6 @@
 #include "read/indexed/sorted_faces.hpp"
 
+#include "base/memory_shares.hpp"
 #include "base/parallel.hpp"
 #include "read/for_each_batch.hpp"
 #include "read/indexed/buffered_faces.hpp"
@@ -19,14 +20,14 @@ constexpr std::size_t most_parts = 512;
 }  // namespace
 
 std::uint64_t SortedFaces::near(std::size_t record_bytes, std::uint64_t memory) {
-  return memory / 16 / record_bytes;
+  return share::reading::near_faces(memory) / record_bytes;
 }
 
 // Faces of one part span the part and twice what is near: together what VertexStore looks up in its
 // mapping at once. Small parts bring more cells together.
 std::optional<SortedFaces::Plan> SortedFaces::plan(std::uint64_t vertices, std::size_t record_bytes,
                                                    std::uint64_t memory) {
-  const std::uint64_t part_bytes = memory / 8;
+  const std::uint64_t part_bytes = share::reading::sorted_part(memory);
   Plan plan;
   plan.near = near(record_bytes, memory);
   if (vertices == 0 || plan.near == 0) return {};

@@ -2,6 +2,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "io/file_descriptor.hpp"
 #include "read/ply/scalar.hpp"
@@ -282,7 +283,7 @@ void VertexStore::touch(std::uint64_t begin, std::uint64_t end) const {
   const auto check = [this](std::uint64_t from, std::uint64_t to) {
     if (scratch_ != nullptr) scratch_->check(file_offset_ + from, to - from);
   };
-  if (resident_.touch(begin, end, check) <= memory_limit_ / 2) return;
+  if (resident_.touch(begin, end, check) <= share::reading::touched(memory_limit_)) return;
   const std::scoped_lock lock(dropping_);
   resident_.clear();
   window_->drop_pages();

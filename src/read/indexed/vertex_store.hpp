@@ -1,6 +1,7 @@
 // Vertex positions by index: looked up in the mapped file, or kept in memory or scratch.
 #pragma once
 
+#include "base/memory_shares.hpp"
 #include "base/vector.hpp"
 #include "io/job.hpp"
 #include "io/mapped_window.hpp"
@@ -102,7 +103,8 @@ class VertexStore {
   // One batch alone may use a quarter; faces that jump farther are read one vertex at a time, which
   // is slow but touches no page.
   [[nodiscard]] bool too_wide(VertexRange range) const {
-    return (range.highest - range.lowest + std::uint64_t{1}) * layout_.stride > memory_limit_ / 4;
+    return (range.highest - range.lowest + std::uint64_t{1}) * layout_.stride >
+           share::reading::one_batch(memory_limit_);
   }
   static constexpr std::uint64_t resident_block = std::uint64_t{1} << 16;
 

@@ -3,6 +3,7 @@
 
 #include <winnow/error.hpp>
 
+#include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "read/formats.hpp"
 #include "read/indexed/buffered_faces.hpp"
@@ -278,7 +279,8 @@ class PlyReader final : public IndexedReader {
   // Faces that stand before the vertices wait in scratch.
   void keep_faces() {
     job_.progress.begin("keep faces", faces_.element->count, "faces");
-    buffered_faces_ = std::make_unique<BufferedFaces>(job_, memory_.vertices / 4);
+    buffered_faces_ =
+        std::make_unique<BufferedFaces>(job_, share::reading::faces_first(memory_.vertices));
     PlyLists lists(*faces_.element, *faces_.list, *values_, faces_.strips);
     for (;;) {
       RawBatch batch;
