@@ -16,7 +16,6 @@ std::set<std::string> all_names() {
   add_names(simplify_options(), names);
   add_names(convert_options(), names);
   add_names(compare_options(), names);
-  add_names(generate_options(), names);
   add_names(context_options(), names);
   return names;
 }

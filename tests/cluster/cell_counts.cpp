@@ -1,7 +1,7 @@
 // The cell size that gives a wanted number of faces.
-#include <winnow/generate.hpp>
 
 #include "cluster/resolution.hpp"
+#include "generate/generate.hpp"
 #include "io/arena.hpp"
 #include "read/for_each_batch.hpp"
 #include "support/clustering.hpp"

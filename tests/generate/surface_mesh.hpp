@@ -1,9 +1,8 @@
 // What the tests of generated surfaces share: a surface as arrays, its edges, and outputs as bytes.
 #pragma once
 
-#include <winnow/generate.hpp>
-
 #include "base/vector.hpp"
+#include "generate/generate.hpp"
 #include "generate/surface.hpp"
 #include "support/files.hpp"
 

@@ -2,6 +2,7 @@
 #include <winnow/error.hpp>
 #include <winnow/options.hpp>
 
+#include "generate/generate.hpp"
 #include "support/field_count.hpp"
 #include "support/job.hpp"
 

@@ -1,8 +1,7 @@
 // The built program as a child process: what it reads and writes, how it ends, what it uses.
 #pragma once
 
-#include <winnow/generate.hpp>
-
+#include "generate/generate.hpp"
 #include "support/sanitized.hpp"
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-#include <winnow/options.hpp>
-
+#include "generate/generate.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
 #include "report_text.hpp"

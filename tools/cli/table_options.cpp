@@ -15,6 +15,14 @@ std::string spoken(const std::string& text) {
   });
 }
 
+std::string spoken(const std::string& text, const std::string& option) {
+  const std::string quoted = "`" + option + "`";
+  std::string result = text;
+  for (std::size_t at = 0; (at = result.find(quoted, at)) != std::string::npos;)
+    result.replace(at, quoted.size(), flag_called(option));
+  return spoken(result);
+}
+
 std::vector<std::string> spoken(std::vector<std::string> texts) {
   for (std::string& text : texts) text = spoken(text);
   return texts;

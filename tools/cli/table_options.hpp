@@ -1,6 +1,7 @@
 // A command's options from a table of the library.
 #pragma once
 
+#include <winnow/error.hpp>
 #include <winnow/options.hpp>
 
 #include "numbers.hpp"
@@ -21,6 +22,9 @@ std::string flag_called(std::string name);
 
 // A text of the library as this program says it.
 std::string spoken(const std::string& text);
+
+// The same of a text that names `option`, which may be one of this program alone.
+std::string spoken(const std::string& text, const std::string& option);
 
 // The same of each.
 std::vector<std::string> spoken(std::vector<std::string> texts);
@@ -63,8 +67,12 @@ class TableOptions {
   // Once the command line is parsed. Throws Error(usage).
   void read(Options& options) const {
     for (const auto& [option, asked] : added_) {
-      if (asked->count() > 0)
+      if (asked->count() == 0) continue;
+      try {
         option->set(options, option->flag() ? "true" : asked->results().back());
+      } catch (const Error& error) {
+        throw Error(error.kind(), spoken(error.what(), option->name));
+      }
     }
   }
 

@@ -1,8 +1,8 @@
 // A scan at georeferenced coordinates is as precise as the same scan at the origin, all the way to
 // the file.
 #include <winnow/compare.hpp>
-#include <winnow/generate.hpp>
 
+#include "generate/generate.hpp"
 #include "support/glb_file.hpp"
 #include "support/ply_file.hpp"
 #include "support/program.hpp"

@@ -1,12 +1,13 @@
 // Surfaces of any size, made from nothing: input for tests and benches.
 #pragma once
 
-#include <winnow/api.hpp>
 #include <winnow/context.hpp>
+#include <winnow/options.hpp>
 #include <winnow/simplify.hpp>
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace winnow {
@@ -37,7 +38,9 @@ struct GenerateReport {
 // bytes depend on `options` alone. The surface is about 2 units across; its spacing follows from
 // the count. Throws Error: usage (a count that the format cannot hold), resources, cancelled,
 // failed.
-WINNOW_API GenerateReport generate(Context& context, const std::string& output,
-                                   const GenerateOptions& options);
+GenerateReport generate(Context& context, const std::string& output,
+                        const GenerateOptions& options);
+
+std::span<const Option<GenerateOptions>> generate_options();
 
 }  // namespace winnow

@@ -1,8 +1,7 @@
 // A surface as the bytes of a file, block by block.
 #pragma once
 
-#include <winnow/generate.hpp>
-
+#include "generate/generate.hpp"
 #include "generate/scatter.hpp"
 #include "generate/surface.hpp"
 #include "io/byte_sink.hpp"

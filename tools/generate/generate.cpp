@@ -1,5 +1,6 @@
+#include "generate/generate.hpp"
+
 #include <winnow/error.hpp>
-#include <winnow/generate.hpp>
 
 #include "base/text.hpp"
 #include "generate/stream.hpp"

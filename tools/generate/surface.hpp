@@ -2,9 +2,8 @@
 // so a surface of any size can be streamed, in any order and by any number of threads.
 #pragma once
 
-#include <winnow/generate.hpp>
-
 #include "base/vector.hpp"
+#include "generate/generate.hpp"
 #include "write/mesh_encoder.hpp"
 
 #include <cstdint>
