@@ -7,8 +7,7 @@
 namespace winnow {
 
 EdgeStar::EdgeStar(const CoordinateRounding& rounding)
-    : rounding_(rounding),
-      turn_(best_kernel(star_kernel_baseline, star_kernel_avx2, star_kernel_avx512)) {}
+    : rounding_(rounding), turn_(best_kernel(WINNOW_KERNELS(star_kernel))) {}
 
 void EdgeStar::find(const TileMesh& mesh, VertexNumber kept, VertexNumber removed) {
   kept_ = kept;

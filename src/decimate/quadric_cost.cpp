@@ -30,7 +30,7 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& 
       planes_(mesh.vertex_count()),
       farthest_(mesh, rounding_.relative),
       at_boundary_(mesh.vertex_count(), 0),
-      price_edges_(best_kernel(edge_kernel_baseline, edge_kernel_avx2, edge_kernel_avx512)) {
+      price_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_boundary_[v] = !mesh.all_edges_even(v);
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
     const VertexPlanes planes = planes_of(f);

@@ -8,7 +8,8 @@
 
 namespace winnow {
 
-static_assert(std::endian::native == std::endian::little, "winnow is written for x86-64");
+static_assert(std::endian::native == std::endian::little,
+              "winnow is written for little-endian machines");
 
 template <typename T>
 void append(std::vector<std::byte>& out, T value) {

@@ -40,7 +40,7 @@ Quadric quadric_of(const VertexPlanes& p) {
 
 TEST_CASE("edges have the same prices and places by every instruction set") {
   Random random(31);
-  const auto kernels = runnable(edge_kernel_baseline, edge_kernel_avx2, edge_kernel_avx512);
+  const auto kernels = runnable(WINNOW_KERNELS(edge_kernel));
   for (int round = 0; round < 3000; ++round) {
     const double scale = std::pow(10, random.real(-30, 30));
     auto given = std::make_unique<EdgeBatch>();

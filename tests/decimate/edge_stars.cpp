@@ -41,7 +41,7 @@ void check_near(const VertexPlanes& found, const VertexPlanes& right, double sca
 
 TEST_CASE("kernels of all instruction sets agree about stars to the bit") {
   Random random(850);
-  const auto kernels = runnable(star_kernel_baseline, star_kernel_avx2, star_kernel_avx512);
+  const auto kernels = runnable(WINNOW_KERNELS(star_kernel));
   for (int round = 0; round < 400; ++round) {
     const auto batch = std::make_unique<StarBatch>();
     const std::size_t count = random.between(1, StarBatch::capacity);

@@ -13,7 +13,7 @@
 namespace winnow::test {
 
 inline auto runnable_kernels() {
-  return runnable(corner_kernel_baseline, corner_kernel_avx2, corner_kernel_avx512);
+  return runnable(WINNOW_KERNELS(corner_kernel));
 }
 
 // What the kernel makes of at most kernel_capacity faces.

@@ -3,19 +3,21 @@
 
 #include "base/instruction_set.hpp"
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace winnow::test {
 
-// Those of three that this processor runs, with their names, the baseline first.
-template <typename Kernel>
-std::vector<std::pair<std::string, Kernel>> runnable(Kernel baseline, Kernel avx2, Kernel avx512) {
-  std::vector<std::pair<std::string, Kernel>> kernels{{"baseline", baseline}};
-  const InstructionSet widest = widest_instruction_set();
-  if (widest != InstructionSet::baseline) kernels.emplace_back("avx2", avx2);
-  if (widest == InstructionSet::avx512) kernels.emplace_back("avx512", avx512);
+// Those of WINNOW_KERNELS that this processor runs, with their names, the baseline first.
+template <typename Kernel, typename... Wider>
+std::vector<std::pair<std::string, Kernel>> runnable(Kernel baseline, Wider... wider) {
+  const std::array<Kernel, 1 + sizeof...(wider)> compiled{baseline, wider...};
+  const std::array<const char*, 3> names{"baseline", "avx2", "avx512"};
+  std::vector<std::pair<std::string, Kernel>> kernels;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(widest_instruction_set()); ++i)
+    kernels.emplace_back(names.at(i), compiled.at(i));
   return kernels;
 }
 

@@ -12,7 +12,7 @@
 
 namespace winnow {
 
-// Safe to use from all threads at once. Results are the same on every x86-64 machine: nothing but +
+// Safe to use from all threads at once. Results are the same on every machine: nothing but +
 // - * /, square root and conversions, which all are rounded exactly, ever touches a position.
 class GeneratedSurface {
  public:

@@ -5,11 +5,11 @@
 namespace winnow {
 
 CornerKernel best_corner_kernel() {
-  return best_kernel(corner_kernel_baseline, corner_kernel_avx2, corner_kernel_avx512);
+  return best_kernel(WINNOW_KERNELS(corner_kernel));
 }
 
 const PositionKernel& best_position_kernel() {
-  return *best_kernel(&position_kernel_baseline, &position_kernel_avx2, &position_kernel_avx512);
+  return *best_kernel(WINNOW_KERNELS(&position_kernel));
 }
 
 }  // namespace winnow
