@@ -1,7 +1,7 @@
 # Flags that every target of the project shares.
 
-# The same bytes on every machine: no fused multiply-add, no reassociation, char has a sign. Traps and errno are not
-# looked at, which lets loops vectorise without changing a result.
+# The same bytes on every machine: no fused multiply-add, no reassociation; char has a sign. Traps
+# and errno are not looked at, which lets loops vectorise without changing a result.
 add_library(winnow_flags INTERFACE)
 target_compile_options(winnow_flags INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math
                        -fsigned-char)

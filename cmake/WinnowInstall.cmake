@@ -24,8 +24,26 @@ install(FILES ${PROJECT_BINARY_DIR}/winnow-config.cmake
         DESTINATION ${package_dir} COMPONENT development)
 install(EXPORT winnow-targets NAMESPACE winnow:: DESTINATION ${package_dir} COMPONENT development)
 
-# Relative to where the file lies, so that an installation may be moved.
+# Relative to where the file lies, so that an installation may be moved. Each part that was built
+# has a file of its own, winnow-gltf.pc say.
 file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+set(pkgconfig_files winnow)
+set(pkgconfig_packages "")
+set(pkgconfig_libraries "")
+if(WINNOW_GLTF)
+  string(APPEND pkgconfig_libraries " -lmeshoptimizer")
+  list(APPEND pkgconfig_files winnow-gltf)
+endif()
+if(WINNOW_COMPARE)
+  string(APPEND pkgconfig_packages " cairo")
+  string(APPEND pkgconfig_libraries " -lembree3")
+  list(APPEND pkgconfig_files winnow-compare)
+endif()
 configure_file(cmake/winnow.pc.in ${PROJECT_BINARY_DIR}/winnow.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/winnow.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
-        COMPONENT development)
+foreach(part gltf compare)
+  configure_file(cmake/winnow-part.pc.in ${PROJECT_BINARY_DIR}/winnow-${part}.pc @ONLY)
+endforeach()
+foreach(file IN LISTS pkgconfig_files)
+  install(FILES ${PROJECT_BINARY_DIR}/${file}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+          COMPONENT development)
+endforeach()

@@ -34,9 +34,15 @@ string(CONCAT CPACK_COMPONENT_LIBRARY_DESCRIPTION
        "built with libwinnow-dev.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libwinnow-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libwinnow0 (= ${PROJECT_VERSION}), libtbb-dev, libboost-iostreams-dev, libembree-dev, \
-libmeshoptimizer-dev, libcairo2-dev, libzstd-dev, zlib1g-dev")
+set(development_packages "libwinnow0 (= ${PROJECT_VERSION})" libtbb-dev libboost-iostreams-dev
+    libzstd-dev zlib1g-dev)
+if(WINNOW_GLTF)
+  list(APPEND development_packages libmeshoptimizer-dev)
+endif()
+if(WINNOW_COMPARE)
+  list(APPEND development_packages libembree-dev libcairo2-dev)
+endif()
+list(JOIN development_packages ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 string(CONCAT CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
        "The library that the program winnow is made of, to be linked into others,\n"
        "with its headers and what CMake and pkg-config read.")

@@ -1,7 +1,9 @@
-// Makes a mesh in memory small, and the file of another, and checks the counts.
+// Makes a mesh in memory small, and the file of another, and checks the counts. HAS_GLTF and
+// HAS_COMPARE say which parts the library was built with; the others are missed by name.
+#include <winnow/compare.hpp>
 #include <winnow/error.hpp>
 #include <winnow/mesh.hpp>
-#include <winnow/simplification.hpp>
+#include <winnow/parts.hpp>
 
 #include <array>
 #include <cstdint>
@@ -30,6 +32,19 @@ struct Square {
   }
 };
 
+// Whether `call` works if the library has the part, and else throws MissingPart for it.
+template <typename Call>
+bool as_built(winnow::Part part, bool built, Call call) {
+  if (winnow::has_part(part) != built) return false;
+  try {
+    call();
+    return built;
+  } catch (const winnow::MissingPart& missing) {
+    std::printf("%s\n", missing.what());
+    return !built && missing.part() == part && missing.kind() == winnow::ErrorKind::failed;
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -53,10 +68,16 @@ int main() {
     const winnow::SimplifyReport report =
         winnow::simplify(context, "scan.ply", "small.ply", options);
 
+    const bool gltf = as_built(winnow::Part::gltf, HAS_GLTF,
+                               [&] { winnow::simplify(context, view, "small.glb", options); });
+    const bool comparing = as_built(winnow::Part::compare, HAS_COMPARE, [&] {
+      winnow::compare(context, "scan.ply", "small.ply", {.samples = 1'000});
+    });
     std::printf("%llu and %llu faces\n", static_cast<unsigned long long>(mesh.face_count()),
                 static_cast<unsigned long long>(report.output.faces));
     const auto plausible = [](std::uint64_t faces) { return faces > 500 && faces <= 1'000; };
-    return plausible(mesh.face_count()) && plausible(report.output.faces) ? 0 : 1;
+    const bool good = plausible(mesh.face_count()) && plausible(report.output.faces);
+    return good && gltf && comparing ? 0 : 1;
   } catch (const winnow::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return error.exit_code();

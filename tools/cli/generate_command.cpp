@@ -64,4 +64,8 @@ void add_generate(CLI::App& app) {
   command->callback([arguments] { run_generate(*arguments); });
 }
 
+bool has_generate() {
+  return true;
+}
+
 }  // namespace winnow::cli

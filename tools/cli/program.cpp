@@ -1,6 +1,7 @@
 #include "program.hpp"
 
 #include <winnow/error.hpp>
+#include <winnow/parts.hpp>
 #include <winnow/version.hpp>
 
 #include "help_formatter.hpp"
@@ -91,6 +92,17 @@ void refuse_empty_values(const CLI::App& command) {
   }
 }
 
+// With what this program was built without.
+std::string version_text() {
+  std::string without;
+  for (const auto& [has, name] :
+       {std::pair{has_part(Part::gltf), "glTF"}, std::pair{has_part(Part::compare), "comparing"},
+        std::pair{has_generate(), "generate"}}) {
+    if (!has) without += (without.empty() ? "" : ", ") + std::string(name);
+  }
+  return "winnow " WINNOW_VERSION + (without.empty() ? "" : " (without " + without + ")");
+}
+
 }  // namespace
 
 void CommonOptions::add_to(CLI::App& command, const std::string& scratch) {
@@ -137,7 +149,7 @@ void refuse_empty_values(const std::vector<std::string>& arguments) {
 void add_commands(CLI::App& app) {
   app.name("winnow");
   app.description("winnow makes huge triangle meshes small, in bounded memory.");
-  app.set_version_flag("-V,--version", "winnow " WINNOW_VERSION);
+  app.set_version_flag("-V,--version", version_text());
   app.formatter(std::make_shared<HelpFormatter>());  // that of the commands as well
   app.require_subcommand(1);
   app.footer(

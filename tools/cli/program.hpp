@@ -75,6 +75,7 @@ void add_resume(CLI::App& app);
 void add_info(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_generate(CLI::App& app);
+bool has_generate();  // which may be left out when the program is built
 void add_convert(CLI::App& app);
 
 // All of them: the whole command line.

@@ -9,9 +9,14 @@ void add_generate(CLI::App& app) {
   CLI::App* command = app.add_subcommand("generate", "Make a surface of any size (not built)");
   command->allow_extras();
   command->callback([] {
-    throw Error(ErrorKind::failed,
-                "this winnow was built without `generate`; build it with -DWINNOW_GENERATE=ON");
+    throw Error(
+        ErrorKind::failed,
+        "this winnow was built without the command generate; build it with -DWINNOW_GENERATE=ON");
   });
+}
+
+bool has_generate() {
+  return false;
 }
 
 }  // namespace winnow::cli

@@ -20,10 +20,10 @@ namespace winnow {
 namespace {
 
 // Triangles out of the indices of one primitive.
-class Corners {
+class GltfCorners {
  public:
-  Corners(GltfPrimitive::Mode mode, bool mirrored, std::uint64_t base, std::uint64_t vertices,
-          BufferedMesh& mesh)
+  GltfCorners(GltfPrimitive::Mode mode, bool mirrored, std::uint64_t base, std::uint64_t vertices,
+              BufferedMesh& mesh)
       : mode_(mode), mirrored_(mirrored), base_(base), vertices_(vertices), mesh_(mesh) {}
 
   void add(std::uint64_t index) {
@@ -124,7 +124,7 @@ class GltfParser {
     const std::uint64_t base = first_vertex_of(primitive, to_world, turn);
     const std::uint64_t vertices = document_.accessors[primitive.positions].count;
     bytes_.begin_part();
-    Corners corners(primitive.mode, turn.mirrors(), base, vertices, mesh_);
+    GltfCorners corners(primitive.mode, turn.mirrors(), base, vertices, mesh_);
     if (primitive.indices) {
       GltfElements indices(bytes_, document_, *primitive.indices, GltfUse::indices, mesh_.name());
       for (auto part = indices.next(); !part.empty(); part = indices.next()) {
@@ -183,16 +183,6 @@ class GltfParser {
 };
 
 }  // namespace
-
-TextMatch match_gltf(std::string_view head) {
-  const std::size_t first = head.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos || head[first] != '{') return TextMatch::none;
-  for (const char* key : {"\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"buffers\"",
-                          "\"meshes\"", "\"nodes\"", "\"scenes\""}) {
-    if (head.find(key) != std::string_view::npos) return TextMatch::first;
-  }
-  return TextMatch::none;
-}
 
 AvailableAttributes offer_of_gltf(Job& job, ByteSource& source) {
   return offer_of(attributes_of(peek_gltf(job, source).document));
