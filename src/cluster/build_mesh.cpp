@@ -102,7 +102,7 @@ bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
 template <typename Sum>
 void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& settings,
                     ClusteredMesh& mesh) {
-  const bool quadrics = mesh.state != nullptr;
+  const bool states = mesh.state != nullptr;
   const std::size_t carried = mesh.layout.attributes;
   Sum next{};
   bool more = cells.sums->next(next);
@@ -111,7 +111,7 @@ void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& set
   struct Chunk {
     std::vector<WholeCell> cells;
     std::vector<IndexedVertex> vertices;
-    std::vector<Quadric> quadrics;
+    std::vector<CellState> states;
     std::vector<double> attributes;
     std::vector<CellKey> vanished;
   };
@@ -143,15 +143,15 @@ void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& set
       },
       [&](Chunk& chunk) {
         chunk.vertices.clear();
-        chunk.quadrics.clear();
+        chunk.states.clear();
         for (const WholeCell& cell : chunk.cells) {
           chunk.vertices.push_back(cell.vertex(settings));
-          if (quadrics)
-            chunk.quadrics.push_back(cell.quadric(settings.grid, chunk.vertices.back().position));
+          if (states)
+            chunk.states.push_back(cell.state(settings.grid, chunk.vertices.back().position));
         }
       },
       [&](const Chunk& chunk) {
-        mesh.append_vertices(chunk.vertices, std::as_bytes(std::span(chunk.quadrics)),
+        mesh.append_vertices(chunk.vertices, std::as_bytes(std::span(chunk.states)),
                              chunk.attributes);
         if (!chunk.vanished.empty()) append_records<CellKey>(*mesh.vanished, chunk.vanished);
       });

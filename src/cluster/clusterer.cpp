@@ -1,5 +1,6 @@
 #include "cluster/clusterer.hpp"
 
+#include "base/cell_state.hpp"
 #include "base/memory_shares.hpp"
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
@@ -375,7 +376,7 @@ class ClustererOf final : public Clusterer {
 
 MeshLayout ClusterSettings::layout() const {
   const bool quadrics = keep_quadrics && placement == Placement::quadric;
-  return {quadrics ? sizeof(Quadric) : 0, attributes.attributes.size()};
+  return {quadrics ? sizeof(CellState) : 0, attributes.attributes.size()};
 }
 
 std::uint64_t ClusterMemory::per_thread(bool quadrics) {

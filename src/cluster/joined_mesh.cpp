@@ -2,10 +2,10 @@
 
 #include <winnow/error.hpp>
 
+#include "base/cell_state.hpp"
 #include "base/memory_shares.hpp"
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
-#include "base/quadric.hpp"
 #include "base/text.hpp"
 #include "io/spool_records.hpp"
 
@@ -29,14 +29,14 @@ class VertexCursor {
  public:
   VertexCursor(const Job& job, const ClusteredMesh& mesh, std::size_t attributes)
       : vertices_(job, mesh.vertices->records()), carried(attributes) {
-    if (mesh.state != nullptr) quadrics_.emplace(job, *mesh.state);
+    if (mesh.state != nullptr) states_.emplace(job, *mesh.state);
     if (attributes > 0) attributes_.emplace(job, *mesh.attributes);
   }
 
   bool next() {
     if (!vertices_.next(vertex)) return false;
     ++read_;
-    if (quadrics_) quadrics_->next(quadric);
+    if (states_) states_->next(state);
     for (double& number : carried) attributes_->next(number);
     return true;
   }
@@ -45,12 +45,12 @@ class VertexCursor {
  private:
   std::uint64_t read_ = 0;
   SpoolCursor<IndexedVertex> vertices_;
-  std::optional<SpoolCursor<Quadric>> quadrics_;
+  std::optional<SpoolCursor<CellState>> states_;
   std::optional<SpoolCursor<double>> attributes_;
 
  public:
   IndexedVertex vertex;
-  Quadric quadric;
+  CellState state;
   std::vector<double> carried;
 };
 
@@ -155,7 +155,7 @@ class Joiner {
   [[nodiscard]] bool splits(CellKey name) const { return split_.has(names_.cell_of(name)); }
 
   void join_vertices() {
-    const bool quadrics = coarse_.state != nullptr;
+    const bool states = coarse_.state != nullptr;
     Appender<IndexedVertex, VertexIndex> vertices(job_, *out_.vertices);
     VertexCursor coarse(job_, coarse_, attributes_);
     VertexCursor fine(job_, fine_, attributes_);
@@ -181,7 +181,7 @@ class Joiner {
       if ((take_coarse || take_fine) && !folded_fine.has(name)) {
         const VertexCursor& from = take_fine ? fine : coarse;
         vertices.add(from.vertex);
-        if (quadrics) append_records<Quadric>(*out_.state, std::span(&from.quadric, 1));
+        if (states) append_records<CellState>(*out_.state, std::span(&from.state, 1));
         if (attributes_ > 0) append_records<double>(*out_.attributes, from.carried);
         if (take_fine) {
           kept_fine_.keep(fine.number(), from_coarse);

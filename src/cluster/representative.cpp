@@ -151,6 +151,17 @@ Quadric WholeCell::quadric(const Grid& grid, const Point& position) const {
   return sum;
 }
 
+CellState WholeCell::state(const Grid& grid, const Point& position) const {
+  CellState state;
+  state.planes = quadric(grid, position);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double low = grid.origin[axis] + (part_.cell[axis] + part_.low[axis]) * grid.cell;
+    state.low[axis] = outwards(low - position[axis], -1);
+    state.high[axis] = outwards(low + part_.size * grid.cell - position[axis], 1);
+  }
+  return state;
+}
+
 IndexedVertex WholeCell::vertex(const ClusterSettings& settings) const {
   IndexedVertex vertex;
   vertex.key = key_;

@@ -1,6 +1,7 @@
 // Where in its cell the vertex of a cell goes.
 #pragma once
 
+#include "base/cell_state.hpp"
 #include "base/quadric.hpp"
 #include "base/wide.hpp"
 #include "cluster/boundary_sum.hpp"
@@ -35,6 +36,8 @@ class WholeCell {
   // sum up the squares of the planes' distances; so the least value is taken to be 0, and costs
   // count from there.
   [[nodiscard]] Quadric quadric(const Grid& grid, const Point& position) const;
+  // With the box of the cell, or of the part of one.
+  [[nodiscard]] CellState state(const Grid& grid, const Point& position) const;
 
  private:
   [[nodiscard]] std::array<double, 3> mean_place() const;

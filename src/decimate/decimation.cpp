@@ -1,5 +1,6 @@
 #include "decimate/decimation.hpp"
 
+#include "base/cell_state.hpp"
 #include "base/rounding.hpp"
 #include "decimate/error_bound.hpp"
 #include "decimate/importance_cost.hpp"
@@ -139,18 +140,18 @@ void lock_boundaries(TileMesh& mesh) {
   }
 }
 
-// Before the first round the state is that of cells, if any: their quadrics.
+// Before the first round the state is that of cells, if any.
 std::vector<ErrorBound::State> bound_states(TileMesh& mesh, std::span<const std::byte> bytes,
                                             const DecimationSettings& settings) {
   if (settings.boundaries_known) return states_of<ErrorBound::State>(mesh, bytes);
-  const std::vector<Quadric> quadrics = states_of<Quadric>(mesh, bytes);
+  const std::vector<CellState> cells = states_of<CellState>(mesh, bytes);
   std::vector<ErrorBound::State> states(mesh.vertex_count());
-  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) states[v].planes = quadrics[v];
-  if (bytes.empty()) {
-    ErrorBound::add_faces(mesh, settings.rounding_of_positions(), states);
-  } else {
-    ErrorBound::forget_boxes(states);
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
+    states[v].planes = cells[v].planes;
+    states[v].low = cells[v].low;
+    states[v].high = cells[v].high;
   }
+  if (bytes.empty()) ErrorBound::add_faces(mesh, settings.rounding_of_positions(), states);
   ErrorBound::add_boundaries(mesh, states);
   return states;
 }
@@ -206,7 +207,7 @@ std::function<void(const DoneCollapse&)> Decimation::counting(
 }
 
 std::size_t Decimation::first_state_size(const DecimationSettings& settings) {
-  return bounds_error(settings) ? sizeof(Quadric) : state_size(settings);
+  return bounds_error(settings) ? sizeof(CellState) : state_size(settings);
 }
 
 std::size_t Decimation::state_size(const DecimationSettings& settings) {

@@ -1,5 +1,6 @@
 #include "decimate/error_bound.hpp"
 
+#include "base/cell_state.hpp"
 #include "base/closest_point.hpp"
 #include "base/rounding.hpp"
 #include "decimate/quadric_placement.hpp"
@@ -14,13 +15,6 @@ namespace {
 
 // How far a boundary may move, beside the error.
 constexpr double boundary_share = 1.5;
-
-// The next float in this direction, but for 0.
-float outwards(double x, int direction) {
-  const auto nearest = static_cast<float>(x);
-  const float end = static_cast<float>(direction) * std::numeric_limits<float>::max();
-  return x == 0 ? 0 : std::nextafter(nearest, end);
-}
 
 double distance(const Point& p, std::span<const std::array<Point, 2>> segments) {
   double square = std::numeric_limits<double>::infinity();
@@ -51,14 +45,6 @@ void ErrorBound::add_boundaries(TileMesh& mesh, std::vector<State>& states) {
     if (mesh.all_edges_even(v)) continue;
     for (const VertexNumber w : mesh.open_neighbours(v))
       states[v].planes.add_line(mesh.position(w) - mesh.position(v), boundary_line_weight);
-  }
-}
-
-void ErrorBound::forget_boxes(std::vector<State>& states) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  for (State& state : states) {
-    state.low.fill(-infinity);
-    state.high.fill(infinity);
   }
 }
 

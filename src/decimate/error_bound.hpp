@@ -50,8 +50,6 @@ class ErrorBound {
   // Adds to `states` the planes of all faces, each with a third of its area.
   static void add_faces(const TileMesh& mesh, const CoordinateRounding& rounding,
                         std::vector<State>& states);
-  // Nothing is known of where the vertices are that each stands for.
-  static void forget_boxes(std::vector<State>& states);
   // Adds the lines of all edges with one face.
   static void add_boundaries(TileMesh& mesh, std::vector<State>& states);
 

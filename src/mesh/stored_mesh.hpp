@@ -47,7 +47,7 @@ struct StoredMesh {
 
   MeshLayout layout;
   std::unique_ptr<VertexIndex> vertices;
-  // Of each vertex the Quadric of its cell, or what Decimation::save() wrote; or none.
+  // Of each vertex the CellState of its cell, or what Decimation::save() wrote; or none.
   std::unique_ptr<Spool> state;
   std::unique_ptr<Spool> attributes;  // doubles; none where the layout has none
   std::unique_ptr<Spool> faces;
