@@ -234,14 +234,13 @@ class Collapser {
         go_on(v, candidate);
         continue;
       }
-      if constexpr (requires { cost_.closer_price(now, star_, candidate.price); }) {
-        const double price =
-            std::max(closer_price(now, candidate.price, verdict.changes), verdict.price);
-        if (price > candidate.price) {
-          if (std::isfinite(price)) offers_.postpone(v, {price, candidate.partner});
-          go_on(v, candidate);
-          continue;
-        }
+      double price = verdict.price;
+      if constexpr (requires { cost_.closer_price(now, star_, candidate.price); })
+        price = std::max(price, closer_price(now, candidate.price, verdict.changes));
+      if (price > candidate.price) {
+        if (std::isfinite(price)) offers_.postpone(v, {price, candidate.partner});
+        go_on(v, candidate);
+        continue;
       }
       const Collapse& edge = now.edge;
       if (verdict.changes) add_change(mesh_, star_, change_, changes_);

@@ -167,12 +167,15 @@ std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std
   if (settings.keep_boundaries || bounds_error(settings)) mesh.link();
   if (settings.keep_boundaries) lock_boundaries(mesh);
   const CoordinateRounding rounding = settings.rounding_of_positions();
+  const bool free = settings.free_topology;
   if (settings.cost == CollapseCost::volume)
-    return forgetful(mesh, settings,
-                     [rounding](TileMesh& of) { return VolumeCost(of, rounding.relative); });
+    return forgetful(mesh, settings, [rounding, free](TileMesh& of) {
+      return VolumeCost(of, rounding.relative, free);
+    });
   if (settings.cost == CollapseCost::importance)
-    return forgetful(mesh, settings,
-                     [rounding](TileMesh& of) { return ImportanceCost(of, rounding.relative); });
+    return forgetful(mesh, settings, [rounding, free](TileMesh& of) {
+      return ImportanceCost(of, rounding.relative, free);
+    });
   if (!bounds_error(settings)) {
     const bool single = settings.single;
     return forgetful(mesh, settings, [single, rounding](TileMesh& of) {

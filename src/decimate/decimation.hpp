@@ -21,7 +21,7 @@ struct DecimationSettings {
   double least_cosine = 0.2;     // of the angle by which one collapse may turn a face
   bool keep_boundaries = false;  // vertices at boundaries stay
   bool keep_pieces = false;      // no piece of the surface goes as a whole
-  bool free_topology = false;    // handles and holes may close: by CollapseCost::quadric
+  bool free_topology = false;    // handles and holes may close
   bool boundaries_known =
       false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone
   std::optional<double> error;  // how far the surface may come from what it was: error_bound.hpp

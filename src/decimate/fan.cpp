@@ -34,6 +34,7 @@ bool Fan::find(const TileMesh& mesh, VertexNumber v) {
   if (mesh.locked(v) || mesh.hub(v)) return false;
   rim_.clear();
   ring_.clear();
+  loose_.clear();
   closed_ = false;
   mesh.for_each_corner(
       v, [&](FaceNumber, VertexNumber w, VertexNumber x) { rim_.emplace_back(w, x); });
@@ -45,6 +46,24 @@ bool Fan::find(const TileMesh& mesh, VertexNumber v) {
     if (!extend()) return false;
   }
   if (!rim_.empty() || ring_.size() < (closed_ ? 3 : 2)) return false;
+  look(mesh, v);
+  return true;
+}
+
+bool Fan::find_loose(const TileMesh& mesh, VertexNumber v) {
+  if (mesh.locked(v) || mesh.hub(v) || !mesh.has_faces(v)) return false;
+  ring_.clear();
+  loose_.clear();
+  closed_ = true;
+  const auto place_of = [this](VertexNumber w) {
+    const auto at = std::find(ring_.begin(), ring_.end(), w) - ring_.begin();
+    if (static_cast<std::size_t>(at) == ring_.size()) ring_.push_back(w);
+    return static_cast<std::uint32_t>(at);
+  };
+  mesh.for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
+    const std::uint32_t first = place_of(w);
+    loose_.push_back({first, place_of(x)});
+  });
   look(mesh, v);
   return true;
 }
@@ -68,11 +87,11 @@ FanShape shape_of(const FanView& fan) {
   if (!fan.closed) shape.perimeter = length(fan.seen.back() - fan.seen.front());
   Point sum{};
   for (std::size_t i = 0; i < fan.faces(); ++i) {
-    const Point& next = fan.seen[fan.next(i)];
-    const Point doubled = cross(fan.seen[i], next);
+    const auto [a, b] = fan.ends(i);
+    const Point doubled = cross(fan.seen[a], fan.seen[b]);
     sum = sum + 0.5 * doubled;
     shape.area += length(doubled) / 2;
-    shape.perimeter += length(next - fan.seen[i]);
+    shape.perimeter += length(fan.seen[b] - fan.seen[a]);
   }
   if (!(shape.area > 0)) return shape;
   const Point mean = unit(sum);
@@ -80,7 +99,8 @@ FanShape shape_of(const FanView& fan) {
   // lost.
   double lost = 0;
   for (std::size_t i = 0; i < fan.faces(); ++i) {
-    const Point doubled = cross(fan.seen[i], fan.seen[fan.next(i)]);
+    const auto [a, b] = fan.ends(i);
+    const Point doubled = cross(fan.seen[a], fan.seen[b]);
     const Point apart = unit(doubled) - mean;
     lost += length(doubled) / 2 * dot(apart, apart) / 2;
   }

@@ -4,8 +4,10 @@
 
 #include "decimate/tile_mesh.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,10 +19,19 @@ struct FanView {
   std::span<const Point> seen;  // the neighbours, in order, whichever way round
   bool closed = true;           // else the fan begins and ends at a boundary
   Point off{};                  // what rounding leaves unknown of each coordinate
+  // Where the faces are no fan: the two neighbours of each.
+  std::span<const std::array<std::uint32_t, 2>> loose{};
 
-  // Face i lies between neighbours i and next(i).
-  [[nodiscard]] std::size_t faces() const { return closed ? seen.size() : seen.size() - 1; }
-  [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == seen.size() ? 0 : i + 1; }
+  [[nodiscard]] bool is_fan() const { return loose.empty(); }
+  [[nodiscard]] std::size_t faces() const {
+    if (!is_fan()) return loose.size();
+    return closed ? seen.size() : seen.size() - 1;
+  }
+  // The two neighbours between which a face lies.
+  [[nodiscard]] std::array<std::size_t, 2> ends(std::size_t face) const {
+    if (!is_fan()) return {loose[face][0], loose[face][1]};
+    return {face, face + 1 == seen.size() ? 0 : face + 1};
+  }
 };
 
 class Fan {
@@ -31,9 +42,11 @@ class Fan {
   // Whether `v` may be removed: its faces are a disk around it, or half of one at a boundary, and
   // it is neither locked nor a hub.
   bool find(const TileMesh& mesh, VertexNumber v);
+  // The same of faces that are no fan, in whatever order.
+  bool find_loose(const TileMesh& mesh, VertexNumber v);
 
   [[nodiscard]] std::span<const VertexNumber> neighbours() const { return ring_; }
-  [[nodiscard]] FanView view() const { return {seen_, closed_, off_}; }
+  [[nodiscard]] FanView view() const { return {seen_, closed_, off_, loose_}; }
 
  private:
   bool extend();
@@ -43,6 +56,7 @@ class Fan {
   std::vector<VertexNumber> ring_;
   std::vector<Point> seen_;
   std::vector<std::pair<VertexNumber, VertexNumber>> rim_;  // the edges across from the vertex
+  std::vector<std::array<std::uint32_t, 2>> loose_;
   Point off_{};
   bool closed_ = false;
 };
@@ -64,15 +78,15 @@ void for_each_turned(const FanView& fan, std::size_t into, const Each& each) {
            fan.off[2] * std::abs(area[2]);
   };
   for (std::size_t i = 0; i < fan.faces(); ++i) {
-    const std::size_t next = fan.next(i);
-    if (i == into || next == into) continue;
+    const auto [a, b] = fan.ends(i);
+    if (a == into || b == into) continue;
     // The other faces of the tetrahedron that is swept.
-    const Point first = cross(fan.seen[i], to);
-    const Point second = cross(to, fan.seen[next]);
-    const Point before = cross(fan.seen[i], fan.seen[next]);
+    const Point first = cross(fan.seen[a], to);
+    const Point second = cross(to, fan.seen[b]);
+    const Point before = cross(fan.seen[a], fan.seen[b]);
     const double swept = dot(before, to);
     if (std::abs(swept) <= unknown(before) + unknown(first) + unknown(second)) continue;
-    each(TurnedFace{before, before - first - second, fan.seen[next] - fan.seen[i], swept});
+    each(TurnedFace{before, before - first - second, fan.seen[b] - fan.seen[a], swept});
   }
 }
 

@@ -94,6 +94,30 @@ void add_change(const TileMesh& mesh, const EdgeStar& star, const SurfaceChange&
   }
 }
 
+PieceLoss loss_of(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge,
+                  const SurfaceChange& change) {
+  const Point& a = mesh.position(star.kept());
+  const Point& b = mesh.position(star.removed());
+  PieceLoss loss;
+  for (const VertexNumber c : change.across) loss.add({a, b, mesh.position(c)});
+  for (const FaceVertices& face : change.pairs)
+    loss.add({edge.position, mesh.position(face[1]), mesh.position(face[2])}, 2);
+  if (change.pinches_boundary) {
+    const double square = dot(b - a, b - a);
+    loss.boundary = square * square / 12;
+  }
+  return loss;
+}
+
+PieceLoss loss_by_turning(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge) {
+  PieceLoss loss;
+  for (const StarFace& face : star.faces())
+    loss.area += length(doubled_area(mesh.triangle(face.number))) / 2;
+  const Point along = mesh.position(edge.removed) - mesh.position(edge.kept);
+  loss.surface = loss.area * dot(along, along);
+  return loss;
+}
+
 // Whether the piece has a face that is not at the edge.
 bool Legality::leaves_faces(const EdgeStar& star) const {
   const std::size_t at_edge = star.of_kept().size();

@@ -24,6 +24,13 @@ struct SurfaceChange {
 void add_change(const TileMesh& mesh, const EdgeStar& star, const SurfaceChange& change,
                 TopologyChanges& changes);
 
+// What such a collapse loses: a triangle that closes goes or comes as a piece would, and so does a
+// face that falls onto another. An edge between two boundaries is as far off as it is long.
+PieceLoss loss_of(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge,
+                  const SurfaceChange& change);
+// And where faces turn by more than they may: as if all around the edge were off by its length.
+PieceLoss loss_by_turning(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge);
+
 class Legality {
  public:
   // `least_cosine`: of the angle by which one collapse may turn a face.

@@ -56,6 +56,16 @@ struct PieceLoss {
   double surface = 0;   // the integral of the squared distance from the middle
   double boundary = 0;  // the same along edges with one face, times their lengths
   double farthest = 0;  // the square of the distance of the farthest vertex from the middle
+
+  // So many of a triangle that is no piece.
+  void add(const Triangle& t, double times = 1) {
+    const double size = times * length(doubled_area(t)) / 2;
+    const Point ab = t[1] - t[0];
+    const Point bc = t[2] - t[1];
+    const Point ca = t[0] - t[2];
+    area += size;
+    surface += size * (dot(ab, ab) + dot(bc, bc) + dot(ca, ca)) / 36;
+  }
 };
 PieceLoss loss_of(const TileMesh& mesh, const Piece& piece);
 

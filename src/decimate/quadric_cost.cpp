@@ -192,32 +192,13 @@ double QuadricCost::piece_price(const TileMesh& mesh, const Piece& piece) const 
 double QuadricCost::change_price(const EdgeStar& star, const Collapse& edge,
                                  const SurfaceChange& change) {
   if (bound_ && !bound_->allows(star, change)) return std::numeric_limits<double>::infinity();
-  const Point& a = mesh_.position(star.kept());
-  const Point& b = mesh_.position(star.removed());
-  const auto loss = [](const Triangle& t) {
-    const Point ab = t[1] - t[0];
-    const Point bc = t[2] - t[1];
-    const Point ca = t[0] - t[2];
-    return length(doubled_area(t)) / 2 * (dot(ab, ab) + dot(bc, bc) + dot(ca, ca)) / 36;
-  };
-  double price = 0;
-  for (const VertexNumber c : change.across) price += loss({a, b, mesh_.position(c)});
-  for (const FaceVertices& face : change.pairs)
-    price += 2 * loss({edge.position, mesh_.position(face[1]), mesh_.position(face[2])});
-  if (change.pinches_boundary) {
-    const double square = dot(b - a, b - a);
-    price += boundary_line_weight * square * square / 12;
-  }
-  return price;
+  const PieceLoss loss = loss_of(mesh_, star, edge, change);
+  return loss.surface + boundary_line_weight * loss.boundary;
 }
 
 double QuadricCost::turning_price(const EdgeStar& star, const Collapse& edge) const {
   if (bound_) return std::numeric_limits<double>::infinity();
-  double area = 0;
-  for (const StarFace& face : star.faces())
-    area += length(doubled_area(mesh_.triangle(face.number))) / 2;
-  const Point along = mesh_.position(edge.removed) - mesh_.position(edge.kept);
-  return area * dot(along, along);
+  return loss_by_turning(mesh_, star, edge).surface;
 }
 
 void QuadricCost::take_anew(VertexNumber v) {

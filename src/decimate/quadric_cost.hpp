@@ -48,11 +48,8 @@ class QuadricCost {
   // As if all points of the piece went to its middle. Planes do not know how far a flat piece
   // reaches.
   [[nodiscard]] double piece_price(const TileMesh& mesh, const Piece& piece) const;
-  // A triangle that closes is lost or gained as a piece would be, and so is a face that falls onto
-  // another.
   [[nodiscard]] double change_price(const EdgeStar& star, const Collapse& edge,
                                     const SurfaceChange& change);
-  // As if the faces around the edge were off by its length.
   [[nodiscard]] double turning_price(const EdgeStar& star, const Collapse& edge) const;
   void faces_gone(std::span<const FaceVertices> faces, Offers& offers);
   void faces_gone(std::span<const FaceVertices> faces);

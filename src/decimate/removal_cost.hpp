@@ -4,8 +4,11 @@
 
 #include "decimate/collapser.hpp"
 #include "decimate/fan.hpp"
+#include "decimate/legality.hpp"
+#include "decimate/piece.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace winnow {
@@ -15,12 +18,14 @@ namespace winnow {
 template <typename Price>
 class RemovalCost {
  public:
-  // `rounding`: of positions (base/rounding.hpp).
-  RemovalCost(TileMesh& mesh, double rounding) : mesh_(mesh), fan_(rounding) {}
+  // `rounding`: of positions (base/rounding.hpp). `free_topology`: vertices whose faces are no fan
+  // may go, too.
+  RemovalCost(TileMesh& mesh, double rounding, bool free_topology)
+      : mesh_(mesh), fan_(rounding), free_(free_topology) {}
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after) {
     Candidate cheapest;
-    if (!fan_.find(mesh_, v)) return cheapest;
+    if (!fan_.find(mesh_, v) && !(free_ && fan_.find_loose(mesh_, v))) return cheapest;
     const FanView view = fan_.view();
     const Price price(view);
     // A vertex at a boundary goes along that.
@@ -44,6 +49,19 @@ class RemovalCost {
     return Price::of_piece(loss_of(mesh, piece));
   }
 
+  [[nodiscard]] double change_price(const EdgeStar& star, const Collapse& edge,
+                                    const SurfaceChange& change) const {
+    return Price::of_piece(loss_of(mesh_, star, edge, change));
+  }
+  [[nodiscard]] double turning_price(const EdgeStar& star, const Collapse& edge) const {
+    return Price::of_piece(loss_by_turning(mesh_, star, edge));
+  }
+  void faces_gone(std::span<const FaceVertices> faces, Offers& offers) const {
+    for (const FaceVertices& face : faces) {
+      for (const VertexNumber v : face) offers.make_stale(v);
+    }
+  }
+
   void collapsing(const PricedCollapse& now) {
     const auto ring = mesh_.neighbours(now.edge.removed);
     ring_.assign(ring.begin(), ring.end());
@@ -57,6 +75,7 @@ class RemovalCost {
  private:
   TileMesh& mesh_;
   Fan fan_;
+  bool free_;
   std::vector<VertexNumber> ring_;
 };
 

@@ -38,11 +38,9 @@ void check(const SimplifyOptions& options) {
     throw Error(ErrorKind::usage,
                 "`boundary` keep goes with refinement; clustering moves every vertex");
   }
-  if (options.topology == Topology::free && cost_of(options) != Refine::quadric) {
+  if (options.topology == Topology::free && cost_of(options) == Refine::none) {
     throw Error(ErrorKind::usage,
-                "`topology` free goes with `refine` quadric alone: the other costs remove vertices "
-                "inside of "
-                "a surface");
+                "`topology` free goes with refinement; clustering keeps no topology");
   }
   if (options.keep_pieces && cost_of(options) == Refine::none) {
     throw Error(ErrorKind::usage,

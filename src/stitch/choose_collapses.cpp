@@ -31,10 +31,13 @@ constexpr double first_headroom = 2;
 // The same beside the price that the tiles of the first round will be cut at, as it is estimated.
 constexpr double headroom_of_estimate = 2;
 constexpr double more_headroom = 64;
-// Where the count is missed, a collapse may be so many times as dear as the dearest of a result
-// that met it: twice as far off. With 1 four faces in a hundred more are left, hardly nearer to the
-// surface; with 64 shapes begin to go (bench/RESULTS.md).
-constexpr double headroom_when_blocked = 4;
+// Where the count is missed, a collapse may be twice as far off as the dearest of a result that met
+// it. With as far off, four faces in a hundred more are left, hardly nearer to the surface; with
+// eight times as far off, shapes begin to go (bench/RESULTS.md).
+double headroom_when_blocked(CollapseCost cost) {
+  // A swept volume grows with the distance, the others with its square.
+  return cost == CollapseCost::volume ? 2 : 4;
+}
 
 }  // namespace
 
@@ -99,12 +102,12 @@ bool CollapseChooser::find_dearest_allowed() {
   nothing_kept.free_topology = true;
   nothing_kept.keep_boundaries = nothing_kept.keep_pieces = false;
   if (prices_.dearest_allowed < no_limit || settings_.faces == 0 || settings_.decimation.error ||
-      settings_.decimation.cost != CollapseCost::quadric || nothing_kept == settings_.decimation)
+      nothing_kept == settings_.decimation)
     return false;
   const Tried tried = try_all({0, no_limit}, nothing_kept, TriedTiles(nullptr, round_, 0), nullptr);
   const std::uint64_t wanted = wanted_now(tried.frozen);
-  prices_.dearest_allowed =
-      headroom_when_blocked * tried.log->price_of(std::min(wanted, tried.log->removed()));
+  prices_.dearest_allowed = headroom_when_blocked(settings_.decimation.cost) *
+                            tried.log->price_of(std::min(wanted, tried.log->removed()));
   return true;
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("a fan that goes all the way round") {
   REQUIRE(fan.find(around({{1, 2}, {3, 4}, {4, 1}, {2, 3}}), 0));
   CHECK(fan.view().closed);
   CHECK(fan.view().faces() == 4);
-  CHECK(fan.view().next(3) == 0);
+  CHECK(fan.view().ends(3) == std::array<std::size_t, 2>{3, 0});
   CHECK(std::vector<VertexNumber>(fan.neighbours().begin(), fan.neighbours().end()) ==
         std::vector<VertexNumber>{1, 2, 3, 4});
   CHECK(fan.view().seen[2] == Point{3, 0, 0});

@@ -91,6 +91,24 @@ TEST_CASE("a sieve that cannot become few faces keeps its shape and says so", "[
   CHECK(out.compared.symmetric.rms < 2 * free.compared.symmetric.rms);
 }
 
+TEST_CASE("a sieve keeps or loses its holes by every cost", "[shapes]") {
+  const std::size_t n = 5;
+  const Shape shape = sieve(n, 3);
+  SimplifyOptions options = to_count(120);
+  options.refine = GENERATE(Refine::volume, Refine::importance);
+  const RefinedShape out = refine_shape(shape, {}, options);
+  CHECK(is_closed(out));
+  CHECK(euler_of(out.output) == euler_of(out.input));
+  CHECK(out.report.missed_by == std::vector<std::string>{"topology"});
+  CHECK(volume(out.output).value() == Approx(volume(out.input).value()).epsilon(0.2));
+  options.topology = Topology::free;
+  const RefinedShape free = refine_shape(shape, {}, options);
+  CHECK(free.output.faces.size() <= 120);
+  CHECK(free.report.target_met == true);
+  CHECK(free.report.lost.handles > 0);
+  CHECK(free.defects.duplicates + free.defects.degenerate + free.defects.boundary_edges == 0);
+}
+
 TEST_CASE("a count that leaves room for all holes closes none", "[shapes]") {
   const Shape shape = sieve(3, 4);
   SimplifyOptions options = to_count(600);

@@ -24,7 +24,7 @@ simplify --faces 10 --refine best
 simplify --faces 10 --boundary free
 simplify --faces 10 --topology none
 echo "# topology"
-simplify --faces 10 --refine volume --topology free
+simplify --faces 10 --refine none --topology free
 simplify --cell 1 --keep-pieces
 echo "# boundary"
 simplify --cell 1 --boundary keep
