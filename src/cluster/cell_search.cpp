@@ -11,9 +11,6 @@ namespace {
 
 // Cells that differ by less give the same faces, but for noise.
 constexpr double same_cell = 1e-3;
-// Where the whole mesh fell into one cell, nothing says how much smaller it should be.
-constexpr double smaller_by = 8;
-
 }  // namespace
 
 CellSearch::CellSearch(const CellCounts& sample, double wanted_faces)
@@ -23,7 +20,8 @@ void CellSearch::add(double cell, std::uint64_t count) {
   const auto faces = static_cast<double>(count);
   // A miss by a factor counts the same up and down.
   const double miss = faces == 0 ? HUGE_VAL : std::max(faces / wanted_, wanted_ / faces);
-  if (best_cell_ == 0 || miss < best_miss_) {
+  // Of cells that left nothing, the last is the smallest.
+  if (best_cell_ == 0 || miss < best_miss_ || best_miss_ == HUGE_VAL) {
     best_cell_ = cell;
     best_miss_ = miss;
   }
@@ -39,7 +37,8 @@ void CellSearch::add(double cell, std::uint64_t count) {
     // Where a coarser cell gave more faces there is nothing between the two.
     exhausted_ = !(too_few_->cell > too_many_->cell * (1 + same_cell));
   } else if (count == 0) {
-    next_ = std::max(least, cell / smaller_by);
+    next_ = std::max(least, cell / smaller_by_);
+    smaller_by_ *= smaller_by_;
     exhausted_ = next_ >= cell;
   } else {
     next_ = sample_.cell_for(sample_.expected_faces(cell) / (faces / wanted_));

@@ -36,6 +36,8 @@ class CellSearch {
   double next_;
   std::optional<Tried> too_many_, too_few_;  // the nearest on either side
   double best_cell_ = 0, best_miss_ = 0;
+  // Where the whole mesh fell into one cell, nothing says how much smaller it should be.
+  double smaller_by_ = 8;
   bool exhausted_ = false, finest_ = false;
 };
 

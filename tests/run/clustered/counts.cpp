@@ -65,6 +65,14 @@ TEST_CASE("a vertex far off that no face uses does not matter for the count") {
   check_near(mesh, 1'000);
 }
 
+TEST_CASE("a patch that is small beside its box comes within a tenth of the count") {
+  Polygons mesh = field(150, 180, [](double x, double y) { return 100 + x * y / 500; });
+  for (auto& vertex : mesh.vertices) vertex = vertex + Point{5e5, 5e6, 0};
+  mesh.vertices.push_back({0, 0, 0});
+  mesh.faces.push_back({0, 1, static_cast<std::int64_t>(mesh.vertices.size() - 1)});
+  for (const std::uint64_t faces : {300, 1'000}) check_near(mesh, faces);
+}
+
 TEST_CASE("a count that no cell can give is told with its reason") {
   Polygons far = field(60, 1, [](double x, double y) { return 0.1 * std::sin(9 * x + 5 * y); });
   far.vertices.push_back({1e6, 0, 0});
