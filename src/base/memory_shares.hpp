@@ -78,7 +78,9 @@ static_assert(fit(first_chunks, sorting));
 
 // Clustering: of the part for faces, of that for vertices, of that for the result.
 namespace cluster {
-inline constexpr Share boundaries{1, 8};
+inline constexpr Share boundaries{1, 8};  // their sums, or the cells that they pass through
+inline constexpr Share open_sums{7, 8}, open_cells{1, 8};  // of these cells
+static_assert(fit(open_sums, open_cells));
 inline constexpr Share vanished{1, 16};
 inline constexpr Share several{1, 16};
 }  // namespace cluster
@@ -88,6 +90,7 @@ namespace split {
 inline constexpr Share vertices{1, 4}, result{1, 4};
 inline constexpr Share near_faces{1, 2};  // of vertices, at the first level; half of it at the next
 inline constexpr Share ring{1, 16};       // of the result
+inline constexpr Share positions{1, 8};   // of cells, when parts have been clustered
 inline constexpr Share joined{1, 2}, kept_coarse{1, 4}, kept_fine{1, 4};
 static_assert(fit(joined, kept_coarse, kept_fine));
 }  // namespace split
@@ -125,6 +128,7 @@ inline constexpr Share incoming{1, 2}, sorting_incoming{1, 2};
 static_assert(fit(incoming, sorting_incoming));
 inline constexpr Share renumbering{1, 2}, sorting_vertices{1, 2};  // of lists, while reordering
 static_assert(fit(renumbering, sorting_vertices));
+inline constexpr Share joined{1, 2};  // of lists, while vertices are joined
 }  // namespace refine
 
 // What comes out of a round: the mesh, and faces on their way to it.

@@ -165,6 +165,9 @@ StoredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options
     report.resumed->tiles = done.tiles_before;
   }
   report.lost = {done.changes.pieces, done.changes.area, done.changes.handles, done.changes.holes};
+  if (done.joined > 0)
+    job.note("no edge could be collapsed any more, so " + grouped(done.joined) +
+             " vertices were joined with others near them");
   if (report.target_faces) report.target_met = out.face_count <= *report.target_faces;
   if (done.stopped_by != StoppedBy::count && done.stopped_by != StoppedBy::error)
     tell_reasons(job, done, out.face_count, settings.faces, options.topology == Topology::free,

@@ -5,6 +5,7 @@
 #include "stitch/apply_collapses.hpp"
 #include "stitch/blocked_faces.hpp"
 #include "stitch/choose_collapses.hpp"
+#include "stitch/join_vertices.hpp"
 #include "stitch/reorder.hpp"
 #include "stitch/saved_rounds.hpp"
 #include "stitch/tiles.hpp"
@@ -61,7 +62,7 @@ class Refiner {
       if (before - whole.face_count <= before / 1000) ++state_.idle;
       state_.done = one_tile || state_.idle > 1;
       if (state_.done) {
-        find_reasons(whole);
+        if (!join(whole)) find_reasons(whole);
       } else {
         const bool back = report.rounds % 2 == 0;
         whole = reorder(job_, std::move(whole), back, memory_.lists, memory_.mesh);
@@ -86,6 +87,20 @@ class Refiner {
     const ChosenCollapses chosen = all ? chooser.all() : chooser.cheapest();
     if (report.rounds == report.rounds_before + 1) report.tiles_before += chooser.tiles_before();
     return collapse_chosen(tiles, chosen);
+  }
+
+  // Where nothing is to be kept, the count is met whatever the mesh is.
+  bool join(StoredMesh& whole) {
+    const DecimationSettings& rules = settings_.decimation;
+    if (!rules.free_topology || rules.error || rules.keep_boundaries || rules.keep_pieces)
+      return false;
+    const std::uint64_t before = whole.vertices->size();
+    job_.progress.begin("join vertices", 0, "faces");
+    if (!join_vertices(job_, whole, settings_.faces, share::refine::joined(memory_.lists),
+                       memory_.mesh))
+      return false;
+    state_.report.joined = before - whole.vertices->size();
+    return true;
   }
 
   void find_reasons(const StoredMesh& whole) {

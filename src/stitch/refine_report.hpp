@@ -37,6 +37,7 @@ struct RefineReport {
       StoppedBy::count;  // the first of blocked.reasons() where the count was missed
   BlockedFaces blocked;
   TopologyChanges changes;
+  std::uint64_t joined = 0;  // vertices that went by join_vertices.hpp
   // What a checkpoint held: rounds that were done, and tiles of the next.
   std::uint64_t rounds_before = 0, tiles_before = 0;
 };

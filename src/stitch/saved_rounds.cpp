@@ -25,6 +25,7 @@ void save_rounds(Manifest& manifest, const RoundsState& state) {
   manifest.set("refine.piece_area", report.changes.area);
   manifest.set("refine.handles", report.changes.handles);
   manifest.set("refine.holes", report.changes.holes);
+  manifest.set("refine.joined", report.joined);
   manifest.set("refine.idle", std::uint64_t{state.idle});
   manifest.set("refine.dearest", state.prices.dearest);
   manifest.set("refine.dearest_allowed", state.prices.dearest_allowed);
@@ -51,6 +52,7 @@ RoundsState load_rounds(const Manifest& manifest) {
   report.changes.area = manifest.real("refine.piece_area");
   report.changes.handles = manifest.number("refine.handles");
   report.changes.holes = manifest.number("refine.holes");
+  report.joined = manifest.number("refine.joined");
   state.idle = static_cast<unsigned>(manifest.number("refine.idle"));
   state.prices.dearest = manifest.real("refine.dearest");
   state.prices.dearest_allowed = manifest.real("refine.dearest_allowed");

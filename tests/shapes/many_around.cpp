@@ -106,6 +106,27 @@ TEST_CASE("very many faces on few vertices end", "[shapes]") {
   }
 }
 
+TEST_CASE("a free topology meets the count however many faces are around vertices", "[shapes]") {
+  const Refine cost = GENERATE(Refine::quadric, Refine::volume);
+  for (const Shape& shape :
+       {shapes::crowd(50'000, 300), shapes::crowd(100'000, 2000), shapes::crowd(30'000, 1500, 2),
+        shapes::open_fan(30'000), shapes::hub(20'000), shapes::book(3000), shapes::soup(5000),
+        joined(shapes::crowd(20'000, 200), shapes::hills(40))}) {
+    for (const std::uint64_t faces : {5, 60, 1000}) {
+      CAPTURE(shape.faces.size(), shape.vertices.size(), faces);
+      SimplifyOptions options = to_count(faces);
+      options.topology = Topology::free;
+      options.refine = cost;
+      const RefinedShape out = refine_shape(shape, {}, options);
+      CHECK(out.output.faces.size() <= faces);
+      CHECK(out.output.faces.size() > 0);
+      CHECK(out.report.target_met == true);
+      CHECK(out.report.missed_by.empty());
+      CHECK(out.defects.degenerate + out.defects.duplicates == 0);
+    }
+  }
+}
+
 TEST_CASE("loose faces end", "[shapes]") {
   const Shape shape = shapes::soup(50'000);
   check_ends(shape, to_count(5000));

@@ -42,7 +42,9 @@ TEST_CASE("rings in many tiles go the same way with any threads and memory", "[s
   RefineSettings settings = down_to(500, 1000);
   settings.decimation.keep_pieces = GENERATE(false, true);
   settings.decimation.free_topology = GENERATE(false, true);
-  CAPTURE(settings.decimation.keep_pieces, settings.decimation.free_topology);
+  settings.decimation.cost = GENERATE(CollapseCost::quadric, CollapseCost::volume);
+  CAPTURE(static_cast<int>(settings.decimation.cost), settings.decimation.keep_pieces,
+          settings.decimation.free_topology);
   const RefinedPlain one = refined_rings(faces, settings, 1, false);
   const TopologyChanges& lost = one.report.changes;
   CHECK(one.report.tiles > 10);
@@ -71,6 +73,33 @@ TEST_CASE("rings in many tiles go the same way with any threads and memory", "[s
     CHECK(other.report.changes.holes == lost.holes);
     CHECK(other.report.rounds == one.report.rounds);
   }
+}
+
+TEST_CASE("vertices of a crowd are joined the same way with any threads and memory",
+          "[same_bytes]") {
+  Random random(3);
+  std::vector<Point> points(600);
+  for (Point& p : points) p = {random.unit(), random.unit(), random.unit()};
+  std::vector<Triangle> faces;
+  while (faces.size() < 60'000) {
+    const Triangle face{points[random.below(600)], points[random.below(600)],
+                        points[random.below(600)]};
+    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) faces.push_back(face);
+  }
+  faces = as_floats(faces);
+  RefineSettings settings = down_to(GENERATE(4, 100, 3000), 1000);
+  settings.decimation.free_topology = true;
+  const RefinedPlain one = refined_rings(faces, settings, 1, false);
+  CHECK(one.mesh.faces.size() <= settings.faces);
+  CHECK(one.mesh.faces.size() > settings.faces / 2);
+  CHECK(one.report.joined > 500);
+  CHECK(one.report.stopped_by == StoppedBy::count);
+  const Defects defects = defects_of(one.mesh.faces);
+  CHECK(defects.duplicates + defects.degenerate == 0);
+  for (const auto& [threads, small] : {std::pair{7U, false}, {2U, true}})
+    CHECK(difference(one.mesh, refined_rings(faces, settings, threads, small).mesh) == "");
+  settings.decimation.keep_pieces = true;
+  CHECK(refined_rings(faces, settings, 1, false).report.joined == 0);
 }
 
 }  // namespace winnow
