@@ -47,7 +47,8 @@ struct SimplifyOptions {
   std::optional<double> detail;
   Boundary boundary = Boundary::weigh;
   Topology topology = Topology::keep;
-  bool keep_pieces = false;  // no connected piece of the surface goes, however small it is
+  // No connected piece of the surface goes, however small it is; all faces are refined then.
+  bool keep_pieces = false;
   double max_normal_deviation =
       45;  // by which one collapse may turn a face, in degrees; in (0, 90]
 

@@ -100,8 +100,8 @@ struct SimplifyReport {
   } attributes;
 
   struct Topology {
-    // Once equal positions are one. Only where nothing is clustered; above 2^20 faces, only where
-    // the budget has room for all edges.
+    // Once equal positions are one. Absent where clustering comes first, as counting would take as
+    // long as all else; above 2^20 faces, only where the budget has room for all edges.
     std::optional<SurfaceEdges> input;
     SurfaceEdges output;
     // Connected pieces, as many as the edges are known of; absent where the budget has no room.

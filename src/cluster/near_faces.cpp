@@ -2,7 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
-#include "cluster/kernel/position_kernel.hpp"
+#include "cluster/batch_cells.hpp"
 #include "io/spool_records.hpp"
 #include "read/for_each_batch.hpp"
 
@@ -29,8 +29,7 @@ struct NearFaces::Worker {
   // Cells beside, nearly each once.
   std::vector<PackedCell> beside;
   std::vector<PackedCell> recent = std::vector<PackedCell>(std::size_t{1} << recent_bits, no_cell);
-  alignas(64) FaceBatch::Positions<double> position{};
-  alignas(64) std::array<std::array<std::int64_t, FaceBatch::capacity>, 3> cell{};
+  BatchCells cells;
 
   void add_beside(PackedCell at) {
     PackedCell& line = recent[quick_hash(at) >> (64 - recent_bits)];
@@ -50,40 +49,26 @@ void NearFaces::keep(Worker& worker) {
 
 void NearFaces::choose(Worker& worker, const FaceBatch& faces, const Grid& grid,
                        const CellSet& split, BatchBoxes* boxes) {
-  const PositionKernel& kernel = best_position_kernel();
-  const double origin[3] = {grid.origin[0], grid.origin[1], grid.origin[2]};
+  worker.cells.find(faces, grid);
   Box box;
   bool finite = true;
-  for (std::size_t c = 0; c < 3; ++c) {
-    PositionInput input{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      input.axis[axis] = faces.position[c][axis].data();
-      if (!faces.single) continue;
-      std::copy_n(faces.single_position[c][axis].begin(), faces.count,
-                  worker.position[c][axis].begin());
-      input.axis[axis] = worker.position[c][axis].data();
-    }
-    input.count = faces.count;
-    kernel.cells(input, origin, grid.inverse, worker.cell[c].data());
-    if (boxes == nullptr) continue;
+  for (std::size_t c = 0; c < 3 && boxes != nullptr; ++c) {
     double low[3];
     double high[3];
-    finite = finite && kernel.box(input, low, high);
+    finite = finite && best_position_kernel().box(worker.cells.positions(c), low, high);
     if (finite) box.add(Box{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}, false});
   }
   if (boxes != nullptr) boxes->add(faces, finite ? box : Box{});
   for (std::size_t i = 0; i < faces.count; ++i) {
-    const std::array<std::int64_t, 3> cell{worker.cell[0][i], worker.cell[1][i], worker.cell[2][i]};
-    const bool near = split.has(static_cast<PackedCell>(cell[0])) ||
-                      (cell[1] != cell[0] && split.has(static_cast<PackedCell>(cell[1]))) ||
-                      (cell[2] != cell[0] && split.has(static_cast<PackedCell>(cell[2])));
-    if (!near || faces.status[i] != FaceStatus::good) continue;
-    if (cell[0] < 0 || cell[1] < 0 || cell[2] < 0) continue;
+    if (faces.status[i] != FaceStatus::good || !worker.cells.inside(i)) continue;
+    const std::array<PackedCell, 3> cell = worker.cells.of(i);
+    if (!(split.has(cell[0]) || (cell[1] != cell[0] && split.has(cell[1])) ||
+          (cell[2] != cell[0] && split.has(cell[2]))))
+      continue;
     for (std::size_t c = 0; c < 3; ++c) {
       const std::array<double, 3> corner = faces.corner(c, i);
       worker.numbers.insert(worker.numbers.end(), corner.begin(), corner.end());
-      if (!split.has(static_cast<PackedCell>(cell[c])))
-        worker.add_beside(static_cast<PackedCell>(cell[c]));
+      if (!split.has(cell[c])) worker.add_beside(cell[c]);
     }
     for (std::size_t a = 0; a < attributes_; ++a) {
       for (std::size_t c = 0; c < 3; ++c) worker.numbers.push_back(faces.attribute(a, c, i));

@@ -4,7 +4,7 @@
 
 namespace winnow {
 
-SplitCells::SplitCells(Job& job, const Grid& grid, const Box& box) : first_(job) {
+SplitCells::SplitCells(Job& job, const Grid& grid, const Box& box) : grid_(grid), first_(job) {
   double last = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     last = std::max(last, grid.cell_of(box.high[axis], axis));
@@ -54,6 +54,16 @@ SplitCells::Part SplitCells::part_of(CellKey name) const {
     part.low[axis] = static_cast<double>(within) / (1U << bits_);
   }
   return part;
+}
+
+std::optional<CellKey> SplitCells::finest_part(const Point& position) const {
+  std::array<std::uint32_t, 3> place{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    place[axis] = static_cast<std::uint32_t>(grid_.rounded_place(position[axis], axis) *
+                                             static_cast<double>(1U << bits_));
+  }
+  if (depth_of(step_at(place)) != bits_) return std::nullopt;
+  return morton_key(place[0], place[1], place[2]);
 }
 
 void SplitCells::rename(CornerSums& corners, std::size_t count) const {

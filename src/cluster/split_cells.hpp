@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/morton.hpp"
+#include "base/vector.hpp"
 #include "cluster/cell_set.hpp"
 #include "cluster/grid.hpp"
 #include "cluster/kernel/corner_kernel.hpp"
@@ -11,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace winnow {
@@ -48,6 +50,9 @@ class SplitCells {
   };
   [[nodiscard]] Part part_of(CellKey name) const;
 
+  // The name of a position whose part is of the finest depth; nothing elsewhere.
+  [[nodiscard]] std::optional<CellKey> finest_part(const Point& position) const;
+
   // Gives each corner the name that it has on the fine lattice in place of its cell, and each face
   // the kind that follows.
   void rename(CornerSums& corners, std::size_t count) const;
@@ -69,6 +74,7 @@ class SplitCells {
                      place[2] >> below << below);
   }
 
+  Grid grid_;
   unsigned bits_ = 0;
   CellSet first_;                 // the step of a cell's coarsest parts
   std::vector<CellSet> further_;  // of each step the parts that went on from it

@@ -2,11 +2,9 @@
 
 #include <winnow/error.hpp>
 
-#include "base/hash.hpp"
 #include "base/memory_shares.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -29,19 +27,6 @@ EdgeCount::EdgeCount(Job& job, std::uint64_t memory)
     : job_(job),
       pages_(job.budget, beside_merging(memory, SortedRuns<Edge>::merge_memory())),
       runs_(job) {}
-
-std::uint64_t EdgeCount::hash_position(const std::array<double, 3>& position) {
-  std::uint64_t hash = 0;
-  for (const double coordinate : position) {
-    hash = mixed_hash(
-        hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0));  // -0 and 0 are the same place
-  }
-  return hash;
-}
-
-std::uint64_t EdgeCount::hash_edge(std::uint64_t one_end, std::uint64_t other_end) {
-  return mixed_hash(std::min(one_end, other_end) + std::rotl(std::max(one_end, other_end), 32));
-}
 
 void EdgeCount::add(std::span<const std::uint64_t> edges) {
   const std::scoped_lock lock(mutex_);

@@ -48,9 +48,6 @@ class EdgeCount {
  public:
   EdgeCount(Job& job, std::uint64_t memory);
 
-  static std::uint64_t hash_position(const std::array<double, 3>& position);
-  static std::uint64_t hash_edge(std::uint64_t one_end, std::uint64_t other_end);
-
   void add(std::span<const std::uint64_t> edges);  // from any thread
 
   SurfaceEdges finish();

@@ -1,5 +1,6 @@
 #include "measure/face_census.hpp"
 
+#include "base/edge_hash.hpp"
 #include "read/good_faces.hpp"
 
 #include <cmath>
@@ -47,10 +48,10 @@ void FaceCensus::add_faces(const FaceBatch& faces) {
       // Coordinates near the end of a double's range have lengths beyond it.
       if (std::isfinite(side)) part.edge_lengths.add(side);
       ++part.sides;
-      end[corner] = EdgeCount::hash_position(p[corner]);
+      end[corner] = position_hash(p[corner]);
     }
     for (std::size_t corner = 0; corner < 3; ++corner)
-      sides[kept++] = EdgeCount::hash_edge(end[corner], end[(corner + 1) % 3]);
+      sides[kept++] = edge_hash(end[corner], end[(corner + 1) % 3]);
   }
   edges_.add({sides.data(), kept});
   connected_.add({corners.data(), joined});

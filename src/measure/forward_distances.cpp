@@ -1,7 +1,7 @@
 #include "measure/forward_distances.hpp"
 
+#include "base/edge_hash.hpp"
 #include "base/hash.hpp"
-#include "measure/edge_count.hpp"
 
 #include <cmath>
 
@@ -41,7 +41,7 @@ void ForwardDistances::add(std::span<const NumberedFace> faces) {
 // Vertices count for the maximum alone, so one that is nearer than the farthest so far need not be
 // exact.
 void ForwardDistances::add_vertex(Part& part, const Point& point) {
-  Point& recent = part.recent[quick_hash(EdgeCount::hash_position(point)) >> (64 - recent_bits)];
+  Point& recent = part.recent[quick_hash(position_hash(point)) >> (64 - recent_bits)];
   if (recent == point) return;
   recent = point;
   NearestFace nearest;

@@ -1,7 +1,7 @@
 #include "measure/surface_totals.hpp"
 
+#include "base/edge_hash.hpp"
 #include "base/hash.hpp"
-#include "measure/edge_count.hpp"
 
 #include <bit>
 
@@ -23,9 +23,8 @@ void SurfaceTotals::add(const Triangle& face) {
   if (std::isfinite(area)) area_.add(area);
   const double volume = dot(face[0] - origin_, cross(face[1] - origin_, face[2] - origin_));
   if (std::isfinite(volume)) volume_.add(volume);
-  const std::array<std::uint64_t, 3> end{EdgeCount::hash_position(face[0]),
-                                         EdgeCount::hash_position(face[1]),
-                                         EdgeCount::hash_position(face[2])};
+  const std::array<std::uint64_t, 3> end{position_hash(face[0]), position_hash(face[1]),
+                                         position_hash(face[2])};
   for (std::size_t corner = 0; corner < 3; ++corner) {
     directions_ += direction(end[corner], end[(corner + 1) % 3]);
   }

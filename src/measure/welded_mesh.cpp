@@ -2,8 +2,8 @@
 
 #include <winnow/error.hpp>
 
+#include "base/edge_hash.hpp"
 #include "base/exact_sum.hpp"
-#include "base/hash.hpp"
 #include "base/text.hpp"
 #include "measure/edge_count.hpp"
 
@@ -25,7 +25,7 @@ class PlaceTable {
 
   // The number of the vertex at `place`, which becomes a new one if there is none.
   std::uint32_t number(const Point& place, std::vector<Point>& vertices) {
-    std::size_t at = EdgeCount::hash_position(place) & mask_;
+    std::size_t at = position_hash(place) & mask_;
     while (slots_[at] != empty && vertices[slots_[at]] != place) at = (at + 1) & mask_;
     if (slots_[at] == empty) {
       slots_[at] = static_cast<std::uint32_t>(vertices.size());

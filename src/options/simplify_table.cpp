@@ -163,7 +163,8 @@ std::vector<Option<Options>> table() {
                        std::vector<std::pair<const char*, Topology>>{{"keep", Topology::keep},
                                                                      {"free", Topology::free}})},
       {"keep_pieces", "", refinement,
-       "Keep every connected piece; by default small ones are removed where that costs least",
+       "Keep every connected piece, and refine all faces; by default small ones are removed where "
+       "that costs least",
        flag<Options>(&Options::keep_pieces)},
       {"max_normal_deviation", "ANGLE", refinement,
        "Let one collapse turn a face by at most this many degrees (default 45)",

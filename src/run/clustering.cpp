@@ -2,8 +2,10 @@
 
 #include <winnow/error.hpp>
 
+#include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "cluster/area_sum.hpp"
+#include "cluster/open_cells.hpp"
 #include "cluster/welder.hpp"
 #include "measure/result_surface.hpp"
 #include "read/for_each_batch.hpp"
@@ -41,7 +43,7 @@ constexpr double worth_clustering = 0.25;
 // Where the finest cells leave less than this part of the faces that are wanted, clustering is no
 // help.
 constexpr double fine_enough = 0.5;
-constexpr const char* keeps_boundaries = "boundaries are to keep all of their vertices";
+constexpr const char* keeps_pieces = "pieces are to stay, and clustering may join them";
 constexpr const char* much_damage = "it would damage much of the surface";
 // An edge of a cell, beside the error that refinement may make.
 constexpr double cell_for_error = 1.5;
@@ -100,7 +102,7 @@ Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::
   const auto clustered = static_cast<std::uint64_t>(wanted);
   if (target >= available && wanted >= all)
     return {true, available, grouped(available) + " faces already"};
-  if (options.boundary == Boundary::keep) return {true, available, keeps_boundaries};
+  if (options.keep_pieces) return {true, available, keeps_pieces};
   if (options.detail && wanted >= all)
     return {true, available,
             std::isinf(*options.detail) ? detail_full : "`detail` asks for all faces"};
@@ -113,7 +115,7 @@ Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::
 
 Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available) {
   if (options.detail) return {true, available, detail_full};
-  if (options.boundary == Boundary::keep) return {true, available, keeps_boundaries};
+  if (options.keep_pieces) return {true, available, keeps_pieces};
   if (available <= always_full) return {true, available, few_faces()};
   return {false, available, ""};
 }
@@ -197,9 +199,7 @@ ClusteredMesh Clustering::to_error() {
     ClusteredMesh mesh = once();
     if (mesh.face_count < available_ / 2) {
       std::optional<SafeMesh> safe = safely(box, std::move(mesh));
-      // Cells move boundaries by more than the error allows.
-      if (safe && !safe->open) return std::move(safe->mesh);
-      return welded(safe ? "it would move boundaries by more than the error" : much_damage);
+      return safe ? std::move(safe->mesh) : welded(much_damage);
     }
   }
   return welded("cells of 1.5 times the error would leave half of the faces or more");
@@ -224,7 +224,8 @@ ClusteredMesh Clustering::to_detail() {
 
 std::optional<SafeMesh> Clustering::safely(const Box& box, ClusteredMesh coarse) {
   std::optional<SafeMesh> safe =
-      without_damage(job_, reader_, settings_, plan_.cluster, box, available_, std::move(coarse));
+      without_damage(job_, reader_, settings_, plan_.cluster, box, available_, std::move(coarse),
+                     std::move(open_cells_));
   if (safe) {
     report_.split_cells = safe->split_cells;
   } else {
@@ -315,8 +316,14 @@ void Clustering::note_missed_count(const CellSearch& search, std::uint64_t faces
 }
 
 ClusteredMesh Clustering::once() {
-  const ClusterMemory memory =
-      settings_.for_refinement ? safe_memory(plan_.cluster) : plan_.cluster;
+  ClusterMemory memory = settings_.for_refinement ? safe_memory(plan_.cluster) : plan_.cluster;
+  std::optional<OpenCells> open;
+  if (settings_.for_refinement &&
+      (options_.boundary == Boundary::keep || options_.target.error())) {
+    const std::uint64_t bytes = share::cluster::boundaries(memory.faces);
+    memory.faces -= bytes;
+    open.emplace(job_, settings_.grid, !settings_.double_positions, bytes);
+  }
   const std::unique_ptr<Clusterer> clusterer = Clusterer::make(job_, settings_, memory);
   reader_.begin_faces();
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
@@ -325,14 +332,15 @@ ClusteredMesh Clustering::once() {
   const FaceSink sink = [&](const FaceBatch& faces) {
     clusterer->add(faces);
     area.add(faces);
+    if (open) open->add(faces);
   };
   const auto stop = [&] { return clusterer->wants_to_spill(); };
   while (for_each_face_batch(job_, reader_, sink, stop)) clusterer->spill();
   take_counts(clusterer->counts());
   report_.area.input = area.value();
   reader_.release_memory();
-  ClusteredMesh mesh = clusterer->finish();
-  return mesh;
+  if (open) open_cells_ = open->finish();
+  return clusterer->finish();
 }
 
 void Clustering::take_counts(const ClusterCounts& counts) {

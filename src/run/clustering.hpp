@@ -13,6 +13,7 @@
 #include "run/safe_clustering.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,6 +80,7 @@ class Clustering {
   std::uint64_t available_ = 0;  // faces of the input
   std::uint64_t target_ = 0;
   double error_ = 0;
+  std::unique_ptr<Spool> open_cells_;  // of the last pass; null where boundaries may move
 };
 
 }  // namespace winnow

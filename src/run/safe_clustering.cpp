@@ -4,6 +4,7 @@
 #include "base/sort_unique.hpp"
 #include "cluster/batch_boxes.hpp"
 #include "cluster/cell_set.hpp"
+#include "cluster/exact_places.hpp"
 #include "cluster/joined_mesh.hpp"
 #include "cluster/near_faces.hpp"
 #include "io/spool_records.hpp"
@@ -32,7 +33,7 @@ constexpr unsigned most_rounds = 8;
 // For so many cells a look leaves out what lies elsewhere.
 constexpr std::size_t few_places = 256;
 // Cells at a boundary draw it in by up to half of their size. They are split at least so deep, and
-// until less than one part in so many of the area can go.
+// until less than one part in so many of the area can go; to single positions where they are kept.
 constexpr unsigned least_boundary_depth = 2;
 constexpr std::uint64_t boundary_share = 100;
 
@@ -60,7 +61,7 @@ class DamageSplitter {
  public:
   DamageSplitter(Job& job, MeshReader& reader, const ClusterSettings& settings,
                  const ClusterMemory& memory, const Box& box, std::uint64_t faces,
-                 ClusteredMesh coarse)
+                 ClusteredMesh coarse, std::unique_ptr<Spool> open)
       : job_(job),
         reader_(reader),
         settings_(settings),
@@ -70,8 +71,10 @@ class DamageSplitter {
         names_(job, settings.grid, box),
         shift_(3 * names_.bits()),
         whole_(std::move(coarse)),
+        open_cells_(std::move(open)),
         boxes_(job) {
     settings_.split = &names_;
+    if (open_cells_ != nullptr && open_cells_->size() == 0) open_cells_.reset();
   }
 
   std::optional<SafeMesh> run() {
@@ -87,15 +90,18 @@ class DamageSplitter {
       const CellSet nothing(job_);
       join(whole_, shift_, Clusterer::make(job_, settings_, memory_)->finish(), nothing);
     }
-    return SafeMesh{std::move(whole_), names_.size(), open_};
+    return SafeMesh{std::move(whole_), names_.size()};
   }
 
  private:
+  [[nodiscard]] bool keeps_boundaries() const { return open_cells_ != nullptr; }
   [[nodiscard]] std::uint64_t most_cells() const { return whole_.cells / most_damaged; }
 
   // Of the mesh as it was clustered; nothing where they are too many.
   std::optional<Names> damaged_cells() {
     if (record_count<CellKey>(*whole_.vanished) > most_cells()) return std::nullopt;
+    if (keeps_boundaries() && record_count<CellKey>(*open_cells_) > most_cells())
+      return std::nullopt;
     const std::optional<Damage> damage = look_at(whole_, most_cells());
     if (!damage) return std::nullopt;
     Names cells;
@@ -106,7 +112,11 @@ class DamageSplitter {
       cells.push_back(names_.name_of(vertices.at(v).key));
     for (const std::uint32_t v : damage->at_boundaries)
       boundary_.push_back(names_.name_of(vertices.at(v).key));
-    open_ = !boundary_.empty();
+    if (keeps_boundaries()) {
+      SpoolCursor<CellKey> open(job_, *open_cells_);
+      for (CellKey key = 0; open.next(key);) boundary_.push_back(names_.name_of(key));
+      sort_unique(boundary_);
+    }
     cells.insert(cells.end(), boundary_.begin(), boundary_.end());
     sort_unique(cells);
     return cells;
@@ -152,6 +162,11 @@ class DamageSplitter {
       }
       level.mesh = cluster_near(level, first ? whole_ : std::prev(levels.end(), 2)->mesh,
                                 first ? shift_ : 0);
+      if (keeps_boundaries() &&
+          !place_exactly(job_, level.near, names_, !settings_.double_positions,
+                         share::split::positions(memory_.table),
+                         share::split::vertices(memory_.vertices), level.mesh))
+        return std::nullopt;
       deeper.clear();
       Names finest;
       look_around(level, deeper, finest, damaged_beside);
@@ -199,7 +214,7 @@ class DamageSplitter {
 
   void split_boundaries() {
     sort_unique(boundary_);
-    unsigned depth = least_boundary_depth;
+    unsigned depth = keeps_boundaries() ? names_.bits() : least_boundary_depth;
     while (depth < names_.bits() && whole_.cells << depth < boundary_share * boundary_.size())
       ++depth;
     for (const CellKey name : boundary_) names_.split(names_.cell_of(name), depth);
@@ -294,7 +309,6 @@ class DamageSplitter {
     for (const std::uint32_t v : damage.vertices) {
       if (known[v]) tell(reader.at(v).key);
     }
-    for (const std::uint32_t v : damage.at_boundaries) open_ |= known[v];
     sort_unique(deeper);
   }
 
@@ -311,23 +325,13 @@ class DamageSplitter {
       for (std::size_t i = 0; i < faces.count; ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
           const Point corner = faces.corner(c, i);
-          const CellKey name = name_at(corner);
-          if (!std::binary_search(names.begin(), names.end(), name)) continue;
-          if (position.emplace(name, corner).first->second != corner) several.push_back(name);
+          const std::optional<CellKey> name = names_.finest_part(corner);
+          if (!name || !std::binary_search(names.begin(), names.end(), *name)) continue;
+          if (position.emplace(*name, corner).first->second != corner) several.push_back(*name);
         }
       }
     });
     return several;
-  }
-
-  // At the finest depth.
-  [[nodiscard]] CellKey name_at(const Point& point) const {
-    std::array<std::uint32_t, 3> fine{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      fine[axis] = static_cast<std::uint32_t>(settings_.grid.rounded_place(point[axis], axis) *
-                                              static_cast<double>(1U << names_.bits()));
-    }
-    return morton_key(fine[0], fine[1], fine[2]);
   }
 
   Job& job_;
@@ -339,7 +343,7 @@ class DamageSplitter {
   SplitCells names_;
   unsigned shift_;  // of the keys of whole_, to names
   ClusteredMesh whole_;
-  bool open_ = false;
+  std::unique_ptr<Spool> open_cells_;  // null where boundaries may move
   BatchBoxes boxes_;
   bool was_read_ = false;
   Names boundary_;  // cells at boundaries, until they are split
@@ -355,8 +359,11 @@ ClusterMemory safe_memory(ClusterMemory memory) {
 
 std::optional<SafeMesh> without_damage(Job& job, MeshReader& reader,
                                        const ClusterSettings& settings, const ClusterMemory& memory,
-                                       const Box& box, std::uint64_t faces, ClusteredMesh coarse) {
-  return DamageSplitter(job, reader, settings, memory, box, faces, std::move(coarse)).run();
+                                       const Box& box, std::uint64_t faces, ClusteredMesh coarse,
+                                       std::unique_ptr<Spool> open) {
+  return DamageSplitter(job, reader, settings, memory, box, faces, std::move(coarse),
+                        std::move(open))
+      .run();
 }
 
 }  // namespace winnow

@@ -1,9 +1,15 @@
 // Clustering comes first where there are many faces. It keeps what the surface is, as full detail
 // does.
 #include "support/program.hpp"
+#include "support/random.hpp"
 #include "support/refined_shape.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
 
 namespace winnow::test {
 
@@ -58,6 +64,37 @@ Shape sheet_with_fins(std::size_t n) {
   return shape;
 }
 
+// With holes of one face and of a few.
+Shape pierced(Shape shape) {
+  const std::size_t faces = shape.faces.size();
+  for (const std::size_t at : {faces / 3, faces / 2, faces / 2 + 1, faces / 2 + 2, 4 * faces / 5})
+    shape.faces[at] = shape.faces.back();
+  std::sort(shape.faces.begin(), shape.faces.end());
+  shape.faces.erase(std::unique(shape.faces.begin(), shape.faces.end()), shape.faces.end());
+  return shape;
+}
+
+std::set<Point> border_vertices(const Shape& shape) {
+  std::set<Point> vertices;
+  for (const Segment& edge : border_of(shape)) vertices.insert(edge.begin(), edge.end());
+  return vertices;
+}
+
+// Closed pieces over the unit square.
+Shape dust(std::size_t pieces, double size, std::uint64_t seed) {
+  Random random(seed);
+  Shape shape;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const auto first = static_cast<std::uint32_t>(shape.vertices.size());
+    const Point at{random.unit(), random.unit(), 1 + random.unit()};
+    for (const Point& p : {Point{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+      shape.vertices.push_back(at + size * p);
+    for (const auto& [a, b, c] : {std::array{0U, 2U, 1U}, {0U, 1U, 3U}, {0U, 3U, 2U}, {1U, 2U, 3U}})
+      shape.faces.push_back({first + a, first + b, first + c});
+  }
+  return shape;
+}
+
 }  // namespace
 
 TEST_CASE("a scan that is clustered first stays closed", "[shapes]") {
@@ -96,13 +133,29 @@ TEST_CASE("boundaries hardly shrink where faces are clustered first", "[shapes]"
 }
 
 TEST_CASE("kept boundaries keep every vertex whatever is clustered", "[shapes]") {
-  SimplifyOptions options = to_count(3000);
+  for (const Pose& pose : {Pose{0, Numbers::floats}, Pose{0.4, Numbers::doubles}}) {
+    for (const bool with_holes : {false, true}) {
+      CAPTURE(pose.angle, with_holes);
+      SimplifyOptions options = to_count(3000);
+      options.boundary = Boundary::keep;
+      options.detail = 6;
+      const Shape sheet = shapes::hills(200);
+      const RefinedShape out = refine_shape(with_holes ? pierced(sheet) : sheet, pose, options);
+      CHECK(out.report.cell_size > 0);
+      CHECK(out.output.faces.size() <= 3000);
+      CHECK(out.defects.boundary_edges == border_of(out.input).size());
+      CHECK(border_vertices(out.output) == border_vertices(out.input));
+    }
+  }
+}
+
+TEST_CASE("boundaries that are all of the surface are kept without clustering", "[shapes]") {
+  SimplifyOptions options = to_count(1000);
   options.boundary = Boundary::keep;
   options.detail = 6;
-  const RefinedShape out = refine_shape(shapes::hills(200), {}, options);
-  CHECK(out.defects.boundary_edges == 4 * 200);
-  CHECK(border_distance(border_of(out.output), border_of(out.input), 0) == 0);
-  CHECK(border_distance(border_of(out.input), border_of(out.output), 0) == 0);
+  const RefinedShape out = refine_shape(shapes::strip(4000, 0.02), {}, options);
+  CHECK(out.report.cell_size == 0);
+  CHECK(out.output.vertices.size() == out.input.vertices.size());
 }
 
 TEST_CASE("what was no surface is none worse where it is clustered first", "[shapes]") {
@@ -118,10 +171,25 @@ TEST_CASE("what was no surface is none worse where it is clustered first", "[sha
 
 TEST_CASE("an error bounds boundaries whatever is clustered", "[shapes]") {
   // Enough faces for clustering to come first.
-  const RefinedShape out = refine_shape(shapes::hills(730), {}, to_relative_error(0.005));
+  const RefinedShape out = refine_shape(pierced(shapes::hills(730)), {}, to_relative_error(0.005));
+  CHECK(out.report.cell_size > 0);
   const double error = 0.005 * length(box_of(out.input).high - box_of(out.input).low);
   CHECK(border_distance(border_of(out.output), border_of(out.input), 10) <= 1.5 * error);
   CHECK(border_distance(border_of(out.input), border_of(out.output), 10) <= 1.5 * error);
+}
+
+TEST_CASE("a piece goes by an error only where it is smaller, whatever is clustered", "[shapes]") {
+  const double error = 0.01;
+  SimplifyOptions options;
+  options.target = Target::error(error);
+  const Shape shape =
+      joined(joined(shapes::hills(730), dust(300, 0.2 * error, 1)), dust(30, 1.1 * error, 2));
+  const RefinedShape out = refine_shape(shape, {}, options);
+  CHECK(out.report.cell_size > 0);
+  REQUIRE(out.report.topology.output_pieces);
+  CHECK(*out.report.topology.output_pieces >= 1 + 30);
+  // What few cells share is not known to be as small.
+  CHECK(*out.report.topology.output_pieces < 1 + 30 + 100);
 }
 
 }  // namespace winnow::test

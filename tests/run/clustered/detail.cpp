@@ -17,6 +17,11 @@ TEST_CASE("clustering comes first where it spares three quarters of the faces") 
     CHECK(detail.faces == faces);
   };
   check(160'000, false, 960'000);
+  options.boundary = Boundary::keep;
+  check(160'000, false, 960'000);
+  options.keep_pieces = true;
+  check(160'000, true, available);
+  options = {};
   check(170'000, true, available);
   check(5'000'000, true, available);
   // Who says how many means it.
