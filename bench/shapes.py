@@ -6,7 +6,10 @@ from harness import Failed, Table, measure
 # What is made of each: the shape, its size, and what winnow is asked for.
 SHAPES = [
     ("thin_shell", ["n=100"], ["--faces", "20k"]),
+    ("thin_shell", ["n=400", "wall=0.005"], ["--faces", "20k"]),
+    ("thin_shell", ["n=400", "wall=0.01"], ["--faces", "100k"]),
     ("plate", ["n=100"], ["--faces", "12"]),
+    ("plate", ["n=300"], ["--faces", "1000"]),
     ("plate", ["n=100", "turn=0.4"], ["--error", "1%"]),
     ("ball_on_ground", [], ["--faces", "1000"]),
     ("room", [], ["--faces", "1100"]),
@@ -24,6 +27,7 @@ SHAPES = [
     ("jittered_soup", ["n=50"], ["--faces", "10k"]),
     ("crowd", ["faces=100000"], ["--faces", "10k"]),
     ("crowd", [], ["--faces", "10k"]),
+    ("crowd", ["faces=400000"], ["--faces", "10k", "--topology", "free"]),
     ("capped_cube", [], ["--faces", "12"]),
     ("capped_cube", ["turn=0.4", "double=1"], ["--faces", "12"]),
     ("cube_with_caps", [], ["--faces", "12"]),
@@ -34,8 +38,15 @@ SHAPES = [
     ("disc", ["n=400", "rings=100"], ["--error", "1%"]),
     ("strip", [], ["--error", "1%"]),
     ("double_sided", ["n=60"], ["--faces", "2000"]),
+    ("strip", ["n=900000"], ["--error", "1%"]),
+    ("strip", ["n=900000"], ["--faces", "1000", "--boundary", "keep"]),
     ("far_vertex", ["far=3e7"], ["--faces", "4000"]),
+    ("far_vertex", [], ["--refine", "none", "--faces", "1000"]),
+    ("far_vertex", ["n=100", "far=1e6", "used=0"], ["--refine", "none", "--faces", "1000"]),
     ("hills", [], ["--faces", "10k"]),
+    ("hills", ["n=900"], ["--faces", "60k", "--boundary", "keep"]),
+    ("hills", ["n=900"], ["--error", "0.3%"]),
+    ("hills", ["n=900"], ["--refine", "none", "--faces", "10k"]),
 ]
 
 
