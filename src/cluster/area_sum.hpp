@@ -3,6 +3,7 @@
 
 #include "base/exact_sum.hpp"
 #include "base/per_slot.hpp"
+#include "cluster/kernel/area_kernel.hpp"
 #include "read/face_batch.hpp"
 
 #include <cstdint>
@@ -24,6 +25,7 @@ class AreaSum {
     ExactSum large;
   };
 
+  const AreaKernel& kernel_;
   double scale_;  // 2^40 / unit
   PerSlot<Part> parts_;
 };

@@ -6,8 +6,8 @@ namespace winnow {
 
 namespace {
 
-constexpr double steps = 1 << BoundarySum::step_bits;  // in a cell
-constexpr double shortest_square = 1.0 / 64;           // of what a boundary has to pass, in cells
+constexpr double steps = 1 << side_bits;      // in a cell
+constexpr double shortest_square = 1.0 / 64;  // of what a boundary has to pass, in cells
 
 Point as_point(const std::array<std::int64_t, 3>& sum, double scale) {
   return {static_cast<double>(sum[0]) / scale, static_cast<double>(sum[1]) / scale,

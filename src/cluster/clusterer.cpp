@@ -8,6 +8,7 @@
 #include "cluster/boundary_sum.hpp"
 #include "cluster/build_mesh.hpp"
 #include "cluster/cell_table.hpp"
+#include "cluster/face_kinds.hpp"
 #include "cluster/face_list.hpp"
 #include "cluster/front_cache.hpp"
 #include "io/sorted_records.hpp"
@@ -94,51 +95,53 @@ class ClustererOf final : public Clusterer {
     for (std::size_t axis = 0; axis < 3; ++axis) input.origin[axis] = settings_.grid.origin[axis];
     input.inverse = settings_.grid.inverse;
     input.quadrics = std::is_same_v<Sum, QuadricCellSum>;
+    input.sides = settings_.keeps_boundaries();
     kernel_(input, worker.corners);
     if (settings_.split != nullptr) settings_.split->rename(worker.corners, faces.count);
     worker.counts.faces += faces.count;
 
-    // First the faces are told apart without a branch, then each kind has a loop of its own.
-    std::size_t inside = 0;
-    std::size_t pairs = 0;
-    std::size_t across = 0;
-    std::size_t bad = 0;
-    for (std::size_t i = 0; i < faces.count; ++i) {
-      const std::int64_t kind = worker.corners.kind[i];
-      const bool good = faces.status[i] == FaceStatus::good;
-      worker.inside[inside] = static_cast<std::uint16_t>(i);
-      worker.pairs[pairs] = static_cast<std::uint16_t>(i);
-      worker.across[across] = static_cast<std::uint16_t>(i);
-      worker.bad[bad] = static_cast<std::uint16_t>(i);
-      inside += (kind == one_cell) & good;
-      pairs += (kind >= alone_a) & (kind <= alone_c) & good;
-      across += (kind == three_cells) & good;
-      bad += (kind > three_cells) | !good;
-    }
+    worker.kinds.tell_apart(worker.corners, faces);
+    const FaceIndices& inside = worker.kinds.inside;
     const auto evict = [&](const Sum& line) { worker.evict(line, table_); };
+    const bool sides = boundaries_ != nullptr;
+    SortedList<BoundarySum>* list = sides ? &boundaries_->local() : nullptr;
+    const auto take = [list](const BoundarySum& sum) { list->add(sum); };
     // Neighbours in the file are mostly neighbours in space: what follows in the same cell is added
     // up before the cell is looked for.
-    for (std::size_t k = 0; k < inside;) {
-      const std::int64_t cell = worker.corners.cell[0][worker.inside[k]];
+    for (std::size_t k = 0; k < inside.size();) {
+      const std::int64_t cell = worker.corners.cell[0][inside[k]];
       Sum run{};
-      do add_face(run, worker.corners, worker.inside[k++]);
-      while (k < inside && worker.corners.cell[0][worker.inside[k]] == cell);
+      std::array<std::int64_t, 3> area{};
+      do {
+        const std::size_t i = inside[k++];
+        add_face(run, worker.corners, i);
+        if (!sides) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          area[axis] += worker.corners.doubled_area[axis][i];
+      } while (k < inside.size() && worker.corners.cell[0][inside[k]] == cell);
       worker.cache.entry(static_cast<PackedCell>(cell), run.weight, evict).add(run);
+      if (sides) worker.boundaries.sum_of(static_cast<PackedCell>(cell), take).add({}, area);
     }
-    for (std::size_t k = 0; k < pairs; ++k) add_pair(worker, worker.pairs[k], evict);
-    for (std::size_t k = 0; k < across; ++k) add_corners(worker, worker.across[k], evict);
-    for (std::size_t k = 0; k < bad; ++k) {
-      const std::size_t i = worker.bad[k];
+    for (const std::size_t i : worker.kinds.pairs) add_pair(worker, i, evict);
+    for (const std::size_t i : worker.kinds.across) add_corners(worker, i, evict);
+    for (const std::size_t i : worker.kinds.bad) {
       if (worker.corners.kind[i] == close_corners && faces.status[i] == FaceStatus::good &&
           !faces.repeats_a_corner(i)) {
         add_corners(worker, i, evict);
+        if (sides) worker.boundaries.add_near_sides(worker.corners, i, take);
       } else {
         count_bad(worker, faces, i);
       }
     }
     if (worker.corners.clamped) count_clamped(worker, faces);
     if (attributes_ != nullptr) attributes_->add(faces, worker.corners);
-    if (boundaries_ != nullptr) add_sides(worker, faces);
+    if (!sides) return;
+    for (const std::size_t i : worker.kinds.pairs) {
+      const auto alone = static_cast<std::size_t>(worker.corners.kind[i] - alone_a);
+      worker.boundaries.add_pair(worker.corners, i, alone, take);
+    }
+    for (const std::size_t i : worker.kinds.across)
+      worker.boundaries.add_across(worker.corners, i, take);
   }
 
   void add(const std::array<CellKey, 3>& cells) override {
@@ -205,7 +208,7 @@ class ClustererOf final : public Clusterer {
     FaceList faces;
     BoundaryCache boundaries;
     ClusterCounts counts;
-    std::array<std::uint16_t, kernel_capacity + 1> inside, pairs, across, bad;
+    FaceKinds kinds;
   };
 
   // What workers still have of cells goes to the tables.
@@ -283,35 +286,6 @@ class ClustererOf final : public Clusterer {
       if (kept) sum.weight |= CellSum::used_bit;
     }
     if (kept) worker.faces.add(cell_face(morton_key(a), morton_key(b), morton_key(c)));
-  }
-
-  // Of the faces that are clustered.
-  void add_sides(Worker& worker, const FaceBatch& faces) {
-    const CornerSums& seen = worker.corners;
-    SortedList<BoundarySum>& list = boundaries_->local();
-    const auto take = [&list](const BoundarySum& sum) { list.add(sum); };
-    for (std::size_t i = 0; i < faces.count; ++i) {
-      if (faces.status[i] != FaceStatus::good || seen.kind[i] > close_corners) continue;
-      const std::array<PackedCell, 3> cell{static_cast<PackedCell>(seen.cell[0][i]),
-                                           static_cast<PackedCell>(seen.cell[1][i]),
-                                           static_cast<PackedCell>(seen.cell[2][i])};
-      if (cell[0] == cell[1] && cell[0] == cell[2]) {
-        const auto from_first = [&](std::size_t corner, std::size_t axis) {
-          return BoundarySum::steps_of(seen.place[corner][axis][i]) -
-                 BoundarySum::steps_of(seen.place[0][axis][i]);
-        };
-        worker.boundaries.add_inside(cell[0],
-                                     {from_first(1, 0), from_first(1, 1), from_first(1, 2)},
-                                     {from_first(2, 0), from_first(2, 1), from_first(2, 2)}, take);
-        continue;
-      }
-      LatticeFace place{};
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          place[corner][axis] = seen.place[corner][axis][i];
-      }
-      worker.boundaries.add(cell, place, take);
-    }
   }
 
   void count_bad(Worker& worker, const FaceBatch& faces, std::size_t i) {

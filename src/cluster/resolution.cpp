@@ -165,12 +165,17 @@ void count_positions(const PositionKernel& kernel, const PositionView& view, con
   const double origin[3] = {grid.origin[0], grid.origin[1], grid.origin[2]};
   alignas(64) std::array<std::int64_t, FaceBatch::capacity> cell;
   kernel.cells(input_of(view), origin, grid.inverse, cell.data());
+  // Neighbours are mostly in one cell: those that are not are told apart without a branch.
+  std::size_t kept = 0;
   std::int64_t last = -1;
   for (std::size_t i = 0; i < view.count; ++i) {
-    if (cell[i] == last || cell[i] < 0) continue;
-    last = cell[i];
-    counter.add(mixed_hash(static_cast<std::uint64_t>(last)));
+    const std::int64_t next = cell[i];
+    cell[kept] = next;
+    kept += static_cast<std::size_t>((next != last) & (next >= 0));
+    last = next;
   }
+  for (std::size_t i = 0; i < kept; ++i)
+    counter.add(mixed_hash(static_cast<std::uint64_t>(cell[i])));
 }
 
 }  // namespace

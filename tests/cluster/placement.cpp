@@ -135,6 +135,34 @@ TEST_CASE("on a smooth surface both placements lie near it") {
   }
 }
 
+TEST_CASE("a boundary stays where it is when long faces come along") {
+  std::vector<Triangle> cap;
+  double rim = 1;
+  for (const Triangle& face : ball(100)) {
+    if (face[0][2] < 0.3) continue;
+    cap.push_back(face);
+    for (const Point& corner : face) rim = std::min(rim, corner[2]);
+  }
+  // Thirty cells a side, in every batch.
+  const Triangle far{Point{5, 5, 5}, Point{8, 5, 5}, Point{5, 8, 5}};
+  std::vector<Triangle> both;
+  for (std::size_t i = 0; i < cap.size(); ++i) {
+    if (i % 50 == 0) both.push_back(far);
+    both.push_back(cap[i]);
+  }
+  const ClusterSettings settings = settings_over(both, 0.1, Placement::quadric);
+  const PlainMesh alone = cluster(cap, settings);
+  const PlainMesh beside = cluster(both, settings);
+  REQUIRE(beside.vertices.size() == alone.vertices.size() + 3);
+  double lowest = 1;
+  for (std::size_t i = 0; i < alone.vertices.size(); ++i) {
+    CHECK(beside.vertices[i].key == alone.vertices[i].key);
+    CHECK(beside.vertices[i].position == alone.vertices[i].position);
+    lowest = std::min(lowest, alone.vertices[i].position[2]);
+  }
+  CHECK(lowest == Approx(rim).margin(0.01));
+}
+
 TEST_CASE("a cell of faces without area is placed at the mean of its corners") {
   const std::vector<Triangle> faces{
       {Point{0.2, 0.5, 0.5}, Point{1.5, 0.5, 0.5}, Point{2.5, 0.5, 0.5}},

@@ -120,13 +120,16 @@ std::string difference(const CornerSums& a, const CornerSums& b, std::size_t cou
     if (!same(a.normal, b.normal, i)) return "normal" + at;
     if (!same(a.squares, b.squares, i)) return "squares" + at;
     if (!same(a.moment, b.moment, i)) return "moment" + at;
+    if (!a.far && !same(a.doubled_area, b.doubled_area, i)) return "doubled area" + at;
     if (a.kind[i] != one_cell) continue;
+    if (!same(a.doubled_area, b.doubled_area, i)) return "doubled area in a cell" + at;
     if (!same(a.total_weight, b.total_weight, i)) return "total weight" + at;
     if (!same(a.total_position, b.total_position, i)) return "total position" + at;
     if (!same(a.total_normal, b.total_normal, i)) return "total normal" + at;
     if (!same(a.total_squares, b.total_squares, i)) return "total squares" + at;
     if (!same(a.total_moment, b.total_moment, i)) return "total moment" + at;
   }
+  if (a.far != b.far) return "far";
   return a.clamped == b.clamped ? "" : "clamped";
 }
 

@@ -40,6 +40,7 @@ inline std::unique_ptr<CornerSums> kernel_sums(CornerKernel kernel,
   for (std::size_t axis = 0; axis < 3; ++axis) input.origin[axis] = grid.origin[axis];
   input.inverse = grid.inverse;
   input.quadrics = true;
+  input.sides = true;
   auto out = std::make_unique<CornerSums>();
   kernel(input, *out);
   return out;

@@ -31,6 +31,7 @@ constexpr double fraction_scale = 1 << fraction_bits;
 constexpr float normal_scale = 1 << normal_bits;
 constexpr float area_scale = 1 << area_bits;
 constexpr float weight_limit = 1 << weight_limit_bits;
+constexpr float far_square = 7 * 7;
 
 // Faces done at a time, so that what stands between the loops stays in the first-level cache.
 constexpr std::size_t block = 128;
@@ -143,8 +144,13 @@ inline std::int32_t weight_of(float area, std::int32_t& clamped) {
   return up < 1 ? 1 : up;
 }
 
-std::int32_t weigh_corners(std::size_t from, std::size_t n, Scratch& s, CornerSums& out) {
+struct Flags {
+  std::int32_t clamped = 0, far = 0;
+};
+
+void weigh_corners(std::size_t from, std::size_t n, Scratch& s, CornerSums& out, Flags& flags) {
   std::int32_t clamped = 0;
+  std::int32_t far = 0;
   WINNOW_INDEPENDENT
   for (std::size_t i = 0; i < n; ++i) {
     const float abx = s.ab[0][i], aby = s.ab[1][i], abz = s.ab[2][i];
@@ -161,6 +167,7 @@ std::int32_t weigh_corners(std::size_t from, std::size_t n, Scratch& s, CornerSu
     const float dot_b = -(abx * bcx + aby * bcy + abz * bcz);
     const float dot_c = acx * bcx + acy * bcy + acz * bcz;
     const float bc = bcx * bcx + bcy * bcy + bcz * bcz;
+    far |= ((ab > far_square) | (ac > far_square) | (bc > far_square)) ? 1 : 0;
     // cot X = dot_x / doubled_area.
     const float eighth = reciprocal * 0.125F;
     const float from_a = bc * dot_a;
@@ -184,7 +191,8 @@ std::int32_t weigh_corners(std::size_t from, std::size_t n, Scratch& s, CornerSu
     out.normal[1][from + i] = rounded(uy * normal_scale);
     out.normal[2][from + i] = rounded(uz * normal_scale);
   }
-  return clamped;
+  flags.clamped |= clamped;
+  flags.far |= far;
 }
 
 // The part of a place within its cell, as a double.
@@ -252,19 +260,45 @@ void find_planes(std::size_t from, std::size_t n, const Scratch& s, CornerSums& 
 }
 
 void add_up_planes(std::size_t from, std::size_t n, CornerSums& out) {
-  for (std::size_t k = 0; k < 5; ++k) {
-    for (std::size_t i = from; i < from + n; ++i) {
-      const double w = static_cast<double>(out.weight[0][i]) + out.weight[1][i] + out.weight[2][i];
+  WINNOW_INDEPENDENT
+  for (std::size_t i = from; i < from + n; ++i) {
+    const double wa = out.weight[0][i];
+    const double wb = out.weight[1][i];
+    const double wc = out.weight[2][i];
+    const double w = wa + wb + wc;
+    for (std::size_t k = 0; k < 5; ++k)
       out.total_squares[k][i] = bits_of(w * out.squares[k][i] + rounder) - rounder_bits;
-    }
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = from; i < from + n; ++i) {
-      const double sum = static_cast<double>(out.weight[0][i]) * out.moment[0][axis][i] +
-                         static_cast<double>(out.weight[1][i]) * out.moment[1][axis][i] +
-                         static_cast<double>(out.weight[2][i]) * out.moment[2][axis][i];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double sum =
+          wa * out.moment[0][axis][i] + wb * out.moment[1][axis][i] + wc * out.moment[2][axis][i];
       out.total_moment[axis][i] = bits_of(sum + rounder) - rounder_bits;
     }
+  }
+}
+
+// A place in 2^-16 cells, as a double.
+inline double side_steps(std::int64_t place) {
+  constexpr int dropped = fraction_bits - side_bits;
+  return double_of(static_cast<std::int64_t>(static_cast<std::uint64_t>(place) >> dropped) |
+                   whole_bits);
+}
+
+// Exact for sides that are not far: products of whole numbers below 2^20.
+void multiply_sides(std::size_t from, std::size_t n, CornerSums& out) {
+  WINNOW_INDEPENDENT
+  for (std::size_t i = from; i < from + n; ++i) {
+    const double ax = side_steps(out.place[0][0][i]);
+    const double ay = side_steps(out.place[0][1][i]);
+    const double az = side_steps(out.place[0][2][i]);
+    const double ux = side_steps(out.place[1][0][i]) - ax;
+    const double uy = side_steps(out.place[1][1][i]) - ay;
+    const double uz = side_steps(out.place[1][2][i]) - az;
+    const double vx = side_steps(out.place[2][0][i]) - ax;
+    const double vy = side_steps(out.place[2][1][i]) - ay;
+    const double vz = side_steps(out.place[2][2][i]) - az;
+    out.doubled_area[0][i] = bits_of(uy * vz - uz * vy + rounder) - rounder_bits;
+    out.doubled_area[1][i] = bits_of(uz * vx - ux * vz + rounder) - rounder_bits;
+    out.doubled_area[2][i] = bits_of(ux * vy - uy * vx + rounder) - rounder_bits;
   }
 }
 
@@ -274,7 +308,7 @@ void WINNOW_JOIN(corner_kernel_, WINNOW_KERNEL)(const KernelInput& input, Corner
   // Whole vectors: the faces beyond the last are computed too, and not looked at.
   const std::size_t all = (input.count + 15) / 16 * 16;
   Scratch scratch;
-  std::int32_t clamped = 0;
+  Flags flags;
   for (std::size_t from = 0; from < all; from += block) {
     const std::size_t n = all - from < block ? all - from : block;
     if (input.single) {
@@ -283,14 +317,16 @@ void WINNOW_JOIN(corner_kernel_, WINNOW_KERNEL)(const KernelInput& input, Corner
       place_corners(input.position, input, from, n, scratch, out);
     }
     sort_out(from, n, out);
-    clamped |= weigh_corners(from, n, scratch, out);
+    weigh_corners(from, n, scratch, out, flags);
     add_up(from, n, out);
     if (input.quadrics) {
       find_planes(from, n, scratch, out);
       add_up_planes(from, n, out);
     }
+    if (input.sides) multiply_sides(from, n, out);
   }
-  out.clamped = clamped != 0;
+  out.clamped = flags.clamped != 0;
+  out.far = flags.far != 0;
 }
 
 }  // namespace winnow

@@ -22,6 +22,9 @@ inline constexpr int normal_bits = 20;
 inline constexpr int area_bits = 24;
 inline constexpr int weight_limit_bits = 28;
 
+// Sides, whose sums tell where the boundary runs, are whole numbers of 2^-16 cells.
+inline constexpr int side_bits = 16;
+
 inline constexpr std::size_t kernel_capacity = 128;  // faces; that of FaceBatch
 
 enum FaceKind : std::int64_t {
@@ -47,6 +50,7 @@ struct CornerSums {
   alignas(64) std::int64_t total_position[3][kernel_capacity];
   alignas(64) std::int64_t total_normal[3][kernel_capacity];
   bool clamped;  // a weight reached the limit, maybe in a face beyond the last
+  bool far;      // a side is longer than 7 cells, maybe of a face beyond the last
 
   // Only where quadrics were asked for: the plane of the face, seen from the middle of each
   // corner's cell.
@@ -57,6 +61,9 @@ struct CornerSums {
   // Sums over the three corners.
   alignas(64) std::int64_t total_squares[5][kernel_capacity];
   alignas(64) std::int64_t total_moment[3][kernel_capacity];
+
+  // Only where sides were asked for, and no side is far: ab x ac, in squared 2^-16 cells.
+  alignas(64) std::int64_t doubled_area[3][kernel_capacity];
 };
 
 struct KernelInput {
@@ -69,6 +76,7 @@ struct KernelInput {
   double origin[3];
   double inverse;
   bool quadrics;
+  bool sides;
 };
 
 using CornerKernel = void (*)(const KernelInput&, CornerSums&);

@@ -5,6 +5,7 @@
 #include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "io/file_descriptor.hpp"
+#include "read/indexed/gather_positions.hpp"
 #include "read/ply/scalar.hpp"
 
 #include <algorithm>
@@ -140,19 +141,6 @@ void VertexStore::finish_keeping() {
 
 namespace {
 
-// The layout nearly every file has gets a loop of its own.
-template <typename Real, typename Given>
-void gather_plain(const std::byte* base, std::size_t stride, const std::uint32_t* index,
-                  std::size_t count, std::array<std::array<Given, FaceBatch::capacity>, 3>& out) {
-  for (std::size_t i = 0; i < count; ++i) {
-    std::array<Real, 3> xyz;
-    std::memcpy(xyz.data(), base + std::size_t{index[i]} * stride, sizeof xyz);
-    out[0][i] = static_cast<Given>(xyz[0]);
-    out[1][i] = static_cast<Given>(xyz[1]);
-    out[2][i] = static_cast<Given>(xyz[2]);
-  }
-}
-
 template <typename Real>
 constexpr PlyType real_type = sizeof(Real) == 4 ? PlyType::float32 : PlyType::float64;
 
@@ -187,14 +175,13 @@ void VertexStore::gather_records(const std::byte* records, const VertexLayout& l
   out.single = is_plain<float>(layout) || floats_;
   for (std::size_t corner = 0; corner < 3; ++corner) {
     if (floats_) {
-      gather_plain<double>(records, layout.stride, index[corner], count,
-                           out.single_position[corner]);
+      gather_doubles(records, layout.stride, index[corner], count, out.single_position[corner]);
     } else if (out.single) {
-      gather_plain<float>(records + layout.offset[0], layout.stride, index[corner], count,
-                          out.single_position[corner]);
+      gather_floats(records + layout.offset[0], layout.stride, index[corner], count,
+                    out.single_position[corner]);
     } else if (is_plain<double>(layout)) {
-      gather_plain<double>(records + layout.offset[0], layout.stride, index[corner], count,
-                           out.position[corner]);
+      gather_doubles(records + layout.offset[0], layout.stride, index[corner], count,
+                     out.position[corner]);
     } else {
       for (std::size_t i = 0; i < count; ++i) {
         const std::byte* record = records + std::size_t{index[corner][i]} * layout.stride;
