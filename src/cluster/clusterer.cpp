@@ -4,6 +4,7 @@
 #include "base/memory_shares.hpp"
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
+#include "base/quadric.hpp"
 #include "cluster/attribute_means.hpp"
 #include "cluster/boundary_sum.hpp"
 #include "cluster/build_mesh.hpp"

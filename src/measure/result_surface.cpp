@@ -145,7 +145,9 @@ bool is_closed(Job& job, const StoredMesh& mesh) {
   return mesh.face_count > 0 && directions == 0;
 }
 
-ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t memory) {
+namespace {
+
+ResultSurface survey(Job& job, const StoredMesh& mesh, std::uint64_t memory, bool areas) {
   ResultSurface out;
   job.progress.begin("check", 2 * mesh.face_count, "faces");
   std::optional<JoinedVertices> joined;
@@ -171,11 +173,13 @@ ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t mem
     SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
     InTurn in_turn;
     for (FaceVertices face; faces.next(face);) {
-      const Point a = vertices.position(face[0]);
-      const Point u = vertices.position(face[1]) - a;
-      const Point v = vertices.position(face[2]) - a;
-      out.area += length(cross(u, v)) / 2;
-      directions += directions_of(face);
+      if (areas) {
+        const Point a = vertices.position(face[0]);
+        const Point u = vertices.position(face[1]) - a;
+        const Point v = vertices.position(face[2]) - a;
+        out.area += length(cross(u, v)) / 2;
+        directions += directions_of(face);
+      }
       if (joined) joined->add(face);
       const auto [first, second, third] = lowest_first(face);
       add(second, third);
@@ -188,7 +192,7 @@ ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t mem
   if (joined) out.pieces = joined->pieces();
   joined.reset();
   for_joined.release();
-  out.closed = mesh.face_count > 0 && directions == 0;
+  out.closed = areas && mesh.face_count > 0 && directions == 0;
 
   EdgesInTurn turns(job, *mesh.faces);
   EdgeRuns runs;
@@ -207,6 +211,16 @@ ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t mem
   for (; more; more = turns.next(next)) runs.add(next);
   out.edges = runs.finish();
   return out;
+}
+
+}  // namespace
+
+ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t memory) {
+  return survey(job, mesh, memory, true);
+}
+
+CountedSurface count_surface(Job& job, const StoredMesh& mesh, std::uint64_t memory) {
+  return survey(job, mesh, memory, false);
 }
 
 }  // namespace winnow

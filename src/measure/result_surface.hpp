@@ -11,19 +11,25 @@
 
 namespace winnow {
 
-struct ResultSurface {
+struct CountedSurface {
   SurfaceEdges edges;
-  bool closed = false;
-  double area = 0;
   // Connected ones, also by a vertex alone; absent where their count takes more than half of the
   // memory.
   std::optional<std::uint64_t> pieces;
+};
+
+struct ResultSurface : CountedSurface {
+  bool closed = false;
+  double area = 0;
 };
 
 // Counts edges exactly, by the numbers of their vertices, and sorts within `memory`, or in scratch.
 // Two passes over the faces. On a mesh whose faces come in the order of their lowest vertices, as
 // all do but for `convert`, a third of the edges is sorted.
 ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t memory);
+
+// The same without looking at positions.
+CountedSurface count_surface(Job& job, const StoredMesh& mesh, std::uint64_t memory);
 
 // Whether every side of a face meets one of the opposite direction, by the numbers of vertices: one
 // pass.

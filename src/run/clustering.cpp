@@ -252,7 +252,7 @@ ClusteredMesh Clustering::welded(const std::string& reason) {
   if (mesh.face_count == 0) refuse_empty();
   // A third of the edges is sorted, in eight bytes each.
   if (mesh.face_count <= always_full || 16 * mesh.face_count <= plan_.cluster.table) {
-    const ResultSurface surface = measure_result(job_, mesh, plan_.cluster.table);
+    const CountedSurface surface = count_surface(job_, mesh, plan_.cluster.table);
     report_.topology.input = surface.edges;
     report_.topology.input_pieces = surface.pieces;
   }

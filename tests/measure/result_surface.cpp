@@ -22,6 +22,7 @@ using CornerNumbers = std::array<std::uint32_t, 3>;
 struct Counted {
   ResultSurface surface;
   std::uint64_t spilled = 0;
+  CountedSurface alone;  // without positions
 };
 
 Counted counted(const std::vector<Point>& vertices, const std::vector<CornerNumbers>& faces,
@@ -41,7 +42,8 @@ Counted counted(const std::vector<Point>& vertices, const std::vector<CornerNumb
     mesh.faces->finish();
     mesh.face_count = faces.size();
     const ResultSurface surface = measure_result(test.job, mesh, memory);
-    return Counted{surface, test.job.scratch.written()};
+    const std::uint64_t spilled = test.job.scratch.written();
+    return Counted{surface, spilled, count_surface(test.job, mesh, memory)};
   });
 }
 
@@ -66,7 +68,12 @@ void check_by_definition(const std::vector<Point>& vertices,
     right.non_manifold += all > 2 ? 1 : 0;
     closed &= count.first == count.second;
   }
-  const ResultSurface out = counted(vertices, faces).surface;
+  const Counted all = counted(vertices, faces);
+  const ResultSurface& out = all.surface;
+  CHECK(all.alone.edges.total == right.total);
+  CHECK(all.alone.edges.boundary == right.boundary);
+  CHECK(all.alone.edges.non_manifold == right.non_manifold);
+  CHECK(all.alone.pieces == out.pieces);
   CHECK(out.edges.total == right.total);
   CHECK(out.edges.boundary == right.boundary);
   CHECK(out.edges.non_manifold == right.non_manifold);
