@@ -1,5 +1,5 @@
-# Debian packages: cpack -G DEB makes `winnow`, the program, `libwinnow0`, the shared library, and
-# `libwinnow-dev`, what programs are built with.
+# Debian packages: cpack -G DEB makes `winnow`, the program, `libwinnow0`, the shared library,
+# `libwinnow-dev`, what programs are built with, and with WINNOW_PYTHON `python3-winnow`.
 set(CPACK_PACKAGE_CONTACT "The winnow developers <winnow@packages.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -7,6 +7,10 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_COMPONENTS_ALL library development)
 if(WINNOW_CLI)
   list(PREPEND CPACK_COMPONENTS_ALL program)
+endif()
+
+if(WINNOW_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -47,6 +51,14 @@ string(CONCAT CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
        "The library that the program winnow is made of, to be linked into others,\n"
        "with its headers and what CMake and pkg-config read.")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-winnow)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
+string(CONCAT CPACK_COMPONENT_PYTHON_DESCRIPTION
+       "The library that the program winnow is made of, for Python: arrays of numpy\n"
+       "in, arrays out.")
+
 # Debian's changelog, of this version alone.
 string(TIMESTAMP package_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 find_program(WINNOW_GZIP gzip REQUIRED)
@@ -59,7 +71,11 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/changelog @ONLY CONTENT
 ")
 execute_process(COMMAND ${WINNOW_GZIP} -9nkf ${PROJECT_BINARY_DIR}/changelog)
 
-foreach(component_package program/winnow library/libwinnow0 development/libwinnow-dev)
+set(component_packages program/winnow library/libwinnow0 development/libwinnow-dev)
+if(WINNOW_PYTHON)
+  list(APPEND component_packages python/python3-winnow)
+endif()
+foreach(component_package IN LISTS component_packages)
   cmake_path(GET component_package PARENT_PATH component)
   cmake_path(GET component_package FILENAME package)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright
