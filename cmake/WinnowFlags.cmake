@@ -7,6 +7,8 @@ target_compile_options(winnow_flags INTERFACE -ffp-contract=off -fno-math-errno 
                        -fsigned-char)
 target_compile_options(winnow_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                        -Wnon-virtual-dtor)
+# A new value of an enumeration must not fall through a switch.
+target_compile_options(winnow_flags INTERFACE -Werror=switch)
 # Sources compiled as one are not meant to know each other's names.
 if(WINNOW_UNITY)
   target_compile_options(winnow_flags INTERFACE -Wno-shadow -Wshadow=local)

@@ -7,9 +7,11 @@
 #include <winnow/simplify.hpp>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace winnow {
@@ -41,8 +43,14 @@ struct Distances {
   double max = 0;  // over the samples and all vertices (one-sided Hausdorff distance of those)
 };
 
+// 0 where there is no diagonal.
+constexpr double percent_of(double diagonal, double length) {
+  return diagonal > 0 ? 100 * length / diagonal : 0;
+}
+
 struct CompareReport {
   struct Mesh {
+    std::string name;              // of the file, as it was given
     std::string format;            // as in InfoReport
     std::uint64_t faces = 0;       // good ones
     BadFaces bad_faces;            // left out of everything else
@@ -92,6 +100,55 @@ struct CompareReport {
   double seconds = 0;
   std::vector<std::string> notes;
 };
+
+// Calls field(path, value) for every field, in the order of the JSON report.
+template <typename Report, typename Field>
+requires std::same_as<std::remove_const_t<Report>, CompareReport>
+void for_each_field(Report& report, Field&& field) {
+  const auto mesh = [&](const std::string& path, auto& of) {
+    field(path + ".file", of.name);
+    field(path + ".format", of.format);
+    field(path + ".faces", of.faces);
+    field(path + ".bad_faces", of.bad_faces);
+    field(path + ".area", of.area);
+    field(path + ".volume", of.volume);
+    field(path + ".samples", of.samples);
+  };
+  mesh("original", report.original);
+  mesh("simplified", report.simplified);
+  field("diagonal", report.diagonal);
+  const auto distances = [&](const std::string& path, auto& of) {
+    field(path + ".mean", of.mean);
+    field(path + ".rms", of.rms);
+    field(path + ".max", of.max);
+    field(path + ".mean_percent", percent_of(report.diagonal, of.mean));
+    field(path + ".rms_percent", percent_of(report.diagonal, of.rms));
+    field(path + ".max_percent", percent_of(report.diagonal, of.max));
+  };
+  distances("distance.forward", report.forward);
+  distances("distance.backward", report.backward);
+  distances("distance.symmetric", report.symmetric);
+  field("distance.worst.x", report.worst[0]);
+  field("distance.worst.y", report.worst[1]);
+  field("distance.worst.z", report.worst[2]);
+  field("fail_above", report.limit);
+  field("normal_deviation.mean", report.normal_deviation.mean);
+  field("normal_deviation.p95", report.normal_deviation.p95);
+  field("topology.boundary_edges", report.topology.boundary_edges);
+  field("topology.non_manifold_edges", report.topology.non_manifold_edges);
+  field("topology.flipped", report.topology.flipped);
+  field("topology.degenerate", report.topology.degenerate);
+  field("topology.duplicate", report.topology.duplicate);
+  field("topology.components", report.topology.components);
+  field("smallest_angles.min", report.smallest_angles.min);
+  field("smallest_angles.mean", report.smallest_angles.mean);
+  field("smallest_angles.below_10", report.smallest_angles.below_10);
+  field("area_change", report.area_change);
+  field("volume_change", report.volume_change);
+  field("peak_memory_bytes", report.peak_memory_bytes);
+  field("seconds", report.seconds);
+  field("notes", report.notes);
+}
 
 // Compares in the manner of Metro (Cignoni, Rocchini, Scopigno 1998). `original` is streamed twice
 // and may be of any size; `simplified` must fit into the budget, with about 500 bytes a face.

@@ -6,8 +6,10 @@
 #include <winnow/format.hpp>
 #include <winnow/simplify.hpp>
 
+#include <concepts>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace winnow {
@@ -21,21 +23,23 @@ struct ConvertOptions {
 };
 
 struct ConvertReport {
-  struct {
-    std::string format;  // as in InfoReport
+  struct Input {
+    std::vector<std::string> names;  // the one that was given
+    std::string format;              // as in InfoReport
     std::uint64_t faces =
         0;  // triangles read, bad ones included; polygons count as their triangles
     std::uint64_t vertices = 0;  // vertices stored; 0 for formats without (STL)
     std::uint64_t bytes = 0;     // after decompression
     BadFaces bad_faces;
   } input;
-  struct {
-    std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
+  struct Output {
+    std::string name;                                  // as it was given
     std::string format;                                // as in SimplifyReport
+    std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
     // By which Encoding::quantize moves a position at most, in model units; 0 without.
     double position_error = 0;
   } output;
-  struct {
+  struct Attributes {
     std::vector<std::string> carried;  // "red (uchar)", in the order of the output
     std::vector<std::string>
         dropped;  // what was not carried, and why: "properties of faces: flags"
@@ -47,11 +51,40 @@ struct ConvertReport {
   std::uint64_t spilled_bytes = 0;       // written to scratch, all kinds together
   std::uint64_t peak_scratch_bytes = 0;  // most scratch in use at one time
   std::uint64_t peak_memory_bytes = 0;   // the process's largest resident set so far
-  struct {
+  struct Seconds {
     double total = 0, read = 0, write = 0;
   } seconds;
   std::vector<std::string> notes;  // what was unusual about the input, a line each
 };
+
+// Calls field(path, value) for every field, in the order of the JSON report.
+template <typename Report, typename Field>
+requires std::same_as<std::remove_const_t<Report>, ConvertReport>
+void for_each_field(Report& report, Field&& field) {
+  field("input.files", report.input.names);
+  field("input.format", report.input.format);
+  field("input.faces", report.input.faces);
+  field("input.vertices", report.input.vertices);
+  field("input.bytes", report.input.bytes);
+  field("input.bad_faces", report.input.bad_faces);
+  field("output.file", report.output.name);
+  field("output.format", report.output.format);
+  field("output.faces", report.output.faces);
+  field("output.vertices", report.output.vertices);
+  field("output.bytes", report.output.bytes);
+  field("output.position_error", report.output.position_error);
+  field("attributes.carried", report.attributes.carried);
+  field("attributes.dropped", report.attributes.dropped);
+  field("welded", report.welded);
+  field("doubled_faces", report.doubled_faces);
+  field("spilled_bytes", report.spilled_bytes);
+  field("peak_scratch_bytes", report.peak_scratch_bytes);
+  field("peak_memory_bytes", report.peak_memory_bytes);
+  field("seconds", report.seconds.total);
+  field("stage_seconds.read", report.seconds.read);
+  field("stage_seconds.write", report.seconds.write);
+  field("notes", report.notes);
+}
 
 // Reads `input`, writes the same mesh to `output`; names, pipes and compression as in simplify().
 //

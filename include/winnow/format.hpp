@@ -1,6 +1,9 @@
 // File formats, and how a mesh is written in one.
 #pragma once
 
+#include <winnow/values.hpp>
+
+#include <array>
 #include <optional>
 
 namespace winnow {
@@ -9,6 +12,45 @@ namespace winnow {
 // output, before a .gz or .zst. `m` is that of Hugues Hoppe's programs; `gltf` is glTF 2.0, which
 // is written as GLB.
 enum class Format { automatic, ply, stl, obj, off, m, gltf };
+
+struct FormatFacts {
+  const char* name = nullptr;            // as an input
+  std::array<const char*, 2> endings{};  // of files' names, without the dot; options take them too
+  bool read = true;
+  const char* written = nullptr;  // its name as an output, which has the first ending; null: it is
+                                  // only read
+  bool generated = false;         // by generate() as well
+};
+
+constexpr FormatFacts facts_of(Format format) {
+  switch (format) {
+    case Format::automatic:
+      return {.name = "auto"};
+    case Format::ply:
+      return {.name = "PLY", .endings = {"ply"}, .written = "PLY", .generated = true};
+    case Format::stl:
+      return {.name = "STL", .endings = {"stl"}, .written = "STL", .generated = true};
+    case Format::obj:
+      return {.name = "OBJ", .endings = {"obj"}, .written = "OBJ", .generated = true};
+    case Format::off:
+      return {.name = "OFF", .endings = {"off"}, .written = "OFF", .generated = true};
+    case Format::m:
+      return {.name = ".m", .endings = {"m"}, .written = ".m", .generated = true};
+    case Format::gltf:
+      return {.name = "glTF", .endings = {"glb", "gltf"}, .written = "GLB"};
+  }
+  return {};
+}
+
+// How a program may use a format.
+enum class FormatUse { read, written, generated };
+
+constexpr bool serves(Format format, FormatUse use) {
+  const FormatFacts facts = facts_of(format);
+  if (facts.endings.front() == nullptr) return false;
+  if (use == FormatUse::read) return facts.read;
+  return use == FormatUse::written ? facts.written != nullptr : facts.generated;
+}
 
 // The type of positions in the output.
 enum class Positions {

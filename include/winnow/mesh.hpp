@@ -3,6 +3,7 @@
 
 #include <winnow/api.hpp>
 #include <winnow/context.hpp>
+#include <winnow/number_type.hpp>
 #include <winnow/simplify.hpp>
 
 #include <array>
@@ -16,20 +17,6 @@
 #include <vector>
 
 namespace winnow {
-
-// The types of numbers in arrays.
-enum class NumberType : std::uint8_t {
-  int8,
-  uint8,
-  int16,
-  uint16,
-  int32,
-  uint32,
-  int64,
-  uint64,
-  float32,
-  float64
-};
 
 // Any whole number of 8 to 64 bits, float or double.
 template <typename T>

@@ -9,9 +9,11 @@
 #include <winnow/target.hpp>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace winnow {
@@ -93,6 +95,8 @@ struct SimplifyOptions {
 
 // What a run would do, found from the input's header and size alone.
 struct SimplifyPlan {
+  std::vector<std::string> inputs;          // as they were given
+  std::string output;                       // as it was given
   std::string input_format, output_format;  // as in SimplifyReport
   struct Part {
     std::string name;
@@ -112,6 +116,26 @@ struct SimplifyPlan {
   std::optional<std::uint64_t> scratch_expected;
   std::optional<double> seconds_expected;  // a rough guess, from rates measured once
 };
+
+// Calls field(path, value) for every field, in the order of the JSON report.
+template <typename Plan, typename Field>
+requires std::same_as<std::remove_const_t<Plan>, SimplifyPlan>
+void for_each_field(Plan& plan, Field&& field) {
+  field("input.files", plan.inputs);
+  field("input.format", plan.input_format);
+  field("output.file", plan.output);
+  field("output.format", plan.output_format);
+  field("memory", plan.memory);
+  field("smallest_memory", plan.smallest_memory);
+  field("passes", plan.passes);
+  field("clustered.first", plan.clustered);
+  field("clustered.reason", plan.clustered_reason);
+  field("faces", plan.faces);
+  field("vertices", plan.vertices);
+  field("scratch_worst", plan.scratch_worst);
+  field("scratch_expected", plan.scratch_expected);
+  field("seconds_expected", plan.seconds_expected);
+}
 
 // Reads `input`, clusters its vertices on a grid, collapses edges of what comes out until it has
 // the faces asked for, writes one mesh to `output`.

@@ -1,20 +1,16 @@
 // What a run of simplify() or resume() reports.
 #pragma once
 
+#include <winnow/costs.hpp>
+
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace winnow {
-
-// What is made of the clustered mesh.
-enum class Refine {
-  none,       // nothing: pure clustering
-  quadric,    // collapse edges at the least distance from the planes of the faces they stand for
-  volume,     // collapse vertices that cover the least volume
-  importance  // collapse what is seen least
-};
 
 // Faces of an input that cannot take part, by kind. They are counted and left out.
 struct BadFaces {
@@ -217,6 +213,14 @@ void for_each_run_field(Report& report, Field&& field) {
   field("stage_seconds.refine", report.seconds.refine);
   field("stage_seconds.write", report.seconds.write);
   field("resumed", report.resumed);
+}
+
+// All of them, in the order of the JSON report.
+template <typename Report, typename Field>
+requires std::same_as<std::remove_const_t<Report>, SimplifyReport>
+void for_each_field(Report& report, Field&& field) {
+  for_each_result(report, field);
+  for_each_run_field(report, field);
 }
 
 }  // namespace winnow

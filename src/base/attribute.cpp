@@ -6,8 +6,8 @@
 
 namespace winnow {
 
-std::vector<ScalarType> types_of(std::span<const Attribute> attributes) {
-  std::vector<ScalarType> types;
+std::vector<NumberType> types_of(std::span<const Attribute> attributes) {
+  std::vector<NumberType> types;
   for (const Attribute& attribute : attributes) types.push_back(attribute.type);
   return types;
 }
@@ -25,9 +25,9 @@ std::optional<std::size_t> component_named(std::string_view name) {
   return {};
 }
 
-double full_component(ScalarType type) {
-  if (type == ScalarType::uint8) return 255;
-  return type == ScalarType::uint16 ? 65535 : 1;
+double full_component(NumberType type) {
+  if (type == NumberType::uint8) return 255;
+  return type == NumberType::uint16 ? 65535 : 1;
 }
 
 double full_component(const Attribute& attribute) {

@@ -1,7 +1,7 @@
 // What vertices carry besides their positions.
 #pragma once
 
-#include "base/scalar_type.hpp"
+#include "base/number_type.hpp"
 #include "base/vector.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ enum class AttributeKind {
 // One number a vertex, as the input has it and the output gets it.
 struct Attribute {
   std::string name;
-  ScalarType type = ScalarType::float32;
+  NumberType type = NumberType::float32;
   AttributeKind kind = AttributeKind::value;
   // What a colour's component has where all of it is there. 0: what the type has, see
   // full_component().
@@ -38,7 +38,7 @@ struct Attribute {
 
   [[nodiscard]] bool lacks(double stored) const {
     if (!no_data) return false;
-    return stored == *no_data || (type == ScalarType::float32 && stored == nearest_float(*no_data));
+    return stored == *no_data || (type == NumberType::float32 && stored == nearest_float(*no_data));
   }
 };
 
@@ -55,7 +55,7 @@ struct CarriedAttributes {
   [[nodiscard]] std::size_t bytes() const { return attributes.size() * sizeof(double); }
 };
 
-std::vector<ScalarType> types_of(std::span<const Attribute> attributes);
+std::vector<NumberType> types_of(std::span<const Attribute> attributes);
 
 // The parts of a normal along the axes.
 inline constexpr std::array<std::string_view, 3> normal_names{"nx", "ny", "nz"};
@@ -75,15 +75,15 @@ inline bool carries_normals(std::span<const Attribute> attributes) {
 }
 
 // The number that stands for all of a colour's component, or of its alpha.
-double full_component(ScalarType type);
+double full_component(NumberType type);
 double full_component(const Attribute& attribute);
 
 // By the names that programs give them (red, diffuse_red or r, ...) which component a number is: 0
 // red, 1 green, 2 blue, 3 alpha.
 std::optional<std::size_t> component_named(std::string_view name);
 // Whether numbers of this type can be one.
-inline bool may_be_component(ScalarType type) {
-  return !is_integer(type) || type == ScalarType::uint8 || type == ScalarType::uint16;
+inline bool may_be_component(NumberType type) {
+  return !is_integer(type) || type == NumberType::uint8 || type == NumberType::uint16;
 }
 
 // Whether it is a component of one, in whatever form.

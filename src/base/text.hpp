@@ -1,14 +1,14 @@
-// Numbers as people read them, for messages; letters.
+// Numbers as options take them, besides those for people; letters.
 #pragma once
+
+#include <winnow/text.hpp>
 
 #include <cstdint>
 #include <string>
 
 namespace winnow {
 
-std::string human_bytes(std::uint64_t bytes);  // "512 MiB", "1.5 GiB", "84 bytes"
 std::string size_option(std::uint64_t bytes);  // "34M": rounded up, as --memory takes it
-std::string grouped(std::uint64_t count);      // "1,234,567"
 std::string shortest(double value);  // the shortest text that reads back as the same double
 
 // The small letter of a capital one of ASCII, and the other way round, whatever the locale.

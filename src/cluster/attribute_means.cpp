@@ -5,7 +5,7 @@
 #include "cluster/attribute_scale.hpp"
 #include "cluster/attribute_sum.hpp"
 #include "cluster/cell_table.hpp"
-#include "cluster/front_cache.hpp"
+#include "cluster/thread_sums.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,8 +13,6 @@
 namespace winnow {
 
 namespace {
-
-constexpr std::size_t pending_sums = 512;
 
 // Calls made(std::integral_constant) with the smallest number of attributes that sums are made for.
 template <typename Made>
@@ -67,10 +65,14 @@ class AttributeMeansOf final : public AttributeMeans {
         scales_(scales_of(carried)),
         reserved_(job.budget.reserve(memory.table, "the table of attributes")),
         table_(job, memory.table, memory.table_parts),
-        workers_(job.threads, [] { return std::make_unique<Worker>(); }) {}
+        workers_(job.threads, [this] {
+          using SumKeys = typename ThreadSums<Sum>::Keys;
+          return std::make_unique<ThreadSums<Sum>>(
+              table_, keys_ == Keys::cells ? SumKeys::packed_cells : SumKeys::as_they_are);
+        }) {}
 
   void add(const FaceBatch& faces, const CornerSums& corners) override {
-    Worker& worker = workers_.local();
+    ThreadSums<Sum>& sums = workers_.local();
     for (std::size_t i = 0; i < faces.count; ++i) {
       const std::int64_t kind = corners.kind[i];
       if (faces.status[i] != FaceStatus::good || kind > close_corners) continue;
@@ -79,33 +81,27 @@ class AttributeMeansOf final : public AttributeMeans {
       for (std::size_t c = 0; c < 3; ++c)
         weight[c] = static_cast<std::uint64_t>(corners.weight[c][i]);
       if (kind == one_cell) {
-        add_corners(worker, faces, i, static_cast<PackedCell>(corners.cell[0][i]), weight, 0, 3);
+        add_corners(sums, faces, i, static_cast<PackedCell>(corners.cell[0][i]), weight, 0, 3);
         continue;
       }
       for (std::size_t c = 0; c < 3; ++c)
-        add_corners(worker, faces, i, static_cast<PackedCell>(corners.cell[c][i]), weight, c,
-                    c + 1);
+        add_corners(sums, faces, i, static_cast<PackedCell>(corners.cell[c][i]), weight, c, c + 1);
     }
   }
 
   void add(const FaceBatch& faces, std::size_t face,
            const std::array<std::uint64_t, 3>& numbers) override {
-    Worker& worker = workers_.local();
+    ThreadSums<Sum>& sums = workers_.local();
     for (std::size_t c = 0; c < 3; ++c)
-      add_corners(worker, faces, face, numbers[c], {1, 1, 1}, c, c + 1);
+      add_corners(sums, faces, face, numbers[c], {1, 1, 1}, c, c + 1);
   }
 
   [[nodiscard]] bool wants_to_spill() const override { return table_.nearly_full(); }
   void spill() override { table_.spill(); }
 
   std::unique_ptr<AttributeCursor> finish() override {
-    const std::vector<Worker*> all = workers_.all();
-    parallel_for(all.size(), [&all, this](std::size_t w) {
-      Worker* worker = all[w];
-      worker->cache.empty_into([&](const Sum& line) { evict(*worker, line); });
-      table_.add(worker->pending);
-      worker->pending.clear();
-    });
+    const std::vector<ThreadSums<Sum>*> all = workers_.all();
+    parallel_for(all.size(), [&all](std::size_t w) { all[w]->finish(); });
     job_.progress.check_cancelled();
     return std::make_unique<CursorOf<Sum>>(table_.finish(), scales_);
   }
@@ -113,19 +109,12 @@ class AttributeMeansOf final : public AttributeMeans {
  private:
   using Weights = std::array<std::uint64_t, 3>;
 
-  struct Worker {
-    Worker() { pending.reserve(pending_sums); }
-
-    FrontCache<Sum> cache;
-    std::vector<Sum> pending;  // entries that gave way, on their way to the table
-  };
-
   // Corners `from` to `to` of a face, which have one key.
-  void add_corners(Worker& worker, const FaceBatch& faces, std::size_t face, std::uint64_t key,
-                   const Weights& weight, std::size_t from, std::size_t to) {
+  void add_corners(ThreadSums<Sum>& sums, const FaceBatch& faces, std::size_t face,
+                   std::uint64_t key, const Weights& weight, std::size_t from, std::size_t to) {
     std::uint64_t total = 0;
     for (std::size_t c = from; c < to; ++c) total += weight[c];
-    Sum& sum = worker.cache.entry(key, total, [&](const Sum& line) { evict(worker, line); });
+    Sum& sum = sums.entry(key, total);
     sum.weight += total;
     for (std::size_t k = 0; k < scales_.size(); ++k) {
       if (scales_[k].is_label()) {
@@ -150,20 +139,12 @@ class AttributeMeansOf final : public AttributeMeans {
     }
   }
 
-  void evict(Worker& worker, const Sum& line) {
-    worker.pending.push_back(line);
-    if (keys_ == Keys::cells) worker.pending.back().key = morton_key(PackedCell{line.key});
-    if (worker.pending.size() < pending_sums) return;
-    table_.add(worker.pending);
-    worker.pending.clear();
-  }
-
   Job& job_;
   Keys keys_;
   std::vector<AttributeScale> scales_;
   Reservation reserved_;
   CellTable<Sum> table_;
-  PerSlot<Worker> workers_;
+  PerSlot<ThreadSums<Sum>> workers_;
 };
 
 }  // namespace
@@ -174,9 +155,10 @@ std::uint64_t AttributeMemory::entry_size(std::size_t attributes) {
 }
 
 std::uint64_t AttributeMemory::per_thread(std::size_t attributes) {
-  const std::uint64_t cached = std::uint64_t{1} << FrontCache<CellSum>::index_bits;
-  return entry_size(attributes) * (cached + 2 * pending_sums) +
-         attributes * sizeof(double) * 3 * FaceBatch::capacity;
+  if (attributes == 0) return 0;
+  const std::uint64_t sums =
+      with_size(attributes, [](auto size) { return ThreadSums<AttributeSum<size>>::memory(); });
+  return sums + attributes * sizeof(double) * 3 * FaceBatch::capacity;
 }
 
 std::uint64_t AttributeMemory::smallest_table(std::size_t parts, std::size_t attributes) {

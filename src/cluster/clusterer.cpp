@@ -11,7 +11,7 @@
 #include "cluster/cell_table.hpp"
 #include "cluster/face_kinds.hpp"
 #include "cluster/face_list.hpp"
-#include "cluster/front_cache.hpp"
+#include "cluster/thread_sums.hpp"
 #include "io/sorted_records.hpp"
 
 #include <algorithm>
@@ -22,8 +22,6 @@ namespace winnow {
 namespace {
 
 static_assert(kernel_capacity == FaceBatch::capacity);
-
-constexpr std::size_t pending_entries = 1024;
 
 // What one corner of a face adds to its cell.
 void add_corner(CellSum& sum, const CornerSums& face, std::size_t corner, std::size_t i) {
@@ -72,8 +70,8 @@ class ClustererOf final : public Clusterer {
         table_(job, memory.table, memory.table_parts),
         face_runs_(job),
         workers_(job.threads, [this] {
-          return std::make_unique<Worker>(job_, (memory_.faces - boundary_share_) / job_.threads,
-                                          face_runs_);
+          return std::make_unique<Worker>(
+              job_, table_, (memory_.faces - boundary_share_) / job_.threads, face_runs_);
         }) {
     if (settings.keeps_boundaries())
       boundaries_ = std::make_unique<ThreadedRecords<BoundarySum>>(job, boundary_share_);
@@ -103,7 +101,6 @@ class ClustererOf final : public Clusterer {
 
     worker.kinds.tell_apart(worker.corners, faces);
     const FaceIndices& inside = worker.kinds.inside;
-    const auto evict = [&](const Sum& line) { worker.evict(line, table_); };
     const bool sides = boundaries_ != nullptr;
     SortedList<BoundarySum>* list = sides ? &boundaries_->local() : nullptr;
     const auto take = [list](const BoundarySum& sum) { list->add(sum); };
@@ -120,15 +117,15 @@ class ClustererOf final : public Clusterer {
         for (std::size_t axis = 0; axis < 3; ++axis)
           area[axis] += worker.corners.doubled_area[axis][i];
       } while (k < inside.size() && worker.corners.cell[0][inside[k]] == cell);
-      worker.cache.entry(static_cast<PackedCell>(cell), run.weight, evict).add(run);
+      worker.sums.entry(static_cast<PackedCell>(cell), run.weight).add(run);
       if (sides) worker.boundaries.sum_of(static_cast<PackedCell>(cell), take).add({}, area);
     }
-    for (const std::size_t i : worker.kinds.pairs) add_pair(worker, i, evict);
-    for (const std::size_t i : worker.kinds.across) add_corners(worker, i, evict);
+    for (const std::size_t i : worker.kinds.pairs) add_pair(worker, i);
+    for (const std::size_t i : worker.kinds.across) add_corners(worker, i);
     for (const std::size_t i : worker.kinds.bad) {
       if (worker.corners.kind[i] == close_corners && faces.status[i] == FaceStatus::good &&
           !faces.repeats_a_corner(i)) {
-        add_corners(worker, i, evict);
+        add_corners(worker, i);
         if (sides) worker.boundaries.add_near_sides(worker.corners, i, take);
       } else {
         count_bad(worker, faces, i);
@@ -151,11 +148,7 @@ class ClustererOf final : public Clusterer {
       Sum sum{};
       sum.key = key;
       sum.weight = 1 | CellSum::used_bit;
-      worker.pending.push_back(sum);
-    }
-    if (worker.pending.size() + 3 >= pending_entries) {
-      table_.add(worker.pending);
-      worker.pending.clear();
+      worker.sums.add(sum);
     }
     worker.faces.add(cell_face(cells[0], cells[1], cells[2]));
   }
@@ -190,22 +183,11 @@ class ClustererOf final : public Clusterer {
 
  private:
   struct Worker {
-    Worker(Job& job, std::uint64_t face_memory, SortedRuns<CellFace>& runs)
-        : faces(job, face_memory, runs) {
-      pending.reserve(pending_entries);
-    }
-
-    void evict(const Sum& line, CellTable<Sum>& table) {
-      pending.push_back(line);
-      pending.back().key = morton_key(PackedCell{line.key});
-      if (pending.size() < pending_entries) return;
-      table.add(pending);
-      pending.clear();
-    }
+    Worker(Job& job, CellTable<Sum>& table, std::uint64_t face_memory, SortedRuns<CellFace>& runs)
+        : sums(table, ThreadSums<Sum>::Keys::packed_cells), faces(job, face_memory, runs) {}
 
     CornerSums corners;
-    FrontCache<Sum> cache;
-    std::vector<Sum> pending;  // entries that gave way, on their way to the table
+    ThreadSums<Sum> sums;
     FaceList faces;
     BoundaryCache boundaries;
     ClusterCounts counts;
@@ -217,9 +199,7 @@ class ClustererOf final : public Clusterer {
     const std::vector<Worker*> all = workers_.all();
     parallel_for(all.size(), [&all, this](std::size_t w) {
       Worker* worker = all[w];
-      worker->cache.empty_into([&](const Sum& line) { worker->evict(line, table_); });
-      table_.add(worker->pending);
-      worker->pending.clear();
+      worker->sums.finish();
       if (boundaries_ == nullptr) return;
       SortedList<BoundarySum>& list = boundaries_->local();
       worker->boundaries.empty_into([&list](const BoundarySum& sum) { list.add(sum); });
@@ -256,8 +236,7 @@ class ClustererOf final : public Clusterer {
   }
 
   // Of a face with two corners in one cell.
-  template <typename GiveWay>
-  void add_pair(Worker& worker, std::size_t i, const GiveWay& evict) {
+  static void add_pair(Worker& worker, std::size_t i) {
     const CornerSums& face = worker.corners;
     const auto corner = static_cast<std::size_t>(face.kind[i] - alone_a);
     Sum alone{};
@@ -265,24 +244,21 @@ class ClustererOf final : public Clusterer {
     Sum both{};
     add_face(both, face, i);
     both.subtract(alone);
-    worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]), alone.weight, evict)
-        .add(alone);
+    worker.sums.entry(static_cast<PackedCell>(face.cell[corner][i]), alone.weight).add(alone);
     const std::size_t another = corner == 0 ? 1 : 0;
-    worker.cache.entry(static_cast<PackedCell>(face.cell[another][i]), both.weight, evict)
-        .add(both);
+    worker.sums.entry(static_cast<PackedCell>(face.cell[another][i]), both.weight).add(both);
   }
 
   // Of any face, corner by corner.
-  template <typename GiveWay>
-  void add_corners(Worker& worker, std::size_t i, const GiveWay& evict) {
+  static void add_corners(Worker& worker, std::size_t i) {
     const CornerSums& face = worker.corners;
     const auto a = static_cast<PackedCell>(face.cell[0][i]);
     const auto b = static_cast<PackedCell>(face.cell[1][i]);
     const auto c = static_cast<PackedCell>(face.cell[2][i]);
     const bool kept = (a != b) & (a != c) & (b != c);
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      Sum& sum = worker.cache.entry(static_cast<PackedCell>(face.cell[corner][i]),
-                                    static_cast<std::uint64_t>(face.weight[corner][i]), evict);
+      Sum& sum = worker.sums.entry(static_cast<PackedCell>(face.cell[corner][i]),
+                                   static_cast<std::uint64_t>(face.weight[corner][i]));
       add_corner(sum, face, corner, i);
       if (kept) sum.weight |= CellSum::used_bit;
     }
@@ -355,9 +331,9 @@ MeshLayout ClusterSettings::layout() const {
 }
 
 std::uint64_t ClusterMemory::per_thread(bool quadrics) {
-  const std::uint64_t line = quadrics ? sizeof(QuadricCellSum) : sizeof(CellSum);
-  return sizeof(CornerSums) + (line << FrontCache<CellSum>::index_bits) +
-         2 * pending_entries * line + sizeof(FaceBatch) + BoundaryCache::bytes() +
+  const std::uint64_t sums =
+      quadrics ? ThreadSums<QuadricCellSum>::memory() : ThreadSums<CellSum>::memory();
+  return sizeof(CornerSums) + sums + sizeof(FaceBatch) + BoundaryCache::bytes() +
          (std::uint64_t{256} << 10);  // stack, scratch of the kernel
 }
 

@@ -11,8 +11,7 @@
 
 namespace winnow {
 
-// Direct-mapped; one for each thread. `Overflow` takes the entries that give way, keyed by
-// PackedCell.
+// Direct-mapped; one for each thread.
 template <typename Sum>
 class FrontCache {
  public:

@@ -1,6 +1,7 @@
 // Vertices that are nearer to each other than a distance, as one.
 #pragma once
 
+#include "cluster/near_positions.hpp"
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
 
@@ -8,20 +9,6 @@
 #include <memory>
 
 namespace winnow {
-
-// How the budget is divided here.
-struct NearWeldMemory {
-  std::uint64_t sorting = 0;    // while vertices are linked
-  std::uint64_t links = 0;      // likewise
-  std::uint64_t positions = 0;  // likewise
-  std::uint64_t moved = 0;      // positions that have moved; kept for as long as the reader
-
-  // What one thread needs besides.
-  static std::uint64_t per_thread();
-};
-
-// The most scratch that this takes of so many faces, in bytes.
-std::uint64_t near_weld_scratch(std::uint64_t faces);
 
 // A mesh as `reader` gives it, but for the positions of some vertices: those nearer to each other
 // than `distance` stand where one of them does, and so do chains of such vertices. It is the first

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 #include <vector>
 
 namespace winnow {
@@ -75,8 +76,8 @@ class MemorylessDecimation final : public Decimation {
 };
 
 template <typename MakeCost>
-std::unique_ptr<Decimation> forgetful(TileMesh& mesh, const DecimationSettings& settings,
-                                      MakeCost make) {
+std::unique_ptr<Decimation> memoryless(TileMesh& mesh, const DecimationSettings& settings,
+                                       MakeCost make) {
   return std::make_unique<MemorylessDecimation<MakeCost>>(mesh, settings, std::move(make));
 }
 
@@ -157,7 +158,33 @@ std::vector<ErrorBound::State> bound_states(TileMesh& mesh, std::span<const std:
 }
 
 bool bounds_error(const DecimationSettings& settings) {
-  return settings.cost == CollapseCost::quadric && settings.error.has_value();
+  return facts_of(settings.cost).bounds_error && settings.error.has_value();
+}
+
+std::unique_ptr<Decimation> by_quadrics(TileMesh& mesh, std::span<const std::byte> state,
+                                        const DecimationSettings& settings) {
+  const CoordinateRounding rounding = settings.rounding_of_positions();
+  if (bounds_error(settings)) {
+    return std::make_unique<AccumulatingDecimation<QuadricCost>>(
+        mesh, settings, settings.single, rounding, *settings.error,
+        bound_states(mesh, state, settings));
+  }
+  return memoryless(mesh, settings, [single = settings.single, rounding](TileMesh& of) {
+    return QuadricCost(of, single, rounding);
+  });
+}
+
+// Bytes that a cost holds besides what is remembered.
+std::uint64_t memory_of(Refine cost, std::uint64_t vertices) {
+  switch (cost) {
+    case Refine::quadric:
+      return QuadricCost::memory(vertices);
+    case Refine::volume:
+    case Refine::importance:
+    case Refine::none:
+      break;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -166,25 +193,22 @@ std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std
                                              const DecimationSettings& settings) {
   if (settings.keep_boundaries || bounds_error(settings)) mesh.link();
   if (settings.keep_boundaries) lock_boundaries(mesh);
-  const CoordinateRounding rounding = settings.rounding_of_positions();
+  const double rounding = settings.rounding_of_positions().relative;
   const bool free = settings.free_topology;
-  if (settings.cost == CollapseCost::volume)
-    return forgetful(mesh, settings, [rounding, free](TileMesh& of) {
-      return VolumeCost(of, rounding.relative, free);
-    });
-  if (settings.cost == CollapseCost::importance)
-    return forgetful(mesh, settings, [rounding, free](TileMesh& of) {
-      return ImportanceCost(of, rounding.relative, free);
-    });
-  if (!bounds_error(settings)) {
-    const bool single = settings.single;
-    return forgetful(mesh, settings, [single, rounding](TileMesh& of) {
-      return QuadricCost(of, single, rounding);
-    });
+  switch (settings.cost) {
+    case Refine::quadric:
+      return by_quadrics(mesh, state, settings);
+    case Refine::volume:
+      return memoryless(mesh, settings,
+                        [rounding, free](TileMesh& of) { return VolumeCost(of, rounding, free); });
+    case Refine::importance:
+      return memoryless(mesh, settings, [rounding, free](TileMesh& of) {
+        return ImportanceCost(of, rounding, free);
+      });
+    case Refine::none:
+      break;
   }
-  return std::make_unique<AccumulatingDecimation<QuadricCost>>(mesh, settings, settings.single,
-                                                               rounding, *settings.error,
-                                                               bound_states(mesh, state, settings));
+  throw std::logic_error("no cost to decimate by");
 }
 
 bool Decimation::find_change(TileMesh& mesh, const EdgeStar& star, SurfaceChange& change) {
@@ -218,9 +242,8 @@ std::size_t Decimation::state_size(const DecimationSettings& settings) {
 }
 
 std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64_t vertices) {
-  std::uint64_t forgetful = 0;
-  if (settings.cost == CollapseCost::quadric) forgetful = QuadricCost::memory(vertices);
-  return forgetful + vertices * state_size(settings) + Collapser<QuadricCost>::memory(vertices);
+  return memory_of(settings.cost, vertices) + vertices * state_size(settings) +
+         Collapser<QuadricCost>::memory(vertices);
 }
 
 }  // namespace winnow

@@ -1,6 +1,8 @@
 // One tile made smaller, at one of the costs: knows no files, no threads and no other tile.
 #pragma once
 
+#include <winnow/costs.hpp>
+
 #include "decimate/collapser.hpp"
 #include "decimate/tile_mesh.hpp"
 
@@ -13,15 +15,13 @@
 
 namespace winnow {
 
-enum class CollapseCost { quadric, volume, importance };
-
 struct DecimationSettings {
-  CollapseCost cost = CollapseCost::quadric;
-  bool single = true;            // vertices go to numbers that floats have
-  double least_cosine = 0.2;     // of the angle by which one collapse may turn a face
-  bool keep_boundaries = false;  // vertices at boundaries stay
-  bool keep_pieces = false;      // no piece of the surface goes as a whole
-  bool free_topology = false;    // handles and holes may close
+  Refine cost = Refine::quadric;  // not none
+  bool single = true;             // vertices go to numbers that floats have
+  double least_cosine = 0.2;      // of the angle by which one collapse may turn a face
+  bool keep_boundaries = false;   // vertices at boundaries stay
+  bool keep_pieces = false;       // no piece of the surface goes as a whole
+  bool free_topology = false;     // handles and holes may close
   bool boundaries_known =
       false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone
   std::optional<double> error;  // how far the surface may come from what it was: error_bound.hpp

@@ -2,7 +2,7 @@
 
 #include "base/rounding.hpp"
 #include "base/sort_unique.hpp"
-#include "decimate/surface_patch.hpp"
+#include "decimate/surroundings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,100 +26,11 @@ constexpr double reach = 0.5;
 constexpr unsigned rounds = 3;
 // A vertex with more faces stays, because every move takes a look at all of them.
 constexpr std::size_t most_faces = 32;
-// A face whose height is below this part of its longest side is a line.
-constexpr double thinnest = 1e-10;
 // How far the reference is known around a face, as a part of its longest side, and around all faces
 // at its corners. Around a middle, mostly the first margin is enough.
 constexpr double face_margin = 0.35;
 constexpr std::array<double, 2> middle_margins{0.05, face_margin};
 constexpr double ring_margin = 0.2;
-// How much a corner weighs in the inner point nearest to it, and the other two.
-constexpr double near_weight = 0.6;
-constexpr double far_weight = 0.2;
-
-Point middle_of(const Triangle& t) {
-  return 1.0 / 3 * (t[0] + t[1] + t[2]);
-}
-
-// The middle, and a point near each corner.
-std::array<Point, 4> inner_points(const Triangle& t) {
-  const Point sum = far_weight * (t[0] + t[1] + t[2]);
-  const auto near = [&](const Point& corner) { return sum + (near_weight - far_weight) * corner; };
-  return {middle_of(t), near(t[0]), near(t[1]), near(t[2])};
-}
-
-double weight_of(std::size_t corner, std::size_t inner_point) {
-  if (inner_point == 0) return 1.0 / 3;
-  return inner_point == corner + 1 ? near_weight : far_weight;
-}
-
-bool is_line(const Triangle& t, const CoordinateRounding& rounding) {
-  const Point normal = doubled_area(t);
-  double longest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point side = t[(i + 1) % 3] - t[i];
-    longest = std::max(longest, dot(side, side));
-  }
-  return !(length(normal) > thinnest * longest) || thinner_than_rounding(t, normal, rounding);
-}
-
-Box box_around(const Triangle& t) {
-  Box box;
-  for (const Point& corner : t) box.add(corner);
-  return box;
-}
-
-Box enlarged(Box box, double margin) {
-  const Point more{margin, margin, margin};
-  box.low = box.low - more;
-  box.high = box.high + more;
-  return box;
-}
-
-// Faces of the reference near each inner point of a face.
-using Hints = std::array<SurfacePatch::Hint, 4>;
-constexpr Hints no_hints{SurfacePatch::unknown, SurfacePatch::unknown, SurfacePatch::unknown,
-                         SurfacePatch::unknown};
-
-// The reference in a box and a margin around it.
-class Surroundings {
- public:
-  Surroundings(ReferenceSurface& reference, const Box& box, double margin)
-      : patch_(reference.faces_near(enlarged(box, margin))), most_squared_(margin * margin) {}
-
-  // Nothing if the nearest face is beyond the margin: others, which are not known, may be nearer.
-  std::optional<double> squared_distance(const Point& point, SurfacePatch::Hint& hint) const {
-    const double squared = patch_.squared_distance(point, hint);
-    return squared <= most_squared_ ? std::optional(squared) : std::nullopt;
-  }
-
-  [[nodiscard]] const SurfacePatch& patch() const { return patch_; }
-
-  bool flipped(const Triangle& t, Hints& hints) const {
-    const Point normal = doubled_area(t);
-    const std::array<Point, 4> points = inner_points(t);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!patch_.opposed(points[i], normal, hints[i])) return false;
-    }
-    return true;
-  }
-
-  // The squared distance times the area; nothing as for a point.
-  std::optional<double> error(const Triangle& t, Hints& hints) const {
-    const std::array<Point, 4> points = inner_points(t);
-    double sum = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto squared = squared_distance(points[i], hints[i]);
-      if (!squared) return {};
-      sum += *squared;
-    }
-    return sum / 4 * length(doubled_area(t)) / 2;
-  }
-
- private:
-  SurfacePatch patch_;
-  double most_squared_;
-};
 
 // Some corners of a face, moved by the same vector.
 struct Move {

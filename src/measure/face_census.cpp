@@ -72,9 +72,7 @@ InfoReport FaceCensus::finish() {
   report.faces = all.faces;
   report.bad_faces = all.bad;
   report.zero_area = all.zero_area;
-  report.has_box = !all.box.empty;
-  report.box_min = all.box.low;
-  report.box_max = all.box.high;
+  if (!all.box.empty) report.box = {all.box.low, all.box.high};
   report.area = all.totals.area();
   report.mean_edge = all.sides == 0 ? 0 : all.edge_lengths.value() / static_cast<double>(all.sides);
   report.edges = edges_.finish();

@@ -4,6 +4,7 @@
 
 #include <winnow/error.hpp>
 #include <winnow/options.hpp>
+#include <winnow/values.hpp>
 
 #include "base/text.hpp"
 #include "options/text_values.hpp"
@@ -131,6 +132,14 @@ OptionValue<Options> choice(Field field, std::vector<std::pair<const char*, Word
       });
   value.words = std::move(names);
   return value;
+}
+
+// The words of an enumeration whose values tell their names.
+template <typename Enum>
+std::vector<std::pair<const char*, Enum>> words_of() {
+  std::vector<std::pair<const char*, Enum>> words;
+  for (const Enum value : all_values<Enum>()) words.emplace_back(facts_of(value).name, value);
+  return words;
 }
 
 // Three numbers with commas between them: std::array<double, 3>.

@@ -8,20 +8,25 @@ namespace winnow {
 inline constexpr const char* input_group = "What is read";
 inline constexpr const char* result_group = "What the result is";
 
-inline std::vector<std::pair<const char*, Format>> format_words() {
-  return {{"auto", Format::automatic}, {"ply", Format::ply}, {"stl", Format::stl},
-          {"obj", Format::obj},        {"off", Format::off}, {"m", Format::m},
-          {"glb", Format::gltf}};
+inline std::vector<std::pair<const char*, Format>> format_words(FormatUse use) {
+  std::vector<std::pair<const char*, Format>> words{
+      {facts_of(Format::automatic).name, Format::automatic}};
+  for (const Format format : all_values<Format>()) {
+    if (!serves(format, use)) continue;
+    for (const char* ending : facts_of(format).endings) {
+      if (ending != nullptr) words.emplace_back(ending, format);
+      if (use != FormatUse::read) break;
+    }
+  }
+  return words;
 }
 
 template <typename Options, typename Field>
 Option<Options> from_option(Field field, const char* name = "from",
                             const char* what = "the input") {
-  auto words = format_words();
-  words.emplace_back("gltf", Format::gltf);
   return {name, "FORMAT", input_group,
           std::string("Read ") + what + " as this format, whatever its content looks like",
-          choice<Options>(field, words)};
+          choice<Options>(field, format_words(FormatUse::read))};
 }
 
 template <typename Options>
@@ -42,7 +47,7 @@ void add_output_options(std::vector<Option<Options>>& table) {
   table.insert(
       table.end(),
       {{"to", "FORMAT", result_group, "Output format, where the name's ending does not tell",
-        choice<Options>(&Options::to, format_words())},
+        choice<Options>(&Options::to, format_words(FormatUse::written))},
        {"ascii", "", result_group, "Write PLY and STL as text",
         flag<Options>(encoding(&Encoding::ascii))},
        {"positions", "TYPE", result_group,

@@ -143,12 +143,7 @@ std::vector<Option<Options>> table() {
       {"refine", "COST", refinement,
        "What an edge costs to collapse (default: quadric with `faces`, `ratio` and `error`, else "
        "none)",
-       choice<Options>(
-           &Options::refine,
-           std::vector<std::pair<const char*, Refine>>{{"none", Refine::none},
-                                                       {"quadric", Refine::quadric},
-                                                       {"volume", Refine::volume},
-                                                       {"importance", Refine::importance}})},
+       choice<Options>(&Options::refine, words_of<Refine>())},
       {"detail", "D", refinement,
        "Cluster to D times the target first (default 6); 'full' skips clustering", detail()},
       {"boundary", "HOW", refinement,

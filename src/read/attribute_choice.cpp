@@ -152,7 +152,7 @@ AvailableAttributes common_offer(const std::vector<AvailableAttributes>& offers)
     const AvailableAttributes* last = nullptr;
     bool light = true;  // in all of them
   };
-  std::map<std::pair<std::string, ScalarType>, Found> found;
+  std::map<std::pair<std::string, NumberType>, Found> found;
   for (const AvailableAttributes& offer : offers) {
     for (const Attribute& attribute : offer.scalars) {
       Found& one = found[{attribute.name, attribute.type}];

@@ -1,15 +1,16 @@
-// The formats that can be read. A new one is a new file, a line here and a line in open_reader.cpp.
+// The formats that can be read. A new one is a file of its own and its line at the end of this one.
 #pragma once
+
+#include <winnow/format.hpp>
 
 #include "read/mesh_reader.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string_view>
+#include <utility>
 
 namespace winnow {
-
-std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeRequest& wish);
-InputProbe probe_ply(ByteSource& source, const AttributeRequest& wish);
 
 // How surely a text is one of a format, as far as its first bytes show.
 enum class TextMatch {
@@ -18,40 +19,62 @@ enum class TextMatch {
   later,  // statements of the format stand behind lines that it does not know
   first   // the first statement is one of the format
 };
-bool match_ply(std::string_view head);  // surely, or not at all
 
-// OBJ. Here and below, match_...() says how surely a text is one, and offer_of_...() what its
-// vertices carry.
-TextMatch match_obj(std::string_view head);
-AvailableAttributes offer_of_obj(std::string_view head);
-std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeRequest& wish);
+// How a source is read, and so whether a pipe has to be copied first.
+enum class Reading {
+  faces,          // by every pass
+  vertices,       // are kept; faces are read by every pass over them
+  whole,          // taken in when it is opened: see BufferedReader
+  whole_by_parts  // likewise, its parts in any order: it must be seekable
+};
 
-// OFF as text, with or without colours, normals and the like.
-TextMatch match_off(std::string_view head);
-AvailableAttributes offer_of_off(std::string_view head);
-std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeRequest& wish);
+struct InputFormat {
+  Reading reading;
 
-// .m, vertices and faces with numbers of their own.
-TextMatch match_m(std::string_view head);
-std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source,
-                                   const ReaderMemory& memory, const AttributeRequest& wish);
+  // Throw Error(bad_input). `asked`: an option or the file's name says that it is one.
+  std::unique_ptr<MeshReader> (*open)(Job& job, std::unique_ptr<ByteSource> source,
+                                      const ReaderMemory& memory, const AttributeRequest& wish,
+                                      bool asked);
+  // Fills what the first bytes tell, where they tell anything.
+  void (*probe)(Job& job, ByteSource& source, bool asked, InputProbe& probe) = nullptr;
 
-// glTF 2.0, as GLB or as JSON. The source must be seekable; the offer is that of the whole JSON,
-// also of a pipe.
+  // Whether the first bytes can be of no other format; null: never.
+  bool (*certain)(std::string_view head) = nullptr;
+  // How surely a text is one; null: it is none.
+  TextMatch (*match)(std::string_view head) = nullptr;
+};
+
+extern const InputFormat ply_input;   // any properties and elements
+extern const InputFormat gltf_input;  // glTF 2.0, as GLB or as JSON
+extern const InputFormat off_input;   // with or without colours, normals and the like
+extern const InputFormat m_input;     // vertices and faces with numbers of their own
+extern const InputFormat obj_input;
+extern const InputFormat stl_input;  // binary or ASCII, by content
+
+// Of equal matches the first counts.
+inline constexpr std::array<std::pair<Format, const InputFormat*>, 6> input_formats{
+    {{Format::ply, &ply_input},
+     {Format::gltf, &gltf_input},
+     {Format::off, &off_input},
+     {Format::m, &m_input},
+     {Format::obj, &obj_input},
+     {Format::stl, &stl_input}}};
+
+constexpr const InputFormat* input_format(Format format) {
+  for (const auto& [known, input] : input_formats) {
+    if (known == format) return input;
+  }
+  return nullptr;
+}
+static_assert(std::ranges::all_of(all_values<Format>(), [](Format format) {
+  return serves(format, FormatUse::read) == (input_format(format) != nullptr);
+}));
+
+// Of gltf_input, which is another in a library without that part.
 TextMatch match_gltf(std::string_view head);
-AvailableAttributes offer_of_gltf(Job& job, ByteSource& source);
-std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory, const AttributeRequest& wish);
 
-// STL, binary or ASCII, by content. Where it is not `asked` for, by option or by name, a binary one
-// must have the size that its count of faces says.
-TextMatch match_stl(std::string_view head);
+// Whether a binary STL with this header has this size: then nothing else can be told by content.
 bool has_size_of_binary_stl(ByteSource& source);
-std::unique_ptr<MeshReader> open_stl(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, bool asked);
-InputProbe probe_stl(ByteSource& source, bool asked);
 
 // What the name of a file says; automatic where it says nothing.
 Format format_called(std::string_view name);

@@ -41,7 +41,7 @@ std::string joined_formats(const std::vector<std::string>& formats) {
 }
 
 // As its type can have it.
-double color_of_light(ScalarType type, double stored) {
+double color_of_light(NumberType type, double stored) {
   const Attribute light{{}, type, AttributeKind::light};
   const double color = stored_of_mean(light, mean_of_stored(light, stored));
   return is_integer(type) ? std::nearbyint(color) : color;
@@ -122,7 +122,7 @@ class JoinedReader final : public MeshReader {
         const auto to = attributes.begin() + static_cast<std::ptrdiff_t>(i * block);
         std::copy_n(from, block, to);
         if (!place_[i].light) continue;
-        const ScalarType type = facts_.choice.carried[i].type;
+        const NumberType type = facts_.choice.carried[i].type;
         for (std::size_t corner = 0; corner < 3; ++corner) {
           const auto first = to + static_cast<std::ptrdiff_t>(corner * FaceBatch::capacity);
           std::transform(first, first + static_cast<std::ptrdiff_t>(slice.count), first,

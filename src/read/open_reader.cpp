@@ -4,39 +4,16 @@
 #include "base/text.hpp"
 #include "read/foreign_formats.hpp"
 #include "read/formats.hpp"
-#include "read/text/mesh.hpp"
+#include "read/text/lines.hpp"
 #include "read/text/tokens.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
 namespace winnow {
 
 namespace {
-
-// Formats that are taken in whole when they are opened.
-struct BufferedFormat {
-  Format format;
-  const char* name;
-  TextMatch (*match)(std::string_view head);
-  std::unique_ptr<MeshReader> (*open)(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory, const AttributeRequest& wish);
-  // By the first bytes; none: it offers nothing.
-  AvailableAttributes (*offer)(Job& job, ByteSource& source) = nullptr;
-};
-constexpr std::array<BufferedFormat, 4> buffered_formats{
-    {{Format::gltf, "glTF", match_gltf, open_gltf, offer_of_gltf},
-     {Format::off, "OFF", match_off, open_off, offer_by_head<offer_of_off>},
-     {Format::m, "M", match_m, open_m},
-     {Format::obj, "OBJ", match_obj, open_obj, offer_by_head<offer_of_obj>}}};
-
-const BufferedFormat* buffered_format(Format format) {
-  const auto* found = std::find_if(buffered_formats.begin(), buffered_formats.end(),
-                                   [&](const BufferedFormat& one) { return one.format == format; });
-  return found == buffered_formats.end() ? nullptr : found;
-}
 
 std::string_view text_of(const Block& block) {
   return {reinterpret_cast<const char*>(block.bytes.data()), block.bytes.size()};
@@ -53,8 +30,9 @@ Format format_of_text(std::string_view head, Format called) {
     best = format;
     best_match = match;
   };
-  for (const BufferedFormat& format : buffered_formats) consider(format.format, format.match(head));
-  consider(Format::stl, match_stl(head));
+  for (const auto& [format, input] : input_formats) {
+    if (input->match != nullptr) consider(format, input->match(head));
+  }
   return best;
 }
 
@@ -65,9 +43,9 @@ Format format_of(ByteSource& source, Format asked) {
   if (asked != Format::automatic) return asked;
   const Block block = source.peek(1024);
   const std::string_view head = without_byte_order_mark(text_of(block));
-  if (head.starts_with("glTF")) return Format::gltf;
-  if (match_ply(head)) return Format::ply;
-  if (head.substr(0, 16).find("OFF BINARY") != std::string_view::npos) return Format::off;
+  for (const auto& [format, input] : input_formats) {
+    if (input->certain != nullptr && input->certain(head)) return format;
+  }
   if (!is_text(head) || fits_stl) return Format::stl;
   // Comments may come first, a licence say.
   const Block more = source.peek(text_head_bytes);
@@ -78,13 +56,19 @@ bool is_asked_for(Format format, Format asked, const ByteSource& source) {
   return asked == format || format_called(source.name()) == format;
 }
 
-// A PLY keeps its vertices anyway; only its faces cannot be had twice from a pipe. STL is all
-// faces. Of a glTF the parts may be needed in any order.
-bool needs_copy(const ByteSource& source, Format format, Access access) {
-  if (format == Format::gltf) return !source.seekable();
-  if (source.seekable() || access == Access::once || buffered_format(format) != nullptr)
-    return false;
-  return format == Format::stl || access == Access::repeatedly;
+bool needs_copy(const ByteSource& source, const InputFormat& format, Access access) {
+  if (source.seekable()) return false;
+  switch (format.reading) {
+    case Reading::faces:
+      return access != Access::once;
+    case Reading::vertices:
+      return access == Access::repeatedly;
+    case Reading::whole:
+      return false;
+    case Reading::whole_by_parts:
+      break;
+  }
+  return true;
 }
 
 }  // namespace
@@ -96,15 +80,10 @@ Format format_called(std::string_view name) {
   for (const std::string_view compression : {".gz", ".zst"}) {
     if (left.ends_with(compression)) left.remove_suffix(compression.size());
   }
-  constexpr std::array<std::pair<std::string_view, Format>, 7> endings{{{".ply", Format::ply},
-                                                                        {".stl", Format::stl},
-                                                                        {".obj", Format::obj},
-                                                                        {".off", Format::off},
-                                                                        {".m", Format::m},
-                                                                        {".glb", Format::gltf},
-                                                                        {".gltf", Format::gltf}}};
-  for (const auto& [ending, format] : endings) {
-    if (left.ends_with(ending)) return format;
+  for (const Format format : all_values<Format>()) {
+    for (const char* ending : facts_of(format).endings) {
+      if (ending != nullptr && left.ends_with(std::string(".") + ending)) return format;
+    }
   }
   return Format::automatic;
 }
@@ -113,34 +92,25 @@ std::unique_ptr<MeshReader> open_reader(Job& job, std::unique_ptr<ByteSource> so
                                         Access access, const ReaderMemory& memory,
                                         const AttributeRequest& wish) {
   const Format format = format_of(*source, from);
-  if (needs_copy(*source, format, access)) source = copy_to_scratch(job, std::move(source));
-  if (format == Format::ply) return open_ply(job, std::move(source), memory, wish);
-  if (const BufferedFormat* kept = buffered_format(format))
-    return kept->open(job, std::move(source), memory, wish);
-  choose_attributes(wish, {}, source->name());  // for its checks: there are none
-  const bool asked = is_asked_for(Format::stl, from, *source);
-  return open_stl(job, std::move(source), memory, asked);
+  const InputFormat& input = *input_format(format);
+  if (needs_copy(*source, input, access)) source = copy_to_scratch(job, std::move(source));
+  const bool asked = is_asked_for(format, from, *source);
+  return input.open(job, std::move(source), memory, wish, asked);
 }
 
 InputProbe probe_input(Job& job, ByteSource& source, Format from, Access access,
                        const AttributeRequest& wish) {
   const Format format = format_of(source, from);
+  const InputFormat& input = *input_format(format);
   InputProbe probe;
-  if (format == Format::ply) {
-    probe = probe_ply(source, wish);
-  } else if (const BufferedFormat* kept = buffered_format(format)) {
-    probe.facts.format = kept->name;
-    if (kept->offer != nullptr) probe.facts.offer = kept->offer(job, source);
-    probe.taken_in = true;
-  } else {
-    probe = probe_stl(source, is_asked_for(Format::stl, from, source));
-  }
-  if (format != Format::ply)
-    probe.facts.choice = choose_attributes(wish, probe.facts.offer, source.name());
+  probe.facts.format = facts_of(format).name;
+  if (input.probe != nullptr) input.probe(job, source, is_asked_for(format, from, source), probe);
+  probe.facts.choice = choose_attributes(wish, probe.facts.offer, source.name());
+  probe.taken_in = input.reading == Reading::whole || input.reading == Reading::whole_by_parts;
   probe.bytes = source.size();
-  probe.copied_first = needs_copy(source, format, access);
+  probe.copied_first = needs_copy(source, input, access);
   probe.compression = source.compression();
-  if (format == Format::ply && source.map_name().empty() && !probe.copied_first)
+  if (input.reading == Reading::vertices && source.map_name().empty() && !probe.copied_first)
     probe.vertices_buffered = true;
   return probe;
 }

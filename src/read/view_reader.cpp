@@ -16,38 +16,9 @@ namespace winnow {
 
 namespace {
 
-std::size_t bytes_of(NumberType type) {
-  switch (type) {
-    case NumberType::int8:
-    case NumberType::uint8:
-      return 1;
-    case NumberType::int16:
-    case NumberType::uint16:
-      return 2;
-    case NumberType::int64:
-    case NumberType::uint64:
-    case NumberType::float64:
-      return 8;
-    default:
-      return 4;
-  }
-}
-
-bool is_wide_integer(NumberType type) {
-  return type == NumberType::int64 || type == NumberType::uint64;
-}
-
-// Of all but those.
-ScalarType scalar_type(NumberType type) {
-  constexpr std::array reals{ScalarType::float32, ScalarType::float64};
-  if (type >= NumberType::float32)
-    return reals.at(static_cast<std::size_t>(type) - static_cast<std::size_t>(NumberType::float32));
-  return static_cast<ScalarType>(type);
-}
-
 template <std::size_t Width>
 void check_rows(const Rows<Width>& rows, const std::string& name) {
-  const std::size_t bytes = Width * bytes_of(rows.type());
+  const std::size_t bytes = Width * size_of(rows.type());
   if (rows.left_over() != 0) {
     throw Error(ErrorKind::bad_input,
                 name + " holds " + grouped(Width * rows.count() + rows.left_over()) +
@@ -91,7 +62,7 @@ void check_attribute(const MeshView::Attribute& attribute, std::uint64_t vertice
 AvailableAttributes offer_of(const MeshView& mesh) {
   AvailableAttributes offer;
   for (const MeshView::Attribute& attribute : mesh.attributes)
-    offer.scalars.push_back({attribute.name, scalar_type(attribute.values.type())});
+    offer.scalars.push_back({attribute.name, attribute.values.type()});
   return offer;
 }
 
@@ -114,10 +85,10 @@ InputFacts facts_of(const MeshView& mesh, const AttributeRequest& wish) {
 }
 
 std::uint64_t size_of(const MeshView& mesh) {
-  std::uint64_t size = 3 * (mesh.positions.count() * bytes_of(mesh.positions.type()) +
-                            mesh.faces.count() * bytes_of(mesh.faces.type()));
+  std::uint64_t size = 3 * (mesh.positions.count() * size_of(mesh.positions.type()) +
+                            mesh.faces.count() * size_of(mesh.faces.type()));
   for (const MeshView::Attribute& attribute : mesh.attributes)
-    size += attribute.values.count() * bytes_of(attribute.values.type());
+    size += attribute.values.count() * size_of(attribute.values.type());
   return size;
 }
 
@@ -203,13 +174,12 @@ class ViewReader final : public IndexedReader {
     for (std::size_t k = 0; k < carried_count(); ++k) {
       if (place(carried(k).data()) < place(lowest)) lowest = carried(k).data();
     }
-    const ScalarType type = scalar_type(mesh_.positions.type());
+    const NumberType type = mesh_.positions.type();
     const std::size_t x = place(mesh_.positions.data()) - place(lowest);
-    const std::size_t size = winnow::size_of(type);
+    const std::size_t size = size_of(type);
     VertexLayout layout{mesh_.positions.stride(), {x, x + size, x + 2 * size}, {type, type, type}};
     for (std::size_t k = 0; k < carried_count(); ++k) {
-      layout.attributes.push_back(
-          {place(carried(k).data()) - place(lowest), scalar_type(carried(k).type())});
+      layout.attributes.push_back({place(carried(k).data()) - place(lowest), carried(k).type()});
     }
     vertices_.look_in(static_cast<const std::byte*>(lowest), mesh_.positions.count(), layout);
   }
@@ -219,8 +189,8 @@ class ViewReader final : public IndexedReader {
     const Rows<3>& positions = mesh_.positions;
     job_.progress.begin("read vertices", positions.count(), "vertices");
     vertices_.begin_keeping(facts_.double_positions, types_of(facts_.choice.carried));
-    const ScalarType type = scalar_type(positions.type());
-    const auto number = [](const void* data, std::uint64_t offset, ScalarType of) {
+    const NumberType type = positions.type();
+    const auto number = [](const void* data, std::uint64_t offset, NumberType of) {
       return load_real(static_cast<const std::byte*>(data) + offset, of, false);
     };
     std::vector<double> xyz;
@@ -228,7 +198,7 @@ class ViewReader final : public IndexedReader {
     for (std::uint64_t i = 0; i < positions.count(); ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         xyz.push_back(
-            number(positions.data(), i * positions.stride() + axis * winnow::size_of(type), type));
+            number(positions.data(), i * positions.stride() + axis * size_of(type), type));
       }
       for (std::size_t k = 0; k < carried_count(); ++k) {
         attributes.push_back(

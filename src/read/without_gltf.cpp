@@ -14,14 +14,14 @@ namespace {
 
 }  // namespace
 
-AvailableAttributes offer_of_gltf(Job& /*job*/, ByteSource& source) {
-  refuse(source);
-}
-
-std::unique_ptr<MeshReader> open_gltf(Job& /*job*/, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& /*memory*/,
-                                      const AttributeRequest& /*wish*/) {
-  refuse(*source);
-}
+const InputFormat gltf_input{
+    .reading = Reading::whole_by_parts,
+    .open = [](Job& /*job*/, std::unique_ptr<ByteSource> source, const ReaderMemory& /*memory*/,
+               const AttributeRequest& /*wish*/,
+               bool /*asked*/) -> std::unique_ptr<MeshReader> { refuse(*source); },
+    .probe = [](Job& /*job*/, ByteSource& source, bool /*asked*/,
+                InputProbe& /*probe*/) { refuse(source); },
+    .certain = [](std::string_view head) { return head.starts_with("glTF"); },
+    .match = match_gltf};
 
 }  // namespace winnow

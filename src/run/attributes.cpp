@@ -82,25 +82,22 @@ void settle_colors(Job& job, std::vector<Attribute>& attributes,
   }
 }
 
-CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report) {
+TakenAttributes take_attributes(Job& job, MeshReader& reader) {
   const AttributeSelection& choice = reader.facts().choice;
-  CarriedAttributes carried{choice.carried, {}};
+  TakenAttributes taken{{choice.carried, {}}, {descriptions(choice), choice.dropped, 0}};
   const std::vector<MeshReader::AttributeRange> ranges = reader.attribute_ranges();
-  settle_colors(job, carried.attributes, ranges);
+  settle_colors(job, taken.carried.attributes, ranges);
   for (const MeshReader::AttributeRange& range : ranges) {
-    carried.largest.push_back(range.largest);
-    report.attributes.ignored += range.without;
+    taken.carried.largest.push_back(range.largest);
+    taken.report.ignored += range.without;
   }
-  report.attributes.carried = descriptions(choice);
-  report.attributes.dropped = choice.dropped;
   note_dropped(job, choice);
-  if (report.attributes.ignored > 0) {
-    job.note(grouped(report.attributes.ignored) +
+  if (taken.report.ignored > 0) {
+    job.note(grouped(taken.report.ignored) +
              " numbers of carried attributes are not finite, or the largest of their type; the "
-             "means leave "
-             "them out");
+             "means leave them out");
   }
-  return carried;
+  return taken;
 }
 
 void finish_attributes(const MeshShape& shape, std::span<double> values, MeshVertex& vertex) {

@@ -24,9 +24,13 @@ void note_dropped(Job& job, const AttributeSelection& choice);
 void settle_colors(Job& job, std::vector<Attribute>& attributes,
                    const std::vector<MeshReader::AttributeRange>& ranges);
 
-// What the reader carries; fills report.attributes and notes what is not carried. To be called
-// before any faces are read.
-CarriedAttributes take_attributes(Job& job, MeshReader& reader, SimplifyReport& report);
+// What the reader carries, and what is told of it; notes what is not carried. To be called before
+// any faces are read.
+struct TakenAttributes {
+  CarriedAttributes carried;
+  SimplifyReport::Attributes report;
+};
+TakenAttributes take_attributes(Job& job, MeshReader& reader);
 
 // From means, or what is stored, to what is written, in place: light to colours, normals of means
 // as long as 1; these become the vertex's normal where the shape has one besides. Where they cancel

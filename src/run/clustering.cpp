@@ -121,8 +121,8 @@ Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available)
 }
 
 Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options,
-                       CarriedAttributes attributes, const MemoryPlan& plan, SimplifyReport& report)
-    : job_(job), reader_(reader), options_(options), plan_(plan), report_(report) {
+                       TakenAttributes attributes, const MemoryPlan& plan, bool joined)
+    : job_(job), reader_(reader), options_(options), plan_(plan), joined_(joined) {
   settings_.placement = options.placement;
   settings_.double_positions = writes_doubles(options.encoding, reader.facts().double_positions);
   if (reader.facts().mixed_positions && !welds(options)) {
@@ -131,7 +131,8 @@ Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& opti
         "`weld` DISTANCE joins what is near");
   }
   settings_.for_refinement = cost_of(options) != Refine::none;
-  settings_.attributes = std::move(attributes);
+  settings_.attributes = std::move(attributes.carried);
+  report_.attributes = std::move(attributes.report);
   settings_.keep_quadrics = options.target.error().has_value();
 }
 
@@ -151,6 +152,7 @@ Clustered Clustering::run() {
   report_.input.vertices = reader_.facts().vertices.value_or(0);
   report_.input.bytes = reader_.bytes();
   report_.input.format = reader_.facts().format;
+  out.report = std::move(report_);
   return out;
 }
 
@@ -362,9 +364,7 @@ void Clustering::refuse_empty() const {
   throw Error(ErrorKind::bad_input,
               "'" + reader_.name() + "' has no face that could be simplified" +
                   (options_.crop ? " in the box of `crop`; `info` tells where the mesh is" : "") +
-                  (welds(options_) && report_.weld.vertices > 0
-                       ? "; `weld` joined too many vertices, choose a smaller distance"
-                       : ""));
+                  (joined_ ? "; `weld` joined too many vertices, choose a smaller distance" : ""));
 }
 
 void Clustering::refuse_result(const ClusteredMesh& mesh) const {

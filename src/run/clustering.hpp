@@ -9,6 +9,7 @@
 #include "cluster/resolution.hpp"
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
+#include "run/attributes.hpp"
 #include "run/plan.hpp"
 #include "run/safe_clustering.hpp"
 
@@ -28,6 +29,7 @@ struct Clustered {
   bool normals = false;           // of the input
   bool double_positions = false;  // likewise
   std::vector<Attribute> attributes{};  // that vertices carry
+  SimplifyReport report{};              // of the input, its attributes and the cells
 };
 
 // Faces that are asked for, of so many in the input; nothing where a cell or an error says how
@@ -45,13 +47,13 @@ Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::
 Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available);
 inline constexpr const char* clustering_alone = "clustering alone was asked for";
 
-// Fills what the report says of input and cells.
 class Clustering {
  public:
+  // `joined`: `weld` moved vertices.
   Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options,
-             CarriedAttributes attributes, const MemoryPlan& plan, SimplifyReport& report);
+             TakenAttributes attributes, const MemoryPlan& plan, bool joined);
 
-  // The mesh that is written, or, if it is going to be refined, what that starts from.
+  // The mesh that is written, or, if it is going to be refined, what that starts from. Once.
   Clustered run();
 
  private:
@@ -74,7 +76,8 @@ class Clustering {
   MeshReader& reader_;
   const SimplifyOptions& options_;
   const MemoryPlan& plan_;
-  SimplifyReport& report_;
+  bool joined_;
+  SimplifyReport report_;
   Stopwatch watch_;
   ClusterSettings settings_;
   std::uint64_t available_ = 0;  // faces of the input

@@ -136,22 +136,15 @@ class Comparison {
     const std::unique_ptr<MeshReader> reader =
         open_reader(job_, open_source(job_, name), options_.from_simplified, Access::once,
                     {share::compare::reading_simplified(job_.budget.left()), batch_faces});
+    report_.simplified.name = name;
     report_.simplified.format = reader->facts().format;
     if (reader->facts().faces) check_room(*reader->facts().faces);
     simplified_ =
         std::make_unique<FaceStore>(job_.budget, job_.budget.left() / sizeof(NumberedFace));
     FaceIntake intake(job_, reader->first_finite_position().value_or(Point{}));
-    job_.progress.begin("read the simplified mesh", reader->facts().faces.value_or(0), "faces");
-    reader->begin_faces();
-    for_each_face_batch(job_, *reader,
-                        [&](const FaceBatch& faces) {
-                          const GoodFaces good(faces);
-                          intake.add(good);
-                          if (framing_ != nullptr) framing_->add(good.faces());
-                          if (!simplified_->add(good.faces())) refuse(2 * simplified_->room());
-                        },
-                        {});
-    intake.finish();
+    take_in(*reader, "read the simplified mesh", intake, [&](std::span<const NumberedFace> faces) {
+      if (!simplified_->add(faces)) refuse(2 * simplified_->room());
+    });
     intake.report(report_.simplified);
     check_size(intake.totals(), name);
     if (simplified_->size() == 0) refuse_without_faces(*reader, "compared");
@@ -193,6 +186,22 @@ class Comparison {
                                                       mebibyte * mebibyte));
   }
 
+  // A pass over all faces, of which `each` gets the good ones.
+  template <typename Each>
+  void take_in(MeshReader& reader, const char* stage, FaceIntake& intake, const Each& each) {
+    job_.progress.begin(stage, reader.facts().faces.value_or(0), "faces");
+    reader.begin_faces();
+    for_each_face_batch(job_, reader,
+                        [&](const FaceBatch& faces) {
+                          const GoodFaces good(faces);
+                          intake.add(good);
+                          if (framing_ != nullptr) framing_->add(good.faces());
+                          each(good.faces());
+                        },
+                        {});
+    intake.finish();
+  }
+
   [[nodiscard]] double density_for(double area) const {
     return area > 0 ? static_cast<double>(options_.samples) / area : 0;
   }
@@ -203,6 +212,7 @@ class Comparison {
     const std::unique_ptr<MeshReader> reader =
         open_reader(job_, open_source(job_, name), options_.from_original, Access::repeatedly,
                     {reading, batch_faces});
+    report_.original.name = name;
     report_.original.format = reader->facts().format;
     const std::uint64_t capacity =
         std::min(SurfaceTree::most_faces,
@@ -219,17 +229,9 @@ class Comparison {
     const bool whole = known <= capacity;
     const std::uint64_t step =
         known == UINT64_MAX ? 64 : std::max<std::uint64_t>(2, 2 * (known / capacity + 1));
-    job_.progress.begin("measure the original", reader->facts().faces.value_or(0), "faces");
-    reader->begin_faces();
-    for_each_face_batch(job_, *reader,
-                        [&](const FaceBatch& faces) {
-                          const GoodFaces good(faces);
-                          intake.add(good);
-                          if (framing_ != nullptr) framing_->add(good.faces());
-                          if (!whole) take_some(good.faces(), step, chunk);
-                        },
-                        {});
-    intake.finish();
+    take_in(*reader, "measure the original", intake, [&](std::span<const NumberedFace> faces) {
+      if (!whole) take_some(faces, step, chunk);
+    });
     intake.report(report_.original);
     check_size(intake.totals(), name);
     report_.diagonal = intake.totals().box().diagonal();

@@ -14,7 +14,7 @@
 #include "run/plan.hpp"
 #include "run/write_blocks.hpp"
 #include "run/write_mesh.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/formats.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -96,11 +96,11 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   write_mesh(job, mesh, shape, *encoder, sink);
   sink.finish();
 
-  report.input = {facts.format, counts.faces, facts.vertices.value_or(0), reader->bytes(),
-                  counts.bad};
-  report.output = {mesh.face_count, mesh.vertices->size(), sink.written(),
-                   format_written(options.to, output, options.encoding),
-                   encoder->position_error(shape)};
+  report.input = {{input},         facts.format, counts.faces, facts.vertices.value_or(0),
+                  reader->bytes(), counts.bad};
+  report.output = {output,          format_written(options.to, output, options.encoding),
+                   mesh.face_count, mesh.vertices->size(),
+                   sink.written(),  encoder->position_error(shape)};
   report.attributes = {descriptions(facts.choice), facts.choice.dropped};
   report.welded = !facts.vertices;
   report.doubled_faces = counts.faces - counts.bad.total() - mesh.face_count;

@@ -63,6 +63,7 @@ InfoReport info_in_arena(Job& job, const std::string& input, Format from) {
                       {});
 
   InfoReport report = census.finish();
+  report.name = input;
   report.format = facts.format;
   report.bytes = reader->bytes();
   report.vertices = facts.vertices.value_or(0);

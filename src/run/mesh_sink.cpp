@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "run/attributes.hpp"
 #include "run/write_blocks.hpp"
+#include "write/formats.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -37,7 +38,7 @@ constexpr std::uint64_t elements_at_once = 8192;
 // The numbers of one element of a mesh, as bytes, side by side.
 struct Column {
   std::byte* data;
-  ScalarType type;
+  NumberType type;
 
   void store(std::uint64_t at, double value) const {
     store_rounded(value, type, data + at * size_of(type));
@@ -45,12 +46,12 @@ struct Column {
 };
 
 template <typename Number>
-Column column_of(std::vector<Number>& numbers, ScalarType type, std::uint64_t count) {
+Column column_of(std::vector<Number>& numbers, NumberType type, std::uint64_t count) {
   numbers.resize(count);
   return {std::as_writable_bytes(std::span(numbers)).data(), type};
 }
 
-Column add_attribute(Mesh& mesh, const std::string& name, ScalarType type, std::uint64_t count) {
+Column add_attribute(Mesh& mesh, const std::string& name, NumberType type, std::uint64_t count) {
   Mesh::Attribute& attribute = mesh.attributes.emplace_back();
   attribute.name = name;
   return with_type(type, [&]<typename Number>(Number) {
@@ -95,14 +96,14 @@ std::uint64_t MemorySink::write(const StoredMesh& mesh, const MeshShape& shape) 
   std::vector<Column> columns;  // of normals, then of attributes
   Column positions{};
   try {
-    const ScalarType real = shape.double_positions ? ScalarType::float64 : ScalarType::float32;
+    const NumberType real = shape.double_positions ? NumberType::float64 : NumberType::float32;
     const std::uint64_t numbers = 3 * shape.vertices;
     positions = shape.double_positions
                     ? column_of(mesh_.positions.emplace<std::vector<double>>(), real, numbers)
                     : column_of(mesh_.positions.emplace<std::vector<float>>(), real, numbers);
     for (std::size_t axis = 0; axis < 3 && shape.normals; ++axis) {
       columns.push_back(add_attribute(mesh_, std::string(normal_names.at(axis)),
-                                      ScalarType::float32, shape.vertices));
+                                      NumberType::float32, shape.vertices));
     }
     for (const Attribute& attribute : shape.attributes)
       columns.push_back(add_attribute(mesh_, attribute.name, attribute.type, shape.vertices));

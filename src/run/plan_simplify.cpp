@@ -11,6 +11,7 @@
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
 #include "run/simplify_options.hpp"
+#include "write/formats.hpp"
 
 #include <algorithm>
 
@@ -134,6 +135,8 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   const CellNeeds needs = needs_of(options, probe.facts.choice);
   const MemoryPlan plan = MemoryPlan::divide(context.memory, input.memory(), job.threads, needs);
   SimplifyPlan out;
+  out.inputs = inputs;
+  out.output = output;
   out.input_format = probe.facts.format;
   out.output_format = format_written(options.to, output, options.encoding);
   out.memory = plan.parts();

@@ -20,11 +20,6 @@ namespace winnow {
 
 namespace {
 
-CollapseCost collapse_cost(Refine refine) {
-  if (refine == Refine::volume) return CollapseCost::volume;
-  return refine == Refine::importance ? CollapseCost::importance : CollapseCost::quadric;
-}
-
 const char* name_of(StoppedBy reason) {
   switch (reason) {
     case StoppedBy::error:
@@ -51,24 +46,29 @@ const char* sentence_of(StoppedBy reason, bool free) {
       return "vertices with very many faces stay, and so do faces between two of them";
     case StoppedBy::pieces:
       return "`keep_pieces` keeps every piece of the surface; without it the smallest go";
-    default:
-      return free ? "no edge is left that could be collapsed"
-                  : "fewer would change the topology or destroy the shape; `topology` free closes "
-                    "handles and "
-                    "holes, and meets the count";
+    case StoppedBy::topology:
+    case StoppedBy::error:
+    case StoppedBy::count:
+      break;
   }
+  return free ? "no edge is left that could be collapsed"
+              : "fewer would change the topology or destroy the shape; `topology` free closes "
+                "handles and holes, and meets the count";
 }
 
-void tell_reasons(Job& job, const RefineReport& done, std::uint64_t left, std::uint64_t wanted,
-                  bool free, SimplifyReport& report) {
+// Notes why more faces are left than were wanted; returns the names of the reasons.
+std::vector<std::string> tell_reasons(Job& job, const RefineReport& done, std::uint64_t left,
+                                      std::uint64_t wanted, bool free) {
+  std::vector<std::string> names;
   const std::vector<StoppedBy> reasons = done.blocked.reasons();
   for (const StoppedBy reason : reasons) {
     const std::string sentence = sentence_of(reason, free);
     job.note(reason == reasons.front()
                  ? grouped(left) + " faces are left instead of " + grouped(wanted) + ": " + sentence
                  : "besides, " + sentence);
-    report.missed_by.emplace_back(name_of(reason));
+    names.emplace_back(name_of(reason));
   }
+  return names;
 }
 
 // What a run holds at the most beside the tile that it works on, under a budget of any size.
@@ -134,12 +134,12 @@ RefineMemory refine_memory(std::uint64_t left) {
           share::refine::lists(left)};
 }
 
-StoredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
-                   const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report) {
+Refinement refine_to_target(Job& job, Clustered clustered, const SimplifyOptions& options,
+                            bool doubles, const PlanOf& plan, CheckpointDirectory* checkpoint) {
   RefineSettings settings;
   settings.faces = clustered.target;
   settings.attributes = clustered.attributes;
-  settings.decimation.cost = collapse_cost(cost_of(options));
+  settings.decimation.cost = cost_of(options);
   settings.decimation.single = !doubles;
   settings.decimation.rounding = clustered.mesh.rounding;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
@@ -150,29 +150,28 @@ StoredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options
   const RefineMemory memory = refine_memory(job.budget.left());
   StoredMesh whole = std::move(clustered.mesh);
   job.budget.expect_held(HeldBesideTile(job, whole, settings, plan));
-  auto [out, done] = refine(job, std::move(whole), settings, memory, checkpoint);
+  auto [mesh, done] = refine(job, std::move(whole), settings, memory, checkpoint);
   job.budget.expect_held({});
-  if (out.face_count == 0)
+  if (mesh.face_count == 0)
     throw Error(ErrorKind::failed,
                 "no face is left: faces without neighbours go first; choose more faces");
-  report.refine.cost = cost_of(options);
-  report.refine.tiles = done.tiles;
-  report.refine.collapses = done.collapses;
-  report.refine.max_error = done.largest_error;
-  report.refine.stopped_by = name_of(done.stopped_by);
-  if (report.resumed) {
-    report.resumed->rounds = done.rounds_before;
-    report.resumed->tiles = done.tiles_before;
-  }
-  report.lost = {done.changes.pieces, done.changes.area, done.changes.handles, done.changes.holes};
+  Refinement out;
+  out.refine.cost = cost_of(options);
+  out.refine.tiles = done.tiles;
+  out.refine.collapses = done.collapses;
+  out.refine.max_error = done.largest_error;
+  out.refine.stopped_by = name_of(done.stopped_by);
+  out.lost = {done.changes.pieces, done.changes.area, done.changes.handles, done.changes.holes};
+  out.rounds_before = done.rounds_before;
+  out.tiles_before = done.tiles_before;
   if (done.joined > 0)
     job.note("no edge could be collapsed any more, so " + grouped(done.joined) +
              " vertices were joined with others near them");
-  if (report.target_faces) report.target_met = out.face_count <= *report.target_faces;
   if (done.stopped_by != StoppedBy::count && done.stopped_by != StoppedBy::error)
-    tell_reasons(job, done, out.face_count, settings.faces, options.topology == Topology::free,
-                 report);
-  return std::move(out);
+    out.missed_by = tell_reasons(job, done, mesh.face_count, settings.faces,
+                                 options.topology == Topology::free);
+  out.mesh = std::move(mesh);
+  return out;
 }
 
 }  // namespace winnow

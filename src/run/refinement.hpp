@@ -11,6 +11,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace winnow {
 
@@ -21,10 +23,17 @@ RefineMemory refine_memory(std::uint64_t left);
 // How the run would divide a budget of `total`.
 using PlanOf = std::function<MemoryPlan(std::uint64_t total)>;
 
+struct Refinement {
+  StoredMesh mesh;
+  SimplifyReport::Refinement refine;
+  SimplifyReport::Lost lost;
+  std::vector<std::string> missed_by;
+  std::uint64_t rounds_before = 0, tiles_before = 0;  // done when it went on from a checkpoint
+};
+
 // `doubles`: positions are going to be written as such. `checkpoint`: null where nothing is kept.
-// Fills report.refine, and what was resumed. Throws Error(resources) where the budget has no room
-// for a tile; it names one that has.
-StoredMesh refined(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
-                   const PlanOf& plan, CheckpointDirectory* checkpoint, SimplifyReport& report);
+// Throws Error(resources) where the budget has no room for a tile; it names one that has.
+Refinement refine_to_target(Job& job, Clustered clustered, const SimplifyOptions& options,
+                            bool doubles, const PlanOf& plan, CheckpointDirectory* checkpoint);
 
 }  // namespace winnow

@@ -11,7 +11,7 @@
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/formats.hpp"
 
 #include <array>
 #include <cstring>
@@ -146,10 +146,10 @@ struct Simplification::State {
 
   [[nodiscard]] std::string head() const {
     if (soup.value_or(false) && !doubles.value_or(false))
-      return make_stl_encoder()->header({.faces = face_count});
-    return make_ply_encoder()->header({.vertices = vertex_count,
-                                       .faces = face_count,
-                                       .double_positions = doubles.value_or(false)});
+      return stl_output.make({})->header({.faces = face_count});
+    return ply_output.make({})->header({.vertices = vertex_count,
+                                        .faces = face_count,
+                                        .double_positions = doubles.value_or(false)});
   }
 
   SimplifyOptions options;

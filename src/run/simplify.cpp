@@ -31,42 +31,39 @@ namespace winnow {
 
 namespace {
 
-// Joins the vertices that are near each other.
-std::unique_ptr<NearWeldedReader> join_near(Job& job, std::unique_ptr<MeshReader> reader,
-                                            const SimplifyOptions& options,
-                                            const NearWeldMemory& memory, SimplifyReport& report) {
-  report.weld.distance = options.weld->relative
-                             ? options.weld->length(measure_box_of_faces(job, *reader).diagonal())
-                             : options.weld->value;
-  std::unique_ptr<NearWeldedReader> welded =
-      weld_near(job, std::move(reader), report.weld.distance, memory);
-  report.weld.vertices = welded->merged();
-  return welded;
+// Vertices nearer to each other than this are joined; in model units.
+double weld_distance(Job& job, MeshReader& reader, const SimplifyOptions& options) {
+  return options.weld->relative ? options.weld->length(measure_box_of_faces(job, reader).diagonal())
+                                : options.weld->value;
 }
 
 // What is left to be read, or to be taken from a checkpoint.
 Clustered cluster(Job& job, Input& input, const SimplifyOptions& options,
-                  const AttributeRequest& wish, const MemoryPlan& plan, const Stopwatch& watch,
-                  SimplifyReport& report) {
+                  const AttributeRequest& wish, const MemoryPlan& plan, const Stopwatch& watch) {
   ReaderMemory reading = plan.reader;
   // The first bad face is to be named.
   reading.any_order = !options.strict;
   std::unique_ptr<MeshReader> reader = input.reader(options, wish, reading);
-  CarriedAttributes attributes = take_attributes(job, *reader, report);
+  TakenAttributes attributes = take_attributes(job, *reader);
+  SimplifyReport::Weld weld;
   const NearWeldedReader* welded = nullptr;
   if (welds(options)) {
+    weld.distance = weld_distance(job, *reader, options);
     std::unique_ptr<NearWeldedReader> near =
-        join_near(job, std::move(reader), options, plan.weld, report);
+        weld_near(job, std::move(reader), weld.distance, plan.weld);
+    weld.vertices = near->merged();
     welded = near.get();
     reader = std::move(near);
   }
-  Clustering clustering(job, *reader, options, std::move(attributes), plan, report);
+  Clustering clustering(job, *reader, options, std::move(attributes), plan, weld.vertices > 0);
   const double opened = watch.seconds();
   Clustered clustered = clustering.run();
+  SimplifyReport& report = clustered.report;
   if (welded != nullptr) {
-    report.weld.faces = welded->collapsed();
-    report.input.cropped_faces -= welded->collapsed();
+    weld.faces = welded->collapsed();
+    report.input.cropped_faces -= weld.faces;
   }
+  report.weld = weld;
   report.seconds.read += opened;
   report.seconds.cluster = watch.seconds() - report.seconds.read;
   return clustered;
@@ -84,14 +81,10 @@ std::string percentage(double part) {
   return shortest(tenths) + " %";
 }
 
-// Tells what became of the surface.
-void check_surface(Job& job, const StoredMesh& mesh, const SimplifyOptions& options,
-                   SimplifyReport& report) {
+// What became of the surface that `report` tells of; notes what is odd about it.
+ResultSurface check_surface(Job& job, const StoredMesh& mesh, const SimplifyOptions& options,
+                            const SimplifyReport& report) {
   const ResultSurface surface = measure_result(job, mesh, share::left::checking(job.budget.left()));
-  report.topology.output = surface.edges;
-  report.topology.output_pieces = surface.pieces;
-  report.topology.closed = surface.closed;
-  report.area.output = surface.area;
   // Whatever the budget is, the note is the same.
   const bool of_input =
       report.topology.input.has_value() && report.topology.input->total <= most_edges_noted;
@@ -106,6 +99,7 @@ void check_surface(Job& job, const StoredMesh& mesh, const SimplifyOptions& opti
   }
   const double lost = 1 - surface.area / report.area.input;
   if (lost > lost_area) job.note(percentage(lost) + " of the area is gone");
+  return surface;
 }
 
 // `input`: of a run whose mesh is not in the checkpoint.
@@ -114,8 +108,6 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink
                             const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
   const MeshEncoder& encoder = sink.encoder();
-  SimplifyReport report;
-  if (checkpoint.opened()) report.resumed.emplace();
   const AttributeRequest wish = wish_for(options, encoder);
   AttributeSelection choice;
   if (input && !wish.none()) choice = input->probe(options, wish).facts.choice;
@@ -129,13 +121,15 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink
   Clustered clustered;
   if (input) {
     checkpoint.begun();
-    clustered = cluster(job, *input, options, wish, plan, watch, report);
-    checkpoint.save(job, clustered, report);
+    clustered = cluster(job, *input, options, wish, plan, watch);
+    if (checkpoint.opened()) clustered.report.resumed.emplace();
+    checkpoint.save(job, clustered);
   } else {
-    clustered = checkpoint.load(job, plan.cluster.vertices + plan.cluster.result, report);
-    report.seconds = {};
-    report.seconds.read = watch.seconds();
+    clustered = checkpoint.load(job, plan.cluster.vertices + plan.cluster.result);
+    clustered.report.seconds = {};
+    clustered.report.seconds.read = watch.seconds();
   }
+  SimplifyReport report = std::move(clustered.report);
   const std::vector<Attribute> attributes = clustered.attributes;
   // Where the input's normals are no attributes of the output, its own stand in for them, unless
   // the names are taken.
@@ -150,12 +144,25 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink
   if (cost_of(options) == Refine::none) {
     mesh = std::move(clustered.mesh);
   } else {
-    mesh = refined(job, std::move(clustered), options, doubles, plan_of, checkpoint.directory(),
-                   report);
+    Refinement refined = refine_to_target(job, std::move(clustered), options, doubles, plan_of,
+                                          checkpoint.directory());
+    mesh = std::move(refined.mesh);
+    report.refine = std::move(refined.refine);
+    report.lost = refined.lost;
+    report.missed_by = std::move(refined.missed_by);
+    if (report.target_faces) report.target_met = mesh.face_count <= *report.target_faces;
+    if (report.resumed) {
+      report.resumed->rounds = refined.rounds_before;
+      report.resumed->tiles = refined.tiles_before;
+    }
     report.seconds.refine = watch.seconds() - report.seconds.read - report.seconds.cluster;
   }
 
-  check_surface(job, mesh, options, report);
+  const ResultSurface surface = check_surface(job, mesh, options, report);
+  report.topology.output = surface.edges;
+  report.topology.output_pieces = surface.pieces;
+  report.topology.closed = surface.closed;
+  report.area.output = surface.area;
   MeshShape shape = shape_of(job, mesh, encoder, normals, doubles, exact, "simplified by winnow");
   shape.attributes = attributes;
   shape.closed = report.topology.closed;

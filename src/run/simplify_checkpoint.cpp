@@ -66,12 +66,13 @@ bool SimplifyCheckpoint::has_mesh() const {
   return directory_ != nullptr && directory_->manifest().has("clustered.target");
 }
 
-Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory, SimplifyReport& report) const {
+Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory) const {
   const Manifest& manifest = directory_->manifest();
+  Clustered clustered;
+  SimplifyReport& report = clustered.report;
   get_report(manifest, report);
   report.resumed.emplace().clustered = true;
   job.notes.insert(job.notes.begin(), report.notes.begin(), report.notes.end());
-  Clustered clustered;
   job.progress.begin("go on", 0, "bytes");
   clustered.mesh = load_mesh(job, *directory_, memory);
   clustered.target = manifest.number("clustered.target");
@@ -85,7 +86,7 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory, SimplifyRepor
   for (std::size_t i = 0; i < manifest.number(attribute_count); ++i) {
     Attribute& attribute = clustered.attributes.emplace_back();
     attribute.name = manifest.text(attribute_key(i, "name"));
-    attribute.type = static_cast<ScalarType>(manifest.number(attribute_key(i, "type")));
+    attribute.type = static_cast<NumberType>(manifest.number(attribute_key(i, "type")));
     attribute.kind = static_cast<AttributeKind>(manifest.number(attribute_key(i, "kind")));
     attribute.full = manifest.real(attribute_key(i, "full"));
     if (manifest.has(attribute_key(i, "no_data")))
@@ -94,12 +95,12 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory, SimplifyRepor
   return clustered;
 }
 
-void SimplifyCheckpoint::save(Job& job, const Clustered& clustered, SimplifyReport& report) {
+void SimplifyCheckpoint::save(Job& job, Clustered& clustered) {
   if (directory_ == nullptr) return;
   job.progress.begin("keep", 0, "bytes");
   Manifest& manifest = directory_->manifest();
-  report.notes = job.notes;
-  put_report(manifest, report);
+  clustered.report.notes = job.notes;
+  put_report(manifest, clustered.report);
   manifest.set("clustered.target", clustered.target);
   manifest.set("clustered.error", clustered.error);
   manifest.set("clustered.normals", std::uint64_t{clustered.normals});

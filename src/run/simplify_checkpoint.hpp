@@ -30,8 +30,8 @@ class SimplifyCheckpoint {
   [[nodiscard]] bool opened() const { return opened_; }
   // Whether the input was read, and its mesh is here.
   [[nodiscard]] bool has_mesh() const;
-  Clustered load(Job& job, std::uint64_t memory, SimplifyReport& report) const;
-  void save(Job& job, const Clustered& clustered, SimplifyReport& report);
+  Clustered load(Job& job, std::uint64_t memory) const;
+  void save(Job& job, Clustered& clustered);
 
   // Whether the output is whole and under its name. Then the report is too.
   bool is_written(const std::string& output, SimplifyReport& report) const;

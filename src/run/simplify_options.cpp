@@ -17,7 +17,7 @@ void check(const SimplifyOptions& options) {
   if (options.target.kind() == Target::Kind::none) refuse_targets();
   check_ranges(simplify_options(), options);
   const bool by_error = options.target.error().has_value();
-  if (by_error && options.refine.value_or(Refine::quadric) != Refine::quadric) {
+  if (by_error && !facts_of(options.refine.value_or(Refine::quadric)).bounds_error) {
     throw Error(ErrorKind::usage,
                 "`error` goes with `refine` quadric alone: the other costs are no distances");
   }

@@ -69,6 +69,10 @@ class Get {
       value = manifest_.real(report_key(path));
     } else {
       value = static_cast<Value>(manifest_.number(report_key(path)));
+      if constexpr (std::is_enum_v<Value>) {
+        if (facts_of(value).name == nullptr)
+          damaged_checkpoint(manifest_.path(), "'" + report_key(path) + "' is none of its values");
+      }
     }
   }
   template <typename Value>

@@ -34,9 +34,9 @@ constexpr double more_headroom = 64;
 // Where the count is missed, a collapse may be twice as far off as the dearest of a result that met
 // it. With as far off, four faces in a hundred more are left, hardly nearer to the surface; with
 // eight times as far off, shapes begin to go (bench/RESULTS.md).
-double headroom_when_blocked(CollapseCost cost) {
+double headroom_when_blocked(Refine cost) {
   // A swept volume grows with the distance, the others with its square.
-  return cost == CollapseCost::volume ? 2 : 4;
+  return cost == Refine::volume ? 2 : 4;
 }
 
 }  // namespace

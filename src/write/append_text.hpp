@@ -44,7 +44,7 @@ inline void append_position(std::vector<std::byte>& out, const std::array<double
 }
 
 // A number as it is in a binary file of that type.
-void append_rounded(std::vector<std::byte>& out, double value, ScalarType type);
+void append_rounded(std::vector<std::byte>& out, double value, NumberType type);
 
 // As a float with a point or an exponent, so that it is never taken for a whole number.
 void append_real(std::vector<std::byte>& out, double value);

@@ -1,6 +1,7 @@
 // GLB as it is: one primitive, vertices with what they carry beside each other.
 #include "write/append.hpp"
 #include "write/coarse_floats.hpp"
+#include "write/formats.hpp"
 #include "write/glb_layout.hpp"
 #include "write/vertex_colors.hpp"
 
@@ -65,8 +66,17 @@ class GlbEncoder final : public MeshEncoder {
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_glb_encoder(const Encoding& encoding) {
-  return std::make_unique<GlbEncoder>(encoding);
-}
+const OutputFormat glb_output{
+    .make = [](const Encoding& encoding) -> std::unique_ptr<MeshEncoder> {
+      if (encoding.compress == Compression::meshopt) return make_packed_glb_encoder(encoding);
+      return std::make_unique<GlbEncoder>(encoding);
+    },
+    .described =
+        [](const Encoding& encoding) {
+          return encoding.compress == Compression::meshopt ? "GLB, meshopt" : "GLB";
+        },
+    .text = TextForm::never,
+    .doubles = false,
+    .for_web = true};
 
 }  // namespace winnow

@@ -211,10 +211,10 @@ std::array<float, 3> unit_normal(const std::array<float, 3>& normal) {
 
 // The smallest type that loses nothing of a component's, by how it is stored.
 GlbType type_for(const Attribute& component) {
-  if (component.type == ScalarType::uint8 && component.kind != AttributeKind::color)
+  if (component.type == NumberType::uint8 && component.kind != AttributeKind::color)
     return GlbType::uint8;
-  if (component.type == ScalarType::uint8) return GlbType::uint16;
-  if (component.type == ScalarType::uint16 && component.kind != AttributeKind::color)
+  if (component.type == NumberType::uint8) return GlbType::uint16;
+  if (component.type == NumberType::uint16 && component.kind != AttributeKind::color)
     return GlbType::uint16;
   return GlbType::float32;
 }

@@ -88,4 +88,7 @@ void emit_glb_head(const MeshShape& shape, const GlbLayout& layout,
 
 [[noreturn]] void refuse_glb_size(std::uint64_t faces);
 
+// With EXT_meshopt_compression.
+std::unique_ptr<MeshEncoder> make_packed_glb_encoder(const Encoding& encoding);
+
 }  // namespace winnow

@@ -1,6 +1,7 @@
 // .m, the text format of Hugues Hoppe's mesh programs: vertices and faces count from 1. What a
 // vertex carries stands in braces: {normal=(x y z) rgb=(r g b)}, colours from 0 to 1.
 #include "write/append_text.hpp"
+#include "write/formats.hpp"
 #include "write/vertex_colors.hpp"
 
 namespace winnow {
@@ -51,8 +52,9 @@ class MEncoder final : public MeshEncoder {
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_m_encoder() {
-  return std::make_unique<MEncoder>();
-}
+const OutputFormat m_output{
+    .make = [](const Encoding& /*encoding*/) -> std::unique_ptr<MeshEncoder> {
+      return std::make_unique<MEncoder>();
+    }};
 
 }  // namespace winnow

@@ -117,25 +117,4 @@ class MeshEncoder {
   [[nodiscard]] virtual const BlockEncoder* blocks() const { return nullptr; }
 };
 
-// The encoder for `format`; with Format::automatic for what the name ends in (before .gz or .zst),
-// PLY where that says nothing. Throws Error(usage) where `encoding` asks for what the format does
-// not have.
-std::unique_ptr<MeshEncoder> make_encoder(Format format, const std::string& path,
-                                          const Encoding& encoding = {});
-
-// What the encoder of the same arguments writes, for people: "PLY ASCII, gzip".
-std::string format_written(Format format, const std::string& path, const Encoding& encoding = {});
-
-// Whether that is text, which a terminal can show.
-bool writes_text(Format format, const std::string& path, const Encoding& encoding = {});
-
-// One function a format; a new one is a new file and a line in make_encoder.
-std::unique_ptr<MeshEncoder> make_ply_encoder(bool ascii = false);
-std::unique_ptr<MeshEncoder> make_stl_encoder(bool ascii = false);
-std::unique_ptr<MeshEncoder> make_obj_encoder();
-std::unique_ptr<MeshEncoder> make_off_encoder();
-std::unique_ptr<MeshEncoder> make_m_encoder();
-std::unique_ptr<MeshEncoder> make_glb_encoder(const Encoding& encoding = {});
-std::unique_ptr<MeshEncoder> make_packed_glb_encoder(const Encoding& encoding = {});
-
 }  // namespace winnow

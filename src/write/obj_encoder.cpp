@@ -2,6 +2,7 @@
 // which that does not know, stand behind the position, from 0 to 1, where nearly every program
 // looks for them.
 #include "write/append_text.hpp"
+#include "write/formats.hpp"
 #include "write/vertex_colors.hpp"
 
 namespace winnow {
@@ -59,8 +60,9 @@ class ObjEncoder final : public MeshEncoder {
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_obj_encoder() {
-  return std::make_unique<ObjEncoder>();
-}
+const OutputFormat obj_output{
+    .make = [](const Encoding& /*encoding*/) -> std::unique_ptr<MeshEncoder> {
+      return std::make_unique<ObjEncoder>();
+    }};
 
 }  // namespace winnow

@@ -1,6 +1,7 @@
 // OFF, by the manual of Geomview: counts, vertices, faces; CNOFF where vertices have colours and
 // normals.
 #include "write/append_text.hpp"
+#include "write/formats.hpp"
 #include "write/vertex_colors.hpp"
 
 namespace winnow {
@@ -25,7 +26,7 @@ class OffEncoder final : public MeshEncoder {
         const double component = colors.component(vertex, i);
         append_text(out, " ");
         if (colors.bytes()) {
-          append_rounded(out, 255 * component, ScalarType::uint8);
+          append_rounded(out, 255 * component, NumberType::uint8);
         } else {
           append_real(out, component);
         }
@@ -48,8 +49,9 @@ class OffEncoder final : public MeshEncoder {
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_off_encoder() {
-  return std::make_unique<OffEncoder>();
-}
+const OutputFormat off_output{
+    .make = [](const Encoding& /*encoding*/) -> std::unique_ptr<MeshEncoder> {
+      return std::make_unique<OffEncoder>();
+    }};
 
 }  // namespace winnow

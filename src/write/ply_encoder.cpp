@@ -3,7 +3,7 @@
 
 #include "base/text.hpp"
 #include "write/append_text.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/formats.hpp"
 
 #include <cstring>
 
@@ -118,8 +118,14 @@ class PlyEncoder final : public MeshEncoder {
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_ply_encoder(bool ascii) {
-  return std::make_unique<PlyEncoder>(ascii);
-}
+const OutputFormat ply_output{.make = [](const Encoding& encoding) -> std::unique_ptr<MeshEncoder> {
+                                return std::make_unique<PlyEncoder>(encoding.ascii);
+                              },
+                              .described =
+                                  [](const Encoding& encoding) {
+                                    return encoding.ascii ? "PLY ASCII"
+                                                          : "PLY binary little-endian";
+                                  },
+                              .text = TextForm::by_choice};
 
 }  // namespace winnow

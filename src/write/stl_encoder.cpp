@@ -1,7 +1,7 @@
 // STL: binary (80 bytes of text, a 32-bit count, 50 bytes a face) and ASCII.
 #include "base/vector.hpp"
 #include "write/append_text.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/formats.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -103,9 +103,14 @@ class AsciiStlEncoder final : public MeshEncoder {
 
 }  // namespace
 
-std::unique_ptr<MeshEncoder> make_stl_encoder(bool ascii) {
-  if (ascii) return std::make_unique<AsciiStlEncoder>();
-  return std::make_unique<BinaryStlEncoder>();
-}
+const OutputFormat stl_output{
+    .make = [](const Encoding& encoding) -> std::unique_ptr<MeshEncoder> {
+      if (encoding.ascii) return std::make_unique<AsciiStlEncoder>();
+      return std::make_unique<BinaryStlEncoder>();
+    },
+    .described =
+        [](const Encoding& encoding) { return encoding.ascii ? "STL ASCII" : "STL binary"; },
+    .text = TextForm::by_choice,
+    .doubles = false};
 
 }  // namespace winnow

@@ -22,7 +22,7 @@ VertexColors::VertexColors(std::span<const Attribute> attributes) {
     if (!component || place_.at(*component)) continue;
     place_.at(*component) = i;
     full_.at(*component) = full_component(attributes[i]);
-    bytes_ = bytes_ && attributes[i].type == ScalarType::uint8;
+    bytes_ = bytes_ && attributes[i].type == NumberType::uint8;
   }
 }
 

@@ -1,16 +1,16 @@
 // In the place of the encoders of GLB in a library without that part.
 #include <winnow/parts.hpp>
 
-#include "write/mesh_encoder.hpp"
+#include "write/formats.hpp"
 
 namespace winnow {
 
-std::unique_ptr<MeshEncoder> make_glb_encoder(const Encoding& /*encoding*/) {
-  throw MissingPart(Part::gltf, "GLB cannot be written");
-}
-
-std::unique_ptr<MeshEncoder> make_packed_glb_encoder(const Encoding& encoding) {
-  return make_glb_encoder(encoding);
-}
+const OutputFormat glb_output{
+    .make = [](const Encoding& /*encoding*/) -> std::unique_ptr<MeshEncoder> {
+      throw MissingPart(Part::gltf, "GLB cannot be written");
+    },
+    .text = TextForm::never,
+    .doubles = false,
+    .for_web = true};
 
 }  // namespace winnow

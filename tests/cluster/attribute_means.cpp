@@ -20,7 +20,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 CarriedAttributes numbers(std::size_t count, double largest) {
   CarriedAttributes carried;
   for (std::size_t k = 0; k < count; ++k) {
-    carried.attributes.push_back({"a" + std::to_string(k), ScalarType::float64});
+    carried.attributes.push_back({"a" + std::to_string(k), NumberType::float64});
     carried.largest.push_back(largest);
   }
   return carried;

@@ -23,7 +23,7 @@ double mean_of_equal(const AttributeScale& scale, const Attribute& attribute, do
 TEST_CASE("the mean of equal numbers is that number") {
   Random random(7);
   for (const double largest : {1.0, 3.5e38, 1e-30, 1e300, 1e-300}) {
-    const Attribute attribute{"quality", ScalarType::float64, AttributeKind::value};
+    const Attribute attribute{"quality", NumberType::float64, AttributeKind::value};
     const AttributeScale scale(attribute, largest);
     for (int i = 0; i < 1000; ++i) {
       const double value =
@@ -37,16 +37,16 @@ TEST_CASE("the mean of equal numbers is that number") {
 }
 
 TEST_CASE("floats far below the largest are still exact") {
-  const Attribute attribute{"quality", ScalarType::float32, AttributeKind::value};
+  const Attribute attribute{"quality", NumberType::float32, AttributeKind::value};
   const AttributeScale scale(attribute, 1e10);
   const double small = 0.1F;
   CHECK(mean_of_equal(scale, attribute, small, 12345) == small);
 }
 
 TEST_CASE("every colour of 8 and 16 bits comes back from its mean") {
-  for (const ScalarType type : {ScalarType::uint8, ScalarType::uint16}) {
+  for (const NumberType type : {NumberType::uint8, NumberType::uint16}) {
     const Attribute attribute{"red", type, AttributeKind::color};
-    const double full = type == ScalarType::uint8 ? 255 : 65535;
+    const double full = type == NumberType::uint8 ? 255 : 65535;
     const AttributeScale scale(attribute, full);
     int wrong = 0;
     for (int i = 0; i <= full; ++i)
@@ -56,7 +56,7 @@ TEST_CASE("every colour of 8 and 16 bits comes back from its mean") {
 }
 
 TEST_CASE("the mean of black and white has half the light") {
-  const Attribute attribute{"red", ScalarType::uint8, AttributeKind::color};
+  const Attribute attribute{"red", NumberType::uint8, AttributeKind::color};
   const AttributeScale scale(attribute, 255);
   const double mean = scale.mean(static_cast<Int128>(scale.fixed(255)) + scale.fixed(0), 2);
   CHECK(mean == Approx(0.5));
@@ -64,7 +64,7 @@ TEST_CASE("the mean of black and white has half the light") {
 }
 
 TEST_CASE("what is not finite is told apart") {
-  const AttributeScale scale({"quality", ScalarType::float32, AttributeKind::value}, 4);
+  const AttributeScale scale({"quality", NumberType::float32, AttributeKind::value}, 4);
   for (const double value :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
         -std::numeric_limits<double>::infinity()})
@@ -73,11 +73,11 @@ TEST_CASE("what is not finite is told apart") {
 }
 
 TEST_CASE("light is averaged as it is, and written as a colour") {
-  for (const ScalarType type : {ScalarType::uint8, ScalarType::uint16, ScalarType::float32}) {
+  for (const NumberType type : {NumberType::uint8, NumberType::uint16, NumberType::float32}) {
     const Attribute attribute{"red", type, AttributeKind::light};
     const double full = full_component(type);
     const AttributeScale scale(attribute, full);
-    const double low = type == ScalarType::uint8 ? 51 : 0.2 * full;
+    const double low = type == NumberType::uint8 ? 51 : 0.2 * full;
     const double mean = scale.mean(Int128{scale.fixed(0)} + scale.fixed(low), 2);
     CHECK(mean == Approx(low / full / 2));
     CHECK(stored_of_mean(attribute, mean) == Approx(full * component_of_light(low / full / 2)));

@@ -44,8 +44,7 @@ std::size_t edges_of_more_than_two(const TileMesh& mesh) {
 }  // namespace
 
 TEST_CASE("faces that make no surface are survived") {
-  const CollapseCost cost =
-      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(from_range(test::costs()));
   CAPTURE(cost);
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     TileMesh mesh = random_faces(seed);
@@ -61,7 +60,7 @@ TEST_CASE("faces that make no surface are survived") {
 
 TEST_CASE("repeated collapses leave the same mesh, which remembers the same") {
   DecimationSettings settings;
-  settings.cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  settings.cost = GENERATE(from_range(test::costs()));
   CAPTURE(settings.cost);
   const auto triangles = test::ball(16, 0.2);
   const std::size_t size = Decimation::state_size(settings);

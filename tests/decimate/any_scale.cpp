@@ -7,8 +7,7 @@
 namespace winnow {
 
 TEST_CASE("the unit of length changes nothing by any cost") {
-  const CollapseCost cost =
-      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(from_range(test::costs()));
   const auto triangles = GENERATE(test::ball(14, 0.2), test::sheet(12), test::cube(5));
   CAPTURE(cost);
   TileMesh mesh = test::tile_of(triangles);

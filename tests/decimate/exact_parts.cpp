@@ -57,7 +57,7 @@ double distance(const Point& p, const std::vector<Triangle>& faces) {
 }  // namespace
 
 TEST_CASE("a part is exact at any angle", "[long]") {
-  const CollapseCost cost = GENERATE(CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(Refine::volume, Refine::importance);
   const auto angles = GENERATE(Point{0, 0, 0}, Point{0.5, 0, 0}, Point{0.3, 1.1, -0.7});
   CAPTURE(cost, angles);
   TileMesh mesh = turned_part(6000, angles);

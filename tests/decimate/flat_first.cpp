@@ -9,7 +9,7 @@
 namespace winnow {
 
 TEST_CASE("a huge flat ground goes before a small ball above it") {
-  const CollapseCost cost = GENERATE(CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(Refine::volume, Refine::importance);
   const double side = GENERATE(1.0, 1e6, 1e9);
   CAPTURE(cost, side);
   std::vector<Triangle> triangles = test::placed(test::ball(12), 1e-3, {0, 0, 1e-2});

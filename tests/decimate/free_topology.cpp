@@ -15,9 +15,7 @@ using namespace test;
 
 namespace {
 
-constexpr std::array costs{CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance};
-
-DecimationSettings free_settings(CollapseCost cost = CollapseCost::quadric) {
+DecimationSettings free_settings(Refine cost = Refine::quadric) {
   DecimationSettings settings;
   settings.cost = cost;
   settings.single = false;
@@ -61,7 +59,7 @@ std::vector<Triangle> with_hole(std::size_t n, double side) {
 }  // namespace
 
 TEST_CASE("a ring loses its handle where the count asks for that, and not before") {
-  const CollapseCost cost = GENERATE(from_range(costs));
+  const Refine cost = GENERATE(from_range(test::costs()));
   for (const double tube : {0.1, 0.3, 0.8}) {
     CAPTURE(static_cast<int>(cost), tube);
     TileMesh few = tile_of(torus(24, 12, tube));
@@ -105,9 +103,9 @@ TEST_CASE("within an error holes close that are smaller than it") {
 }
 
 TEST_CASE("any faces become few, none twice, and a list of their collapses can be repeated") {
-  DecimationSettings settings = free_settings(GENERATE(from_range(costs)));
+  DecimationSettings settings = free_settings(GENERATE(from_range(test::costs())));
   settings.keep_pieces = GENERATE(false, true);
-  if (settings.cost == CollapseCost::quadric && GENERATE(false, true)) settings.error = 0.4;
+  if (settings.cost == Refine::quadric && GENERATE(false, true)) settings.error = 0.4;
   CAPTURE(static_cast<int>(settings.cost), settings.keep_pieces, settings.error.has_value());
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     CAPTURE(seed);

@@ -62,7 +62,7 @@ Shape crowd(std::uint32_t n) {
   return shape;
 }
 
-double steps_a_face(const Shape& shape, CollapseCost cost, std::uint64_t faces) {
+double steps_a_face(const Shape& shape, Refine cost, std::uint64_t faces) {
   TileMesh mesh(shape.positions, shape.faces, std::vector<std::uint8_t>(shape.positions.size(), 0));
   DecimationSettings settings;
   settings.cost = cost;
@@ -74,8 +74,7 @@ double steps_a_face(const Shape& shape, CollapseCost cost, std::uint64_t faces) 
 }  // namespace
 
 TEST_CASE("however many faces meet, what is walked grows with their number") {
-  const CollapseCost cost =
-      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(from_range(test::costs()));
   const std::vector<std::pair<std::string, Shape (*)(std::uint32_t)>> shapes{
       {"fan", fan}, {"bipyramid", bipyramid}, {"book", book}, {"crowd", crowd}};
   for (const auto& [name, make] : shapes) {
@@ -89,8 +88,7 @@ TEST_CASE("however many faces meet, what is walked grows with their number") {
 }
 
 TEST_CASE("a fan of any size becomes a fan of few faces, as round as they can be") {
-  const CollapseCost cost =
-      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(from_range(test::costs()));
   for (const std::uint32_t n : {50, 500, 5000}) {
     CAPTURE(cost, n);
     const Shape shape = fan(n);
@@ -123,7 +121,7 @@ TEST_CASE("a hub stays where it is, and its neighbours can go into it") {
 
 TEST_CASE("neighbours go into a hub that is fixed, though its faces elsewhere are not known") {
   DecimationSettings settings;
-  settings.cost = GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  settings.cost = GENERATE(from_range(test::costs()));
   const Shape shape = book(10);
   std::vector<std::uint8_t> locked(shape.positions.size(), free_vertex);
   locked[0] = locked[1] = fixed_hub;

@@ -38,7 +38,7 @@ Run run(TileMesh& mesh, const DecimationSettings& settings, std::uint64_t faces)
   return out;
 }
 
-DecimationSettings doubles(CollapseCost cost = CollapseCost::quadric) {
+DecimationSettings doubles(Refine cost = Refine::quadric) {
   DecimationSettings settings;
   settings.cost = cost;
   settings.single = false;
@@ -48,8 +48,7 @@ DecimationSettings doubles(CollapseCost cost = CollapseCost::quadric) {
 }  // namespace
 
 TEST_CASE("the smallest pieces go first and the last one stays") {
-  const CollapseCost cost =
-      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(from_range(test::costs()));
   CAPTURE(cost);
   for (const std::uint64_t left : {1, 2, 5}) {
     CAPTURE(left);

@@ -35,7 +35,7 @@ std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
 }  // namespace
 
 TEST_CASE("faces in another order, each with another corner first, leave the same surface") {
-  const CollapseCost cost = GENERATE(CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(Refine::volume, Refine::importance);
   CAPTURE(cost);
   std::vector<Triangle> triangles = uneven_ball();
   TileMesh mesh = test::tile_of(triangles);

@@ -17,8 +17,7 @@ double volume(const TileMesh& mesh) {
 }  // namespace
 
 TEST_CASE("a ball of many faces becomes a ball of few") {
-  const CollapseCost cost =
-      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(from_range(test::costs()));
   const double bump = GENERATE(0.0, 0.1);
   const std::uint64_t faces = GENERATE(500, 100);
   CAPTURE(cost, bump, faces);
@@ -34,8 +33,7 @@ TEST_CASE("a ball of many faces becomes a ball of few") {
 }
 
 TEST_CASE("a cube of many faces keeps its corners") {
-  const CollapseCost cost =
-      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(from_range(test::costs()));
   CAPTURE(cost);
   TileMesh mesh = test::tile_of(test::cube(8));
   test::decimate(mesh, cost, 12);

@@ -9,8 +9,7 @@
 namespace winnow {
 
 TEST_CASE("a square sheet stays a square") {
-  const CollapseCost cost =
-      GENERATE(CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance);
+  const Refine cost = GENERATE(from_range(test::costs()));
   const double bump = GENERATE(0.0, 0.1);
   CAPTURE(cost, bump);
   std::vector<Triangle> triangles = test::sheet(16);

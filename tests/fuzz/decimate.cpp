@@ -92,14 +92,12 @@ void decimate(std::span<const std::byte> input) {
   Bytes bytes(input);
   const unsigned kind = bytes.next();
   DecimationSettings settings;
-  settings.cost =
-      std::array{CollapseCost::quadric, CollapseCost::volume, CollapseCost::importance}.at(kind %
-                                                                                           3);
+  settings.cost = static_cast<Refine>(1 + kind % (count_values<Refine>() - 1));
   settings.keep_boundaries = (kind & 16) != 0;
   settings.keep_pieces = (kind & 8) != 0;
-  settings.free_topology = (kind & 128) != 0 && settings.cost == CollapseCost::quadric;
+  settings.free_topology = (kind & 128) != 0;
   settings.single = (kind & 32) == 0;
-  if ((kind & 64) != 0 && settings.cost == CollapseCost::quadric) settings.error = 0.1;
+  if ((kind & 64) != 0 && facts_of(settings.cost).bounds_error) settings.error = 0.1;
   const Soup soup = soup_of(bytes);
   if (soup.faces.empty()) return;
 

@@ -7,54 +7,37 @@
 #include "support/job.hpp"
 
 #include <limits>
-#include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace winnow::test {
 
 namespace {
 
-// A value that differs from the default, for every option.
-const std::map<std::string, std::string> samples{{"faces", "123456789012345678"},
-                                                 {"ratio", "0.3%"},
-                                                 {"cell", "2.5"},
-                                                 {"grid", "100"},
-                                                 {"error", "0.123456789%"},
-                                                 {"refine", "volume"},
-                                                 {"detail", "full"},
-                                                 {"boundary", "keep"},
-                                                 {"topology", "free"},
-                                                 {"keep_pieces", "true"},
-                                                 {"max_normal_deviation", "30.25"},
-                                                 {"placement", "mean"},
-                                                 {"normals", "true"},
-                                                 {"attributes", "normals,a\\,b"},
-                                                 {"nodata", "-9999"},
-                                                 {"strict", "true"},
-                                                 {"crop", "0,1,2,3,4,5.5"},
-                                                 {"weld", "0.1"},
-                                                 {"from", "obj"},
-                                                 {"to", "stl"},
-                                                 {"ascii", "true"},
-                                                 {"positions", "double"},
-                                                 {"compress", "meshopt"},
-                                                 {"quantize", "14"},
-                                                 {"up", "z"},
-                                                 {"force", "true"},
-                                                 {"samples", "2M"},
-                                                 {"colored", "c.ply"},
-                                                 {"picture", "p.png"},
-                                                 {"view", "1,-2,0.5"},
-                                                 {"fail_above", "0.1%"},
-                                                 {"from_original", "ply"},
-                                                 {"from_simplified", "off"},
-                                                 {"surface", "part"},
-                                                 {"seed", "7"},
-                                                 {"shuffle", "true"},
-                                                 {"offset", "1,2,3"},
-                                                 {"memory", "64M"},
-                                                 {"threads", "3"},
-                                                 {"scratch", "/tmp"}};
+// A text that the option takes and that differs from its default, so that no new option is
+// forgotten here.
+template <typename Options>
+std::string sample_of(const Option<Options>& option) {
+  std::vector<std::string> texts{"true",         "0,1,2,3,4,5.5",      "1,-2,0.5", "0.123456789%",
+                                 "30.25",        "123456789012345678", "64M",      "14",
+                                 "normals,a\\,b"};
+  if (!option.value.others) {
+    const std::vector<std::string>& words = option.value.words;
+    texts.insert(texts.begin(), words.begin(), words.end());
+  }
+  for (const std::string& text : texts) {
+    Options options;
+    try {
+      option.set(options, text);
+    } catch (const Error&) {
+      continue;
+    }
+    if (!option.get(options).empty()) return text;
+  }
+  FAIL("no sample for " << option.name << "; add one");
+  return {};
+}
 
 // Every option changes a field of its own and no other, and comes back from its text.
 template <typename Options>
@@ -66,8 +49,7 @@ void check_table(std::span<const Option<Options>> table) {
     CHECK_FALSE(option.help.empty());
     Options options;
     CHECK(option.get(options).empty());
-    REQUIRE(samples.count(option.name) == 1);
-    option.set(options, samples.at(option.name));
+    option.set(options, sample_of(option));
     for (const Option<Options>& other : table)
       CHECK(other.get(options).empty() == (other.name != option.name));
     const std::string text = option.get(options);
@@ -133,10 +115,10 @@ TEST_CASE("of several targets none is taken", "[options]") {
   for (const Option<SimplifyOptions>& first : kinds) {
     for (const Option<SimplifyOptions>& second : kinds) {
       SimplifyOptions options;
-      first.set(options, samples.at(first.name));
+      first.set(options, sample_of(first));
       const Target target = options.target;
       CHECK(target.kind() != Target::Kind::none);
-      const Error error = error_of([&] { second.set(options, samples.at(second.name)); });
+      const Error error = error_of([&] { second.set(options, sample_of(second)); });
       CHECK(error.kind() == ErrorKind::usage);
       CHECK(std::string(error.what()).find("exactly one of `faces`") != std::string::npos);
       CHECK(options.target == target);

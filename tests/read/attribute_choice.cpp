@@ -16,10 +16,10 @@ using Names = std::vector<std::string>;
 AvailableAttributes offer() {
   AvailableAttributes offer;
   for (const char* name : {"nx", "ny", "nz", "quality"})
-    offer.scalars.push_back({name, ScalarType::float32});
+    offer.scalars.push_back({name, NumberType::float32});
   for (const char* name : {"red", "green", "blue"})
-    offer.scalars.push_back({name, ScalarType::uint8});
-  for (const char* name : {"s", "t"}) offer.scalars.push_back({name, ScalarType::float32});
+    offer.scalars.push_back({name, NumberType::uint8});
+  for (const char* name : {"s", "t"}) offer.scalars.push_back({name, NumberType::float32});
   offer.lists = {"values"};
   offer.of_faces = {"flags"};
   offer.of_nothing = {"edge"};
@@ -90,7 +90,7 @@ TEST_CASE("a name that is none and too many names are usage errors") {
   Names names;
   for (int i = 0; i < 17; ++i) {
     names.push_back("a" + std::to_string(i));
-    many.scalars.push_back({names.back(), ScalarType::int8});
+    many.scalars.push_back({names.back(), NumberType::int8});
   }
   CHECK(refused(names, many).kind() == ErrorKind::usage);
   const AttributeSelection choice = choose_attributes(wish({}), many, "in");
@@ -101,10 +101,10 @@ TEST_CASE("a name that is none and too many names are usage errors") {
 TEST_CASE("several inputs offer together what all have by one name and type") {
   AvailableAttributes other = offer();
   std::reverse(other.scalars.begin(), other.scalars.end());
-  other.scalars.push_back({"more", ScalarType::uint8});
+  other.scalars.push_back({"more", NumberType::uint8});
   other.scalars.erase(other.scalars.begin());  // t
   for (Attribute& attribute : other.scalars) {
-    if (attribute.name == "quality") attribute.type = ScalarType::float64;
+    if (attribute.name == "quality") attribute.type = NumberType::float64;
   }
   other.unread = {"materials"};
   const AvailableAttributes common = common_offer({offer(), other});
@@ -123,7 +123,7 @@ TEST_CASE("several inputs offer together what all have by one name and type") {
 TEST_CASE("colours of different types are said to be none in common") {
   AvailableAttributes bytes, floats;
   bytes.scalars = {
-      {"red", ScalarType::uint8}, {"green", ScalarType::uint8}, {"blue", ScalarType::uint8}};
+      {"red", NumberType::uint8}, {"green", NumberType::uint8}, {"blue", NumberType::uint8}};
   floats.scalars = {{"red"}, {"green"}, {"blue"}};
   const AvailableAttributes common = common_offer({bytes, floats});
   const Error error = error_of([&] { choose_attributes(wish(Names{"colors"}), common, "in.ply"); });

@@ -50,7 +50,7 @@ TEST_CASE("a text is known by its statements, whatever stands before them") {
     CAPTURE(before);
     CHECK(format_of_file(before + obj) == "OBJ");
     CHECK(format_of_file(before + off) == "OFF");
-    CHECK(format_of_file(before + m) == "M");
+    CHECK(format_of_file(before + m) == ".m");
     CHECK(format_of_file(before + stl()) == "STL ASCII");
     if (before.find('#') == std::string::npos) CHECK(format_of_file(before + ply) == "PLY ASCII");
   }
@@ -59,7 +59,7 @@ TEST_CASE("a text is known by its statements, whatever stands before them") {
         "// a comment\n", "!\n\"\n"}) {
     CAPTURE(before);
     CHECK(format_of_file(before + obj) == "OBJ");
-    CHECK(format_of_file(before + m) == "M");
+    CHECK(format_of_file(before + m) == ".m");
     CHECK(format_of_file(before + stl()) == "STL ASCII");
   }
 }
@@ -83,7 +83,7 @@ TEST_CASE("between equal candidates the name of the file decides") {
   // Behind a first line of neither, vertices and faces of both.
   const std::string both = "$ a text\n" + obj + m;
   CHECK(format_of_file(both, "mesh.obj") == "OBJ");
-  CHECK(format_of_file(both, "mesh.M") == "M");
+  CHECK(format_of_file(both, "mesh.M") == ".m");
   CHECK(format_of_file(both, "mesh.obj.gz") == "OBJ");
   // A better candidate is not outvoted.
   CHECK(format_of_file(obj, "mesh.m") == "OBJ");

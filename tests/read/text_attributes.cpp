@@ -19,6 +19,14 @@ std::string line_of(const AvailableAttributes& offer) {
   return line;
 }
 
+AvailableAttributes offer_of(const InputFormat& format, const std::string& head) {
+  TestJob here;
+  MemorySource source(head);
+  InputProbe probe;
+  format.probe(here.job, source, false, probe);
+  return probe.facts.offer;
+}
+
 std::vector<double> carried_by(const std::string& content, MemorySource::Kind kind) {
   return test::carried_by(std::make_unique<MemorySource>(content, kind)).numbers;
 }
@@ -26,12 +34,12 @@ std::vector<double> carried_by(const std::string& content, MemorySource::Kind ki
 }  // namespace
 
 TEST_CASE("an OBJ offers the colours that its first vertex has") {
-  CHECK(line_of(offer_of_obj("# v 1 2 3 4 5 6\nmtllib a\nv 0 0 0 .5 1 0\nv 0 0 0\n")) ==
+  CHECK(line_of(offer_of(obj_input, "# v 1 2 3 4 5 6\nmtllib a\nv 0 0 0 .5 1 0\nv 0 0 0\n")) ==
         "red:float green:float blue:float");
-  CHECK(line_of(offer_of_obj("v 0 0 0\nv 0 0 0 .5 1 0\n")).empty());
-  CHECK(line_of(offer_of_obj("v 0 0 0 1\n")).empty());
-  CHECK(line_of(offer_of_obj("vn 0 0 0 1 1 1\n")).empty());
-  CHECK(line_of(offer_of_obj("")).empty());
+  CHECK(line_of(offer_of(obj_input, "v 0 0 0\nv 0 0 0 .5 1 0\n")).empty());
+  CHECK(line_of(offer_of(obj_input, "v 0 0 0 1\n")).empty());
+  CHECK(line_of(offer_of(obj_input, "vn 0 0 0 1 1 1\n")).empty());
+  CHECK(line_of(offer_of(obj_input, "")).empty());
 }
 
 TEST_CASE("an OFF offers what its keyword says and its vertices have") {
@@ -55,7 +63,7 @@ TEST_CASE("an OFF offers what its keyword says and its vertices have") {
                {"", ""}};
   for (const auto& one : cases) {
     CAPTURE(one.head);
-    CHECK(line_of(offer_of_off(one.head)) == one.offer);
+    CHECK(line_of(offer_of(off_input, one.head)) == one.offer);
   }
 }
 

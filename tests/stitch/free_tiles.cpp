@@ -42,7 +42,7 @@ TEST_CASE("rings in many tiles go the same way with any threads and memory", "[s
   RefineSettings settings = down_to(500, 1000);
   settings.decimation.keep_pieces = GENERATE(false, true);
   settings.decimation.free_topology = GENERATE(false, true);
-  settings.decimation.cost = GENERATE(CollapseCost::quadric, CollapseCost::volume);
+  settings.decimation.cost = GENERATE(Refine::quadric, Refine::volume);
   CAPTURE(static_cast<int>(settings.decimation.cost), settings.decimation.keep_pieces,
           settings.decimation.free_topology);
   const RefinedPlain one = refined_rings(faces, settings, 1, false);

@@ -18,11 +18,11 @@ namespace winnow::test {
 
 namespace {
 
-std::string stored(double value, ScalarType type, PlyForm form) {
+std::string stored(double value, NumberType type, PlyForm form) {
   std::array<std::byte, 8> bytes{};
   if (std::isfinite(value)) {
     store_rounded(value, type, bytes.data());
-  } else if (type == ScalarType::float32) {
+  } else if (type == NumberType::float32) {
     const auto single = static_cast<float>(value);
     std::memcpy(bytes.data(), &single, sizeof single);
   } else {
@@ -80,13 +80,13 @@ void write_attributed(const std::string& path, const AttributedMesh& mesh,
   out << "element face " << mesh.faces.size()
       << "\nproperty list uchar int vertex_indices\nend_header\n";
   for (const Point& position : mesh.positions) {
-    for (const double x : position) out << stored(x, ScalarType::float32, form);
+    for (const double x : position) out << stored(x, NumberType::float32, form);
     for (const Column& column : columns) out << stored(column.value(position), column.type, form);
     if (text) out << "\n";
   }
   for (const auto& face : mesh.faces) {
-    out << stored(3, ScalarType::uint8, form);
-    for (const std::uint32_t corner : face) out << stored(corner, ScalarType::int32, form);
+    out << stored(3, NumberType::uint8, form);
+    for (const std::uint32_t corner : face) out << stored(corner, NumberType::int32, form);
     if (text) out << "\n";
   }
 }
@@ -108,12 +108,12 @@ std::vector<Column> usual_columns() {
   const auto times = [](double factor, const auto& value) {
     return [factor, value](const Point& p) { return factor * value(p); };
   };
-  return {{"red", ScalarType::uint8, times(255, wave(3, 20))},
-          {"green", ScalarType::uint8, times(255, wave(31, 7))},
-          {"blue", ScalarType::uint8, times(255, wave(2, 9))},
-          {"quality", ScalarType::float32, times(1e-20, wave(60, 50))},
-          {"label", ScalarType::int32, times(2e9, wave(5, 1))},
-          {"stamp", ScalarType::float64, times(1e200, wave(4, 4))}};
+  return {{"red", NumberType::uint8, times(255, wave(3, 20))},
+          {"green", NumberType::uint8, times(255, wave(31, 7))},
+          {"blue", NumberType::uint8, times(255, wave(2, 9))},
+          {"quality", NumberType::float32, times(1e-20, wave(60, 50))},
+          {"label", NumberType::int32, times(2e9, wave(5, 1))},
+          {"stamp", NumberType::float64, times(1e200, wave(4, 4))}};
 }
 
 double mean_over_surface(const AttributedMesh& mesh, const std::string& column,

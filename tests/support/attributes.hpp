@@ -2,7 +2,7 @@
 // read again.
 #pragma once
 
-#include "base/scalar_type.hpp"
+#include "base/number_type.hpp"
 #include "base/vector.hpp"
 #include "read/ply/header.hpp"
 
@@ -17,7 +17,7 @@ namespace winnow::test {
 
 struct Column {
   std::string name;
-  ScalarType type;
+  NumberType type;
   std::function<double(const Point&)>
       value;  // of a vertex at this position; then rounded to the type
 };

@@ -3,7 +3,7 @@
 
 #include <winnow/mesh.hpp>
 
-#include "base/scalar_type.hpp"
+#include "base/number_type.hpp"
 #include "support/surfaces.hpp"
 
 #include <map>

@@ -31,7 +31,11 @@ void with_type(PlyType type, double value, Use use) {
       return use(static_cast<float>(value));
     case PlyType::float64:
       return use(value);
+    case PlyType::int64:
+    case PlyType::uint64:
+      break;
   }
+  throw std::logic_error("a PLY has no numbers of this type");
 }
 
 struct Property {

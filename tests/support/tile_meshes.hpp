@@ -15,15 +15,22 @@
 
 namespace winnow {
 
-inline std::ostream& operator<<(std::ostream& out, CollapseCost cost) {
-  return out << (cost == CollapseCost::quadric  ? "quadric"
-                 : cost == CollapseCost::volume ? "volume"
-                                                : "importance");
+inline std::ostream& operator<<(std::ostream& out, Refine cost) {
+  return out << facts_of(cost).name;
 }
 
 }  // namespace winnow
 
 namespace winnow::test {
+
+// All that edges can be collapsed by.
+inline std::vector<Refine> costs() {
+  std::vector<Refine> all;
+  for (const Refine cost : all_values<Refine>()) {
+    if (cost != Refine::none) all.push_back(cost);
+  }
+  return all;
+}
 
 // Different faces between few vertices.
 inline std::vector<FaceVertices> random_mesh(Random& random, VertexNumber vertices,
@@ -85,7 +92,7 @@ inline std::map<unsigned, std::size_t> edges_by_faces(const TileMesh& mesh) {
 }
 
 // Down to so many faces, or as far as it goes.
-inline std::vector<DoneCollapse> decimate(TileMesh& mesh, CollapseCost cost, std::uint64_t faces) {
+inline std::vector<DoneCollapse> decimate(TileMesh& mesh, Refine cost, std::uint64_t faces) {
   DecimationSettings settings;
   settings.cost = cost;
   settings.single = false;

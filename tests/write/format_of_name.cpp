@@ -2,7 +2,7 @@
 #include <winnow/error.hpp>
 
 #include "support/reading.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/formats.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,6 +3,7 @@
 
 #include "support/encoding.hpp"
 #include "support/glb_file.hpp"
+#include "write/formats.hpp"
 
 #include <cmath>
 
@@ -14,7 +15,7 @@ using namespace test;
 
 TEST_CASE("a written GLB holds the mesh that it is of") {
   Random random(630);
-  const auto encoder = make_glb_encoder();
+  const auto encoder = glb_output.make({});
   for (const bool normals : {false, true}) {
     for (const std::size_t count : {1, 3, 1000}) {
       CAPTURE(normals, count);
@@ -47,7 +48,7 @@ TEST_CASE("a written GLB holds the mesh that it is of") {
 
 TEST_CASE("a GLB far from the origin is as precise as one near it") {
   Random random(631);
-  const auto encoder = make_glb_encoder();
+  const auto encoder = glb_output.make({});
   for (const double half : {1e-3, 0.7, 100.0, 3000.0}) {
     for (const Point& middle : {Point{431000, 5412000, 300}, Point{-431000, 0, -5412000}}) {
       CAPTURE(half, middle[0]);
@@ -75,7 +76,7 @@ TEST_CASE("a GLB far from the origin is as precise as one near it") {
 TEST_CASE("a GLB near the origin is not moved") {
   Random random(632);
   const EncodedExample mesh = example_mesh(random, 200, 400, false, true, {50, -20, 0}, 100);
-  CHECK(glb_file(encoded(*make_glb_encoder(), mesh, random)).offset == Point{});
+  CHECK(glb_file(encoded(*glb_output.make({}), mesh, random)).offset == Point{});
 }
 
 TEST_CASE("a normal of no length, or of another, becomes one of one") {
@@ -83,13 +84,13 @@ TEST_CASE("a normal of no length, or of another, becomes one of one") {
   EncodedExample mesh = example_mesh(random, 3, 1, true, false);
   mesh.vertices[1].normal = {0, 0, 0};
   mesh.vertices[2].normal = {0, -5, 0};
-  const GlbFile glb = glb_file(encoded(*make_glb_encoder(), mesh, random));
+  const GlbFile glb = glb_file(encoded(*glb_output.make({}), mesh, random));
   CHECK(glb.normals[1] == std::array{0.0F, 0.0F, 1.0F});
   CHECK(glb.normals[2] == std::array{0.0F, -1.0F, 0.0F});
 }
 
 TEST_CASE("a GLB beyond 4 GiB and coordinates beyond floats are refused") {
-  const auto encoder = make_glb_encoder();
+  const auto encoder = glb_output.make({});
   Box box;
   box.add(Point{0, 0, 0});
   box.add(Point{1, 1, 1});

@@ -1,6 +1,7 @@
 // Positions of a GLB as whole numbers, and the node that places them.
 #include "support/encoding.hpp"
 #include "support/glb_file.hpp"
+#include "write/formats.hpp"
 #include "write/glb_layout.hpp"
 
 #include <cmath>
@@ -35,7 +36,7 @@ TEST_CASE("a quantized position is no farther off than is said") {
       for (const double half : {1e-3, 100.0}) {
         CAPTURE(bits, middle, half);
         EncodedExample mesh = example_mesh(random, 300, 500, true, true, {middle, 7, middle}, half);
-        const auto encoder = make_glb_encoder({.quantize = bits});
+        const auto encoder = glb_output.make({.quantize = bits});
         const double error = encoder->position_error(mesh.shape);
         const double steps = std::ldexp(1, static_cast<int>(bits)) - 1;
         CHECK(error == Approx(std::sqrt(3) / 2 * mesh.shape.box.longest_side() / steps));
@@ -60,7 +61,7 @@ TEST_CASE("a quantized position is no farther off than is said") {
 TEST_CASE("a mesh of one place, and a flat one, are quantized, too") {
   Random random(661);
   EncodedExample point = example_mesh(random, 3, 1, false, false, {5, 6, 7}, 0);
-  CHECK(placed(glb_file(encoded(*make_glb_encoder({.quantize = 9}), point, random)), 2) ==
+  CHECK(placed(glb_file(encoded(*glb_output.make({.quantize = 9}), point, random)), 2) ==
         Point{5, 6, 7});
   EncodedExample flat = example_mesh(random, 40, 60, false, false);
   flat.shape.box = {};
@@ -68,16 +69,16 @@ TEST_CASE("a mesh of one place, and a flat one, are quantized, too") {
     vertex.position[2] = 0.25;
     flat.shape.box.add(vertex.position);
   }
-  CHECK(placed(glb_file(encoded(*make_glb_encoder({.quantize = 9}), flat, random)), 2)[2] == 0.25);
+  CHECK(placed(glb_file(encoded(*glb_output.make({.quantize = 9}), flat, random)), 2)[2] == 0.25);
 }
 
 TEST_CASE("only a GLB that is quantized moves positions") {
   Random random(662);
   const EncodedExample mesh = example_mesh(random, 300, 500, false, false);
-  CHECK(make_glb_encoder()->position_error(mesh.shape) == 0);
-  const std::string plain = encoded(*make_glb_encoder(), mesh, random);
+  CHECK(glb_output.make({})->position_error(mesh.shape) == 0);
+  const std::string plain = encoded(*glb_output.make({}), mesh, random);
   CHECK(plain.find("KHR_mesh_quantization") == std::string::npos);
-  const std::string quantized = encoded(*make_glb_encoder({.quantize = 16}), mesh, random);
+  const std::string quantized = encoded(*glb_output.make({.quantize = 16}), mesh, random);
   CHECK(glb_file(quantized).json["extensionsRequired"] == nlohmann::json{"KHR_mesh_quantization"});
   CHECK(quantized.size() < plain.size());
 }
@@ -87,10 +88,10 @@ TEST_CASE("a node turns a model whose z points up, to the bit") {
   for (const bool far : {false, true}) {
     const Point middle = far ? Point{431000, 5412000, 300} : Point{};
     const EncodedExample mesh = example_mesh(random, 60, 40, false, true, middle, 8);
-    const std::string file = encoded(*make_glb_encoder({.up = UpAxis::z}), mesh, random);
+    const std::string file = encoded(*glb_output.make({.up = UpAxis::z}), mesh, random);
     // Its vertices are those that it has without.
     const GlbFile glb = glb_file(file);
-    CHECK(glb.positions == glb_file(encoded(*make_glb_encoder(), mesh, random)).positions);
+    CHECK(glb.positions == glb_file(encoded(*glb_output.make({}), mesh, random)).positions);
     const Point offset = glb_offset(mesh.shape);
     const std::vector<SeenFace> faces = faces_of(file);
     REQUIRE(faces.size() == mesh.faces.size());

@@ -2,6 +2,7 @@
 #include "base/srgb.hpp"
 #include "support/encoding.hpp"
 #include "support/glb_file.hpp"
+#include "write/formats.hpp"
 
 #include <cmath>
 #include <set>
@@ -15,7 +16,7 @@ using namespace test;
 namespace {
 
 // A grey vertex of each of these numbers.
-GlbFile grey(AttributeKind kind, ScalarType type, const std::vector<double>& numbers) {
+GlbFile grey(AttributeKind kind, NumberType type, const std::vector<double>& numbers) {
   EncodedExample mesh;
   mesh.shape.vertices = numbers.size();
   mesh.shape.faces = 1;
@@ -31,7 +32,7 @@ GlbFile grey(AttributeKind kind, ScalarType type, const std::vector<double>& num
   }
   mesh.faces.push_back({{0, 1, 2}});
   Random random(640);
-  return glb_file(encoded(*make_glb_encoder(), mesh, random));
+  return glb_file(encoded(*glb_output.make({}), mesh, random));
 }
 
 std::vector<double> up_to(int last) {
@@ -43,7 +44,7 @@ std::vector<double> up_to(int last) {
 }  // namespace
 
 TEST_CASE("all 256 numbers of a colour come back from the light in a GLB") {
-  const GlbFile glb = grey(AttributeKind::color, ScalarType::uint8, up_to(255));
+  const GlbFile glb = grey(AttributeKind::color, NumberType::uint8, up_to(255));
   CHECK(glb.color_type == 5123);
   std::set<double> of_bytes;  // what a smaller type would leave
   for (std::size_t i = 0; i < 256; ++i) {
@@ -56,7 +57,7 @@ TEST_CASE("all 256 numbers of a colour come back from the light in a GLB") {
 
 TEST_CASE("light of 8 and 16 bits is written as it is") {
   for (const auto& [type, full, component] :
-       {std::tuple(ScalarType::uint8, 255, 5121U), std::tuple(ScalarType::uint16, 65535, 5123U)}) {
+       {std::tuple(NumberType::uint8, 255, 5121U), std::tuple(NumberType::uint16, 65535, 5123U)}) {
     std::vector<double> colors = up_to(full);
     for (double& color : colors) color = full * component_of_light(color / full);
     const GlbFile glb = grey(AttributeKind::light, type, colors);
@@ -67,8 +68,8 @@ TEST_CASE("light of 8 and 16 bits is written as it is") {
 }
 
 TEST_CASE("colours of more than 8 bits are floats in a GLB") {
-  CHECK(grey(AttributeKind::color, ScalarType::uint16, up_to(9)).color_type == 5126);
-  CHECK(grey(AttributeKind::color, ScalarType::float32, {0, 0.25, 1}).color_type == 5126);
+  CHECK(grey(AttributeKind::color, NumberType::uint16, up_to(9)).color_type == 5126);
+  CHECK(grey(AttributeKind::color, NumberType::float32, {0, 0.25, 1}).color_type == 5126);
 }
 
 TEST_CASE("indices of a GLB have 16 bits where the largest number of those is not needed") {
@@ -78,7 +79,7 @@ TEST_CASE("indices of a GLB have 16 bits where the largest number of those is no
       CAPTURE(vertices, faces);
       EncodedExample mesh = example_mesh(random, vertices, faces, false, false);
       mesh.faces[0].vertex[0] = vertices - 1;
-      const GlbFile glb = glb_file(encoded(*make_glb_encoder(), mesh, random));
+      const GlbFile glb = glb_file(encoded(*glb_output.make({}), mesh, random));
       const std::size_t accessor = glb.json["meshes"][0]["primitives"][0]["indices"];
       CHECK(glb.json["accessors"][accessor]["componentType"] == (vertices <= 65'535 ? 5123 : 5125));
       for (std::size_t i = 0; i < faces; ++i) {

@@ -1,5 +1,6 @@
 // What is written as .m is read back as the same mesh, to the last bit.
 #include "support/encoding.hpp"
+#include "write/formats.hpp"
 
 #include <cmath>
 
@@ -16,7 +17,7 @@ TEST_CASE("a written .m is the mesh that it is of") {
       CAPTURE(doubles, count);
       const EncodedExample mesh =
           example_mesh(random, count, 2 * count, false, doubles, {431000, 0, -3});
-      const std::string file = encoded(*make_m_encoder(), mesh, random);
+      const std::string file = encoded(*m_output.make({}), mesh, random);
       CHECK(file.starts_with("Vertex 1 "));
       const std::vector<SeenFace> faces = faces_of(file);
       REQUIRE(faces.size() == mesh.faces.size());
@@ -34,15 +35,15 @@ TEST_CASE("a .m counts its vertices and faces on from part to part") {
   std::vector<std::byte> bytes;
   MeshVertex vertex;
   vertex.position = {0.1, 2, -3e-7};
-  make_m_encoder()->vertices({.double_positions = true}, 6, std::vector{vertex, vertex}, bytes);
-  make_m_encoder()->faces({}, 41, std::vector{MeshFace{{0, 6, 7}}}, {}, bytes);
+  m_output.make({})->vertices({.double_positions = true}, 6, std::vector{vertex, vertex}, bytes);
+  m_output.make({})->faces({}, 41, std::vector{MeshFace{{0, 6, 7}}}, {}, bytes);
   CHECK(text_of(bytes) == "Vertex 7 0.1 2 -3e-07\nVertex 8 0.1 2 -3e-07\nFace 42 1 7 8\n");
 }
 
 TEST_CASE("a .m holds normals and colours in braces") {
   std::vector<Attribute> colors;
   for (const char* name : {"red", "green", "blue"})
-    colors.push_back({name, ScalarType::uint8, AttributeKind::color});
+    colors.push_back({name, NumberType::uint8, AttributeKind::color});
   std::array<double, 3> stored{255, 51, 0};
   MeshVertex vertex;
   vertex.position = {1, 2, 3};
@@ -55,7 +56,7 @@ TEST_CASE("a .m holds normals and colours in braces") {
       vertex.attributes = stored;
     }
     std::vector<std::byte> bytes;
-    make_m_encoder()->vertices(shape, 0, std::vector{vertex}, bytes);
+    m_output.make({})->vertices(shape, 0, std::vector{vertex}, bytes);
     return text_of(bytes);
   };
   CHECK(line(false, false) == "Vertex 1 1 2 3\n");

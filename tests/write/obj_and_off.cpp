@@ -1,5 +1,6 @@
 // What is written as OBJ and OFF says the same mesh, to the last bit.
 #include "support/encoding.hpp"
+#include "write/formats.hpp"
 
 #include <charconv>
 #include <sstream>
@@ -97,8 +98,8 @@ void check_off(const EncodedExample& mesh, const std::string& file) {
 
 TEST_CASE("a written OBJ and a written OFF say the mesh that they are of") {
   Random random(620);
-  const auto obj = make_obj_encoder();
-  const auto off = make_off_encoder();
+  const auto obj = obj_output.make({});
+  const auto off = off_output.make({});
   CHECK_FALSE(obj->needs_corners());
   CHECK_FALSE(off->needs_corners());
   for (const bool normals : {false, true}) {
@@ -118,10 +119,10 @@ TEST_CASE("a written OBJ and a written OFF say the mesh that they are of") {
 TEST_CASE("indices of OBJ and OFF go beyond 32 bits") {
   const MeshFace face{{0, 4294967295, 1099511627775}};
   std::vector<std::byte> bytes;
-  make_obj_encoder()->faces({}, 0, {&face, 1}, {}, bytes);
+  obj_output.make({})->faces({}, 0, {&face, 1}, {}, bytes);
   CHECK(text_of(bytes) == "f 1 4294967296 1099511627776\n");
   bytes.clear();
-  make_off_encoder()->faces({}, 0, {&face, 1}, {}, bytes);
+  off_output.make({})->faces({}, 0, {&face, 1}, {}, bytes);
   CHECK(text_of(bytes) == "3 0 4294967295 1099511627775\n");
 }
 

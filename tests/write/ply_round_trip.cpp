@@ -5,7 +5,7 @@
 #include "support/encoding.hpp"
 #include "support/reading.hpp"
 #include "support/sources.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/formats.hpp"
 
 #include <cstring>
 
@@ -18,7 +18,7 @@ using namespace test;
 TEST_CASE("a written PLY is read back as it was") {
   Random random(600);
   for (const bool ascii : {false, true}) {
-    const auto encoder = make_ply_encoder(ascii);
+    const auto encoder = ply_output.make({.ascii = ascii});
     CHECK_FALSE(encoder->needs_corners());
     for (const auto& [normals, doubles] :
          {std::pair{false, false}, {false, true}, {true, false}, {true, true}}) {
@@ -53,7 +53,7 @@ TEST_CASE("a written PLY is read back as it was") {
 }
 
 TEST_CASE("a PLY in text is what its header says, in as few digits as say it") {
-  const auto encoder = make_ply_encoder(true);
+  const auto encoder = ply_output.make({.ascii = true});
   const MeshShape shape{1, 1, true, false, ""};
   CHECK(encoder->header(shape).starts_with(
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"));
@@ -66,7 +66,7 @@ TEST_CASE("a PLY in text is what its header says, in as few digits as say it") {
 }
 
 TEST_CASE("a PLY is what its header says, byte for byte") {
-  const auto encoder = make_ply_encoder();
+  const auto encoder = ply_output.make({});
   const MeshShape shape{1, 1, true, false, "by winnow"};
   CHECK(encoder->header(shape) ==
         "ply\nformat binary_little_endian 1.0\ncomment by winnow\nelement vertex 1\nproperty float "
@@ -94,7 +94,7 @@ TEST_CASE("a PLY is what its header says, byte for byte") {
 
 TEST_CASE(
     "indices are of a type that counts all vertices, and no more are taken than 32 bits count") {
-  const auto encoder = make_ply_encoder();
+  const auto encoder = ply_output.make({});
   constexpr std::uint64_t two_to_32 = std::uint64_t{1} << 32;
   for (const auto& [vertices, type] :
        std::vector<std::pair<std::uint64_t, std::string>>{{0, "int"},
@@ -117,7 +117,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a header can be read by the reader up to the most vertices there can be") {
-  const auto encoder = make_ply_encoder();
+  const auto encoder = ply_output.make({});
   for (const std::uint64_t vertices : {std::uint64_t{0}, std::uint64_t{4'294'967'295}}) {
     MemorySource source(encoder->header({vertices, UINT32_MAX, true, true, "x"}));
     const PlyHeader header = read_ply_header(source);

@@ -2,7 +2,7 @@
 #include "support/reading.hpp"
 #include "support/sources.hpp"
 #include "support/surfaces.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/formats.hpp"
 
 #include <cstring>
 
@@ -15,7 +15,7 @@ using namespace test;
 namespace {
 
 std::string encoded(const std::vector<Corners>& corners, Random& random, bool ascii = false) {
-  const auto encoder = make_stl_encoder(ascii);
+  const auto encoder = stl_output.make({.ascii = ascii});
   const MeshShape shape{3 * corners.size(), corners.size(), true, true, "made for a test"};
   std::string text = encoder->header(shape);
   std::vector<std::byte> bytes;
@@ -93,7 +93,7 @@ TEST_CASE("the normal of a facet is its own, of one unit, or nothing") {
 }
 
 TEST_CASE("the header is no text that begins an ASCII file, and counts as far as it can") {
-  const auto encoder = make_stl_encoder();
+  const auto encoder = stl_output.make({});
   for (const std::string& comment :
        {std::string(), std::string("solid facet"), std::string(500, 'c')}) {
     for (const std::uint64_t faces : {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{UINT32_MAX},

@@ -3,6 +3,7 @@
 
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_json.hpp"
 #include "report_text.hpp"
 
 #include <array>
@@ -21,61 +22,6 @@ struct CompareArguments {
   CommonOptions common;
 };
 
-Json json_of(const CompareReport::Mesh& mesh, const std::string& name) {
-  return {{"file", name},           {"format", mesh.format},
-          {"faces", mesh.faces},    {"bad_faces", json_of_bad_faces(mesh.bad_faces)},
-          {"area", mesh.area},      {"volume", mesh.volume ? Json(*mesh.volume) : Json(nullptr)},
-          {"samples", mesh.samples}};
-}
-
-double percent(double length, const CompareReport& report) {
-  return report.diagonal > 0 ? 100 * length / report.diagonal : 0;
-}
-
-Json json_of(const std::optional<CompareReport::Limit>& limit) {
-  if (!limit) return nullptr;
-  return {{"length", limit->length}, {"exceeded", limit->exceeded}};
-}
-
-Json json_of(const CompareReport& report, const CompareArguments& arguments) {
-  const auto distances = [&](const Distances& d) {
-    return Json{{"mean", d.mean},
-                {"rms", d.rms},
-                {"max", d.max},
-                {"mean_percent", percent(d.mean, report)},
-                {"rms_percent", percent(d.rms, report)},
-                {"max_percent", percent(d.max, report)}};
-  };
-  const auto& topology = report.topology;
-  return {{"original", json_of(report.original, arguments.original)},
-          {"simplified", json_of(report.simplified, arguments.simplified)},
-          {"diagonal", report.diagonal},
-          {"distance",
-           {{"forward", distances(report.forward)},
-            {"backward", distances(report.backward)},
-            {"symmetric", distances(report.symmetric)},
-            {"worst", {{"x", report.worst[0]}, {"y", report.worst[1]}, {"z", report.worst[2]}}}}},
-          {"fail_above", json_of(report.limit)},
-          {"normal_deviation",
-           {{"mean", report.normal_deviation.mean}, {"p95", report.normal_deviation.p95}}},
-          {"topology",
-           {{"boundary_edges", topology.boundary_edges},
-            {"non_manifold_edges", topology.non_manifold_edges},
-            {"flipped", topology.flipped},
-            {"degenerate", topology.degenerate},
-            {"duplicate", topology.duplicate},
-            {"components", topology.components}}},
-          {"smallest_angles",
-           {{"min", report.smallest_angles.min},
-            {"mean", report.smallest_angles.mean},
-            {"below_10", report.smallest_angles.below_10}}},
-          {"area_change", report.area_change},
-          {"volume_change", report.volume_change ? Json(*report.volume_change) : Json(nullptr)},
-          {"peak_memory_bytes", report.peak_memory_bytes},
-          {"seconds", report.seconds},
-          {"notes", spoken(report.notes)}};
-}
-
 std::string fixed(double value, int digits) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.*f", digits, value);
@@ -88,13 +34,12 @@ void show(const CompareReport& report, std::ostream& out) {
     const auto one = [&](double length) {
       std::array<char, 64> text{};
       std::snprintf(text.data(), text.size(), "%12s %8.4f %%", show_length(length).c_str(),
-                    percent(length, report));
+                    percent_of(report.diagonal, length));
       return std::string(text.data());
     };
     line(name, one(d.mean) + one(d.rms) + one(d.max));
   };
-  line("faces", show_count(report.original.faces) + " -> " + show_count(report.simplified.faces) +
-                    "  (" +
+  line("faces", grouped(report.original.faces) + " -> " + grouped(report.simplified.faces) + "  (" +
                     fixed(100 * static_cast<double>(report.simplified.faces) /
                               static_cast<double>(report.original.faces),
                           2) +
@@ -114,23 +59,22 @@ void show(const CompareReport& report, std::ostream& out) {
   line("volume",
        report.volume_change ? change(*report.volume_change) : "not compared: not both are closed");
   const auto& t = report.topology;
-  line("edges", show_count(t.boundary_edges) + " boundary, " + show_count(t.non_manifold_edges) +
-                    " non-manifold");
-  line("faces", show_count(t.flipped) + " flipped, " + show_count(t.degenerate) + " degenerate, " +
-                    show_count(t.duplicate) + " duplicate");
-  line("components", show_count(t.components));
+  line("edges",
+       grouped(t.boundary_edges) + " boundary, " + grouped(t.non_manifold_edges) + " non-manifold");
+  line("faces", grouped(t.flipped) + " flipped, " + grouped(t.degenerate) + " degenerate, " +
+                    grouped(t.duplicate) + " duplicate");
+  line("components", grouped(t.components));
   line("angles", "smallest of each face: " + fixed(report.smallest_angles.mean, 1) +
                      " degrees in the mean, " + fixed(report.smallest_angles.min, 2) +
                      " at least, " + fixed(100 * report.smallest_angles.below_10, 2) +
                      " % of the faces below 10");
   const std::uint64_t bad = report.original.bad_faces.total() + report.simplified.bad_faces.total();
   if (bad > 0) {
-    line("left out",
-         show_count(report.original.bad_faces.total()) + " bad faces of the original, " +
-             show_count(report.simplified.bad_faces.total()) + " of the simplified mesh");
+    line("left out", grouped(report.original.bad_faces.total()) + " bad faces of the original, " +
+                         grouped(report.simplified.bad_faces.total()) + " of the simplified mesh");
   }
   line("time",
-       show_seconds(report.seconds) + ", peak memory " + show_bytes(report.peak_memory_bytes));
+       show_seconds(report.seconds) + ", peak memory " + human_bytes(report.peak_memory_bytes));
   line.notes(report.notes);
 }
 
@@ -153,15 +97,15 @@ void run_compare(const CompareArguments& arguments) {
   const bool mesh_on_output = options.colored == "-" || options.picture == "-";
   std::ostream& out = report_stream(mesh_on_output ? "-" : "");
   if (arguments.common.json) {
-    print(json_of(report, arguments), arguments.common, out);
+    print(json_of_report(report), arguments.common, out);
   } else if (!arguments.common.quiet) {
     show(report, out);
   }
   if (!report.limit || !report.limit->exceeded) return;
   out.flush();
   tell_error("the RMS distance of " + show_length(report.symmetric.rms) + " (" +
-             show_length(percent(report.symmetric.rms, report)) + " % of the diagonal) is above " +
-             show(*options.fail_above));
+             show_length(percent_of(report.diagonal, report.symmetric.rms)) +
+             " % of the diagonal) is above " + show(*options.fail_above));
   throw Ended{static_cast<int>(ErrorKind::failed)};
 }
 

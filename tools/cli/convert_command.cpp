@@ -3,6 +3,7 @@
 
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_json.hpp"
 #include "report_text.hpp"
 
 #include <iostream>
@@ -18,35 +19,13 @@ struct ConvertArguments {
   CommonOptions common;
 };
 
-Json json_of(const ConvertReport& report, const ConvertArguments& arguments) {
-  return {
-      {"input",
-       {{"files", {arguments.input}},
-        {"format", report.input.format},
-        {"faces", report.input.faces},
-        {"vertices", report.input.vertices},
-        {"bytes", report.input.bytes},
-        {"bad_faces", json_of_bad_faces(report.input.bad_faces)}}},
-      {"output", json_of_output(report.output, arguments.output)},
-      {"attributes",
-       {{"carried", report.attributes.carried}, {"dropped", spoken(report.attributes.dropped)}}},
-      {"welded", report.welded},
-      {"doubled_faces", report.doubled_faces},
-      {"spilled_bytes", report.spilled_bytes},
-      {"peak_scratch_bytes", report.peak_scratch_bytes},
-      {"peak_memory_bytes", report.peak_memory_bytes},
-      {"seconds", report.seconds.total},
-      {"stage_seconds", {{"read", report.seconds.read}, {"write", report.seconds.write}}},
-      {"notes", spoken(report.notes)}};
-}
-
 void show(const ConvertReport& report, std::ostream& out) {
   const Lines line(out, 10);
-  line("input", report.input.format + ", " + show_bytes(report.input.bytes));
-  line("faces", show_count(report.output.faces));
+  line("input", report.input.format + ", " + human_bytes(report.input.bytes));
+  line("faces", grouped(report.output.faces));
   line("vertices",
-       show_count(report.output.vertices) + (report.welded ? "  (equal positions are one)" : ""));
-  line("file", show_bytes(report.output.bytes));
+       grouped(report.output.vertices) + (report.welded ? "  (equal positions are one)" : ""));
+  line("file", human_bytes(report.output.bytes));
   show_quantized(line, report.output.position_error);
   if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
   line("time", show_time(report.seconds.total, report.input.faces));
@@ -54,7 +33,7 @@ void show(const ConvertReport& report, std::ostream& out) {
   if (report.input.bad_faces.total() > 0) line("bad faces", show_bad_faces(report.input.bad_faces));
   if (report.doubled_faces > 0)
     line("doubled",
-         show_count(report.doubled_faces) + " faces left out that another has all corners of");
+         grouped(report.doubled_faces) + " faces left out that another has all corners of");
   line.notes(report.notes);
 }
 
@@ -70,7 +49,7 @@ void run_convert(const ConvertArguments& arguments) {
   }
   std::ostream& out = report_stream(arguments.output);
   if (arguments.common.json) {
-    print(json_of(report, arguments), arguments.common, out);
+    print(json_of_report(report), arguments.common, out);
   } else if (!arguments.common.quiet) {
     show(report, out);
   }
@@ -82,8 +61,10 @@ void add_convert(CLI::App& app) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = app.add_subcommand(
       "convert", "Write a mesh of any size in another format, in bounded memory");
-  command->add_option("input", arguments->input, input_help)->required()->type_name("IN");
-  command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
+  command->add_option("input", arguments->input, input_help())->required()->type_name("IN");
+  command->add_option("-o,--output", arguments->output, output_help())
+      ->required()
+      ->type_name("OUT");
   arguments->options.add_to(*command);
   arguments->common.add_to(*command, "the output's");
   command->footer(

@@ -1,6 +1,7 @@
 #include "generate/generate.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_json.hpp"
 #include "report_text.hpp"
 
 #include <iostream>
@@ -29,12 +30,10 @@ void run_generate(const GenerateArguments& arguments) {
   }
   std::ostream& out = report_stream(arguments.output);
   if (arguments.common.json) {
-    Json json = json_of_output(report, arguments.output);
-    json["seconds"] = report.seconds;
-    print(json, arguments.common, out);
+    print(json_of_report(report), arguments.common, out);
   } else if (!arguments.common.quiet) {
-    out << "  made      " << show_count(report.faces) << " faces, " << show_count(report.vertices)
-        << " vertices, " << show_bytes(report.bytes) << "\n  time      "
+    out << "  made      " << grouped(report.faces) << " faces, " << grouped(report.vertices)
+        << " vertices, " << human_bytes(report.bytes) << "\n  time      "
         << show_seconds(report.seconds) << "  ("
         << show_rate(static_cast<double>(report.faces) / report.seconds) << "faces/s)\n";
   }
@@ -47,10 +46,7 @@ void add_generate(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("generate", "Make a surface of any size, for tests and benches");
   arguments->options.add_positional(*command, "surface");
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "PLY, STL, OBJ, OFF or .m by the name's ending, also in .gz or .zst; - is "
-                   "standard output")
+  command->add_option("-o,--output", arguments->output, output_help(FormatUse::generated))
       ->required()
       ->type_name("OUT");
   arguments->options.add_to(*command, {"faces", "seed", "shuffle", "offset", "to", "force"});

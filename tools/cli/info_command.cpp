@@ -4,6 +4,7 @@
 
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_json.hpp"
 #include "report_text.hpp"
 
 #include <algorithm>
@@ -21,42 +22,14 @@ struct InfoArguments {
   CommonOptions common;
 };
 
-Json json_of(const InfoReport& report, const std::string& name) {
-  Json json{{"file", name},
-            {"format", report.format},
-            {"bytes", report.bytes},
-            {"faces", report.faces},
-            {"vertices", report.vertices},
-            {"bad_faces", json_of_bad_faces(report.bad_faces)},
-            {"zero_area", report.zero_area},
-            {"box", nullptr},
-            {"area", report.area},
-            {"mean_edge", report.mean_edge},
-            {"attributes", report.attributes},
-            {"edges",
-             {{"total", report.edges.total},
-              {"boundary", report.edges.boundary},
-              {"non_manifold", report.edges.non_manifold}}},
-            {"watertight", report.watertight},
-            {"parts", report.parts},
-            {"volume", report.volume ? Json(*report.volume) : Json(nullptr)}};
-  if (report.has_box) json["box"] = {{"min", report.box_min}, {"max", report.box_max}};
-  json["spilled_bytes"] = report.spilled_bytes;
-  json["peak_scratch_bytes"] = report.peak_scratch_bytes;
-  json["seconds"] = report.seconds;
-  json["peak_memory_bytes"] = report.peak_memory_bytes;
-  json["notes"] = spoken(report.notes);
-  return json;
-}
-
 std::string show_watertight(const InfoReport& report) {
   if (report.edges.total == 0) return "no: there is no surface";
   if (report.watertight) return "yes: every edge has two faces";
   std::string text = "no: ";
-  if (report.edges.boundary > 0) text += show_count(report.edges.boundary) + " edges have one face";
+  if (report.edges.boundary > 0) text += grouped(report.edges.boundary) + " edges have one face";
   if (report.edges.boundary > 0 && report.edges.non_manifold > 0) text += ", ";
   if (report.edges.non_manifold > 0)
-    text += show_count(report.edges.non_manifold) + " have three or more";
+    text += grouped(report.edges.non_manifold) + " have three or more";
   return text;
 }
 
@@ -69,32 +42,31 @@ std::string show_volume(const InfoReport& report) {
 
 void show(const InfoReport& report, std::ostream& out) {
   const Lines line(out, 12);
-  line("format", report.format + ", " + show_bytes(report.bytes));
-  line("faces", show_count(report.faces));
-  if (report.vertices > 0) line("vertices", show_count(report.vertices));
-  if (report.has_box) {
+  line("format", report.format + ", " + human_bytes(report.bytes));
+  line("faces", grouped(report.faces));
+  if (report.vertices > 0) line("vertices", grouped(report.vertices));
+  if (report.box) {
+    const auto& [min, max] = *report.box;
     std::array<double, 3> size{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      size[axis] = report.box_max[axis] - report.box_min[axis];
-    const int digits =
-        digits_for({report.box_min, report.box_max}, *std::max_element(size.begin(), size.end()));
-    line("box", show_place(report.box_min, digits) + "  to  " + show_place(report.box_max, digits));
+    for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = max[axis] - min[axis];
+    const int digits = digits_for({min, max}, *std::max_element(size.begin(), size.end()));
+    line("box", show_place(min, digits) + "  to  " + show_place(max, digits));
     line("size", show_place(size));
   }
   line("area", show_length(report.area));
   line("mean edge", show_length(report.mean_edge));
-  line("edges", show_count(report.edges.total) + ", of them " + show_count(report.edges.boundary) +
-                    " boundary and " + show_count(report.edges.non_manifold) + " non-manifold");
+  line("edges", grouped(report.edges.total) + ", of them " + grouped(report.edges.boundary) +
+                    " boundary and " + grouped(report.edges.non_manifold) + " non-manifold");
   line("watertight", show_watertight(report));
   line("volume", show_volume(report));
-  line("parts", show_count(report.parts));
+  line("parts", grouped(report.parts));
   const BadFaces& bad = report.bad_faces;
   line("bad faces", bad.total() == 0
                         ? "none"
-                        : show_count(bad.degenerate) + " repeat a corner, " +
-                              show_count(bad.non_finite) + " are not finite, " +
-                              show_count(bad.out_of_range) + " name a vertex that does not exist");
-  if (report.zero_area > 0) line("zero area", show_count(report.zero_area) + " faces");
+                        : grouped(bad.degenerate) + " repeat a corner, " + grouped(bad.non_finite) +
+                              " are not finite, " + grouped(bad.out_of_range) +
+                              " name a vertex that does not exist");
+  if (report.zero_area > 0) line("zero area", grouped(report.zero_area) + " faces");
   for (const std::string& attribute : report.attributes) line("also", attribute);
   line.notes(report.notes);
 }
@@ -119,7 +91,7 @@ void run_info(const InfoArguments& arguments) {
         const ProgressBar bar(context, arguments.common);
         report = info(context, input, options.from);
       }
-      json = json_of(report, input);
+      json = json_of_report(report);
       if (!arguments.common.json && !arguments.common.quiet) {
         if (!single) std::cout << (&input == inputs.data() ? "" : "\n") << clean(input) << "\n";
         show(report, std::cout);
@@ -143,9 +115,7 @@ void run_info(const InfoArguments& arguments) {
 void add_info(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand("info", "Tell what is in a mesh file of any size");
-  command
-      ->add_option("input", arguments->inputs,
-                   std::string(input_help) + "; several are told of one by one")
+  command->add_option("input", arguments->inputs, input_help() + "; several are told of one by one")
       ->required()
       ->type_name("IN");
   arguments->options.add_to(*command, {"from"});

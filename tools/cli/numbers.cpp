@@ -100,23 +100,6 @@ std::string show_list(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string show_count(std::uint64_t count) {
-  std::string digits = std::to_string(count);
-  for (std::size_t at = digits.size(); at > 3;) {
-    at -= 3;
-    digits.insert(at, 1, ',');
-  }
-  return digits;
-}
-
-std::string show_bytes(std::uint64_t bytes) {
-  constexpr std::array units{"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
-  auto value = static_cast<double>(bytes);
-  std::size_t unit = 0;
-  for (; value >= 1000 && unit + 1 < units.size(); ++unit) value /= 1024;
-  return format(unit == 0 || value >= 100 ? "%.0f " : "%.1f ", value) + units.at(unit);
-}
-
 std::string show_rate(double per_second) {
   if (per_second >= 1e9) return format("%.2f G", per_second / 1e9);
   if (per_second >= 1e6) return format("%.1f M", per_second / 1e6);
@@ -151,14 +134,14 @@ int digits_for(std::initializer_list<std::array<double, 3>> places, double size)
 }
 
 std::string show_bad_faces(const BadFaces& bad) {
-  std::string text = show_count(bad.total()) + " left out:";
+  std::string text = grouped(bad.total()) + " left out:";
   const char* separator = " ";
   for (const auto& [count, what] :
        {std::pair{bad.degenerate, "repeat a corner"},
         std::pair{bad.non_finite, "have a corner that is not finite"},
         std::pair{bad.out_of_range, "name a vertex that does not exist"}}) {
     if (count == 0) continue;
-    text += separator + show_count(count) + " " + what;
+    text += separator + grouped(count) + " " + what;
     separator = ", ";
   }
   return text;

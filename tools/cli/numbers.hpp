@@ -2,6 +2,7 @@
 #pragma once
 
 #include <winnow/simplify.hpp>
+#include <winnow/text.hpp>
 
 #include <array>
 #include <cstdint>
@@ -17,9 +18,7 @@ std::string clean(const std::string& text);
 // JSON of the same value, in which what a terminal would not show is escaped.
 std::string escaped_json(const std::string& json);
 
-std::string show_count(std::uint64_t count);                   // 1,234,567
 std::string show_list(const std::vector<std::string>& words);  // a, b
-std::string show_bytes(std::uint64_t bytes);                   // 1.5 GiB
 std::string show_rate(double per_second);                      // 45.2 M
 std::string show_seconds(double seconds);                      // 0.45 s, 2 min 10 s
 std::string show_length(double length, int digits = 6);        // significant ones

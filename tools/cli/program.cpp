@@ -46,6 +46,17 @@ void cancel_on_signals() {
   }
 }
 
+// "PLY, STL or OBJ"
+std::string formats_for(FormatUse use) {
+  std::vector<std::string> names;
+  for (const Format format : all_values<Format>()) {
+    const FormatFacts facts = facts_of(format);
+    if (serves(format, use))
+      names.emplace_back(use == FormatUse::read ? facts.name : facts.written);
+  }
+  return either(names);
+}
+
 // A mesh that is awaited from a terminal looks like a program that hangs.
 void announce_terminal(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
@@ -187,6 +198,14 @@ const CLI::App& parsed_command(const CLI::App& app) {
   const std::vector<const CLI::App*> parsed =
       app.get_subcommands([](const CLI::App* command) { return command->parsed(); });
   return parsed.empty() ? app : *parsed.front();
+}
+
+std::string input_help() {
+  return formats_for(FormatUse::read) + ", also in .gz or .zst; - is standard input";
+}
+
+std::string output_help(FormatUse use) {
+  return formats_for(use) + " by the name's ending, also in .gz or .zst; - is standard output";
 }
 
 std::ostream& report_stream(const std::string& output) {

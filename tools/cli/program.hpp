@@ -44,13 +44,9 @@ class ProgressBar {
 // Error(usage).
 void prepare(Context& context, const CommonOptions& options, const std::string& output);
 
-// What every command says of its input.
-inline constexpr const char* input_help =
-    "PLY, STL, OBJ, OFF, .m or glTF, also in .gz or .zst; - is standard input";
-
-// What every command says of its output.
-inline constexpr const char* output_help =
-    "PLY, STL, OBJ, OFF, .m or GLB by the name's ending, also in .gz or .zst; - is standard output";
+// What every command says of its input, and of its output.
+std::string input_help();
+std::string output_help(FormatUse use = FormatUse::written);
 
 // For reports: standard output, or standard error where standard output carries the mesh.
 std::ostream& report_stream(const std::string& output);

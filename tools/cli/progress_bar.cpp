@@ -175,7 +175,7 @@ struct ProgressBar::State {
           known ? "about " + show_seconds(elapsed * (1 - whole) / whole) + " left" : "";
       line = fitted(head, {left, speed}, whole, columns);
     } else {
-      line = fitted(progress.stage, {show_count(progress.done) + " " + progress.unit, speed}, {},
+      line = fitted(progress.stage, {grouped(progress.done) + " " + progress.unit, speed}, {},
                     columns);
     }
     // One write a line; the rest of an older, longer one is wiped.

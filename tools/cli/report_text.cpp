@@ -73,12 +73,6 @@ void print_failure(const CLI::App& app, const std::string& message, ErrorKind ki
       << text_of(report_of(command, json_of_error(message, kind))) << "\n";
 }
 
-Json json_of_bad_faces(const BadFaces& bad) {
-  return {{"degenerate", bad.degenerate},
-          {"non_finite", bad.non_finite},
-          {"out_of_range", bad.out_of_range}};
-}
-
 void Lines::operator()(const std::string& name, const std::string& text) const {
   out_ << "  " << name << std::string(column_ - std::min(column_ - 1, name.size()), ' ')
        << clean(spoken(text)) << "\n";
@@ -99,8 +93,8 @@ std::string show_time(double seconds, std::uint64_t faces) {
 }
 
 std::string show_memory(std::uint64_t peak, std::uint64_t scratch) {
-  std::string text = show_bytes(peak) + " at its peak";
-  if (scratch > 0) text += ", and " + show_bytes(scratch) + " of scratch";
+  std::string text = human_bytes(peak) + " at its peak";
+  if (scratch > 0) text += ", and " + human_bytes(scratch) + " of scratch";
   return text;
 }
 

@@ -31,20 +31,6 @@ void print(const Json& body, const CommonOptions& common, std::ostream& out);
 // The report of a command that failed; to standard output, unless that was to get a mesh.
 void print_failure(const CLI::App& app, const std::string& message, ErrorKind kind);
 
-Json json_of_bad_faces(const BadFaces& bad);
-
-// How large a written mesh is.
-template <typename Output>
-Json json_of_output(const Output& output, const std::string& name) {
-  Json json{{"file", name},
-            {"format", output.format},
-            {"faces", output.faces},
-            {"vertices", output.vertices},
-            {"bytes", output.bytes}};
-  if constexpr (requires { output.position_error; }) json["position_error"] = output.position_error;
-  return json;
-}
-
 // Lines of a name and what is said of it, which begins in the same column.
 class Lines {
  public:

@@ -27,8 +27,7 @@ void run_simplify(const SimplifyArguments& arguments) {
   Context context;
   prepare(context, arguments.common, arguments.output);
   if (arguments.dry_run) {
-    tell(plan_simplify(context, arguments.inputs, arguments.output, options), arguments.inputs,
-         arguments.output, arguments.common);
+    tell(plan_simplify(context, arguments.inputs, arguments.output, options), arguments.common);
     return;
   }
   SimplifyReport report;
@@ -52,12 +51,12 @@ void add_simplify(CLI::App& app) {
   auto arguments = std::make_shared<SimplifyArguments>();
   CLI::App* command =
       app.add_subcommand("simplify", "Make a mesh of any size small, in bounded memory");
-  command
-      ->add_option("input", arguments->inputs,
-                   std::string(input_help) + "; several files are one model")
+  command->add_option("input", arguments->inputs, input_help() + "; several files are one model")
       ->required()
       ->type_name("IN");
-  command->add_option("-o,--output", arguments->output, output_help)->required()->type_name("OUT");
+  command->add_option("-o,--output", arguments->output, output_help())
+      ->required()
+      ->type_name("OUT");
 
   arguments->options.add_to(*command);
   const std::string killed = "Long runs";

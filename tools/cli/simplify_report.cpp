@@ -5,6 +5,7 @@
 
 #include "numbers.hpp"
 #include "program.hpp"
+#include "report_json.hpp"
 #include "report_text.hpp"
 
 #include <algorithm>
@@ -18,97 +19,16 @@ namespace winnow::cli {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, Refine>, 4> refine_names{
-    {{"none", Refine::none},
-     {"quadric", Refine::quadric},
-     {"volume", Refine::volume},
-     {"importance", Refine::importance}}};
-
-}  // namespace
-
-const char* name_of(Refine refine) {
-  for (const auto& [word, value] : refine_names) {
-    if (refine == value) return word;
-  }
-  return "";
-}
-
-namespace {
-
-Json json_of(const Resumed& resumed) {
-  return {{"clustered", resumed.clustered},
-          {"rounds", resumed.rounds},
-          {"tiles", resumed.tiles},
-          {"written", resumed.written}};
-}
-
-Json json_of(const SurfaceEdges& edges) {
-  return {
-      {"edges", edges.total}, {"boundary", edges.boundary}, {"non_manifold", edges.non_manifold}};
-}
-
-Json json_of(Refine cost) {
-  return name_of(cost);
-}
-
-template <typename Value>
-Json json_of(const Value& value) {
-  return value;
-}
-
-template <typename Value>
-Json json_of(const std::optional<Value>& value) {
-  return value ? json_of(*value) : Json(nullptr);
-}
-
-// Puts every field of a report at its place; a text that is empty is null.
-class JsonFields {
- public:
-  explicit JsonFields(Json& json) : json_(json) {}
-
-  template <typename Value>
-  void operator()(const std::string& path, const Value& value) {
-    at(path) = json_of(value);
-  }
-  void operator()(const std::string& path, const std::string& text) {
-    at(path) = text.empty() ? Json(nullptr) : Json(told(path, text));
-  }
-  void operator()(const std::string& path, const std::vector<std::string>& texts) {
-    at(path) = Json::array();
-    for (const std::string& text : texts) at(path).push_back(told(path, text));
-  }
-
- private:
-  // Names of files are no messages.
-  static std::string told(const std::string& path, const std::string& text) {
-    return path.ends_with("file") || path.ends_with("files") ? text : spoken(text);
-  }
-  Json& at(const std::string& path) {
-    std::string pointer = "/" + path;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    return json_[Json::json_pointer(pointer)];
-  }
-
-  Json& json_;
-};
-
-Json json_of(const SimplifyReport& report) {
-  Json json;
-  for_each_result(report, JsonFields(json));
-  for_each_run_field(report, JsonFields(json));
-  return json;
-}
-
 // What had been done before.
 std::string describe(const Resumed& resumed) {
   if (resumed.written) return "all was done";
   if (!resumed.clustered) return "nothing was done yet";
   std::string text = "the input was read";
   if (resumed.rounds > 0)
-    text += ", " + show_count(resumed.rounds) + (resumed.rounds == 1 ? " round" : " rounds") +
-            " refined";
+    text +=
+        ", " + grouped(resumed.rounds) + (resumed.rounds == 1 ? " round" : " rounds") + " refined";
   if (resumed.tiles > 0)
-    text += ", " + show_count(resumed.tiles) + (resumed.tiles == 1 ? " tile" : " tiles") +
+    text += ", " + grouped(resumed.tiles) + (resumed.tiles == 1 ? " tile" : " tiles") +
             " of the next tried";
   return text;
 }
@@ -119,7 +39,7 @@ std::string describe_lost(const SimplifyReport& report) {
   const auto add = [&](std::uint64_t count, const char* one) {
     if (count == 0) return;
     if (!text.empty()) text += ", ";
-    text += show_count(count) + " " + one + (count == 1 ? "" : "s");
+    text += grouped(count) + " " + one + (count == 1 ? "" : "s");
   };
   add(report.lost.pieces, "piece");
   if (report.lost.pieces > 0) text += " (area " + show_length(report.lost.piece_area) + ")";
@@ -139,8 +59,7 @@ std::string percent(double part) {
 }
 
 std::string describe(const SurfaceEdges& edges) {
-  return show_count(edges.boundary) + " boundary and " + show_count(edges.non_manifold) +
-         " non-manifold";
+  return grouped(edges.boundary) + " boundary and " + grouped(edges.non_manifold) + " non-manifold";
 }
 
 void show(const SimplifyReport& report, std::ostream& out) {
@@ -148,22 +67,22 @@ void show(const SimplifyReport& report, std::ostream& out) {
   const double part = report.input.faces == 0 ? 0
                                               : static_cast<double>(report.output.faces) /
                                                     static_cast<double>(report.input.faces);
-  line("faces", show_count(report.input.faces) + " -> " + show_count(report.output.faces) + "  (" +
+  line("faces", grouped(report.input.faces) + " -> " + grouped(report.output.faces) + "  (" +
                     percent(part) + ")");
-  std::string vertices = show_count(report.output.vertices);
-  if (report.input.vertices > 0) vertices = show_count(report.input.vertices) + " -> " + vertices;
+  std::string vertices = grouped(report.output.vertices);
+  if (report.input.vertices > 0) vertices = grouped(report.input.vertices) + " -> " + vertices;
   line("vertices", vertices);
-  line("file", show_bytes(report.input.bytes) + " -> " + show_bytes(report.output.bytes));
+  line("file", human_bytes(report.input.bytes) + " -> " + human_bytes(report.output.bytes));
   show_quantized(line, report.output.position_error);
   if (report.weld.distance > 0) {
-    line("welded", show_count(report.weld.vertices) + " vertices nearer than " +
+    line("welded", grouped(report.weld.vertices) + " vertices nearer than " +
                        show_length(report.weld.distance) + " to another; " +
-                       show_count(report.weld.faces) + " faces collapsed");
+                       grouped(report.weld.faces) + " faces collapsed");
   }
   const bool refined = report.refine.cost != Refine::none;
   if (report.cell_size > 0) {
     const std::string split = report.split_cells == 0 ? ""
-                                                      : ", " + show_count(report.split_cells) +
+                                                      : ", " + grouped(report.split_cells) +
                                                             " cells split to keep the surface";
     line("cell", show_length(report.cell_size) +
                      (refined ? "  (clustered first" + split + ")"
@@ -176,8 +95,8 @@ void show(const SimplifyReport& report, std::ostream& out) {
                                                           : "only: ") +
                           report.clustered.reason);
   if (refined) {
-    line("refined", show_count(report.refine.collapses) + " edges collapsed by " +
-                        name_of(report.refine.cost) + ", " + show_count(report.refine.tiles) +
+    line("refined", grouped(report.refine.collapses) + " edges collapsed by " +
+                        facts_of(report.refine.cost).name + ", " + grouped(report.refine.tiles) +
                         (report.refine.tiles == 1 ? " tile" : " tiles"));
   }
   if (report.topology.output.total > 0) {
@@ -185,9 +104,9 @@ void show(const SimplifyReport& report, std::ostream& out) {
     if (report.topology.input) edges = describe(*report.topology.input) + " -> " + edges;
     line("edges", edges + (report.topology.closed ? "  (closed)" : "  (not closed)"));
     if (report.topology.output_pieces) {
-      std::string pieces = show_count(*report.topology.output_pieces);
+      std::string pieces = grouped(*report.topology.output_pieces);
       if (report.topology.input_pieces)
-        pieces = show_count(*report.topology.input_pieces) + " -> " + pieces;
+        pieces = grouped(*report.topology.input_pieces) + " -> " + pieces;
       line("pieces", pieces);
     }
     line("area", show_length(report.area.input) + " -> " + show_length(report.area.output));
@@ -200,37 +119,17 @@ void show(const SimplifyReport& report, std::ostream& out) {
   const BadFaces& bad = report.input.bad_faces;
   if (bad.total() > 0) line("bad faces", show_bad_faces(bad));
   if (report.input.cropped_faces > 0)
-    line("cropped",
-         show_count(report.input.cropped_faces) + " faces, not wholly inside of the box");
+    line("cropped", grouped(report.input.cropped_faces) + " faces, not wholly inside of the box");
   if (report.weight_clamped_faces > 0)
-    line("weights", show_count(report.weight_clamped_faces) +
+    line("weights", grouped(report.weight_clamped_faces) +
                         " faces span so many cells that their weight was limited");
   line.notes(report.notes);
 }
 
-Json json_of(const SimplifyPlan& plan, const std::vector<std::string>& inputs,
-             const std::string& output) {
-  const auto optional = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
-  Json memory = Json::object();
-  for (const SimplifyPlan::Part& part : plan.memory) memory[spoken(part.name)] = part.bytes;
-  return {{"input", {{"files", inputs}, {"format", plan.input_format}}},
-          {"output", {{"file", output}, {"format", plan.output_format}}},
-          {"memory", memory},
-          {"smallest_memory", plan.smallest_memory},
-          {"passes", plan.passes},
-          {"clustered",
-           {{"first", optional(plan.clustered)}, {"reason", spoken(plan.clustered_reason)}}},
-          {"faces", optional(plan.faces)},
-          {"vertices", optional(plan.vertices)},
-          {"scratch_worst", optional(plan.scratch_worst)},
-          {"scratch_expected", optional(plan.scratch_expected)},
-          {"seconds_expected", optional(plan.seconds_expected)}};
-}
-
 void show(const SimplifyPlan& plan, std::ostream& out) {
   out << "input\n  faces     "
-      << (plan.faces ? show_count(*plan.faces) : "not known before it is read") << "\n";
-  if (plan.vertices) out << "  vertices  " << show_count(*plan.vertices) << "\n";
+      << (plan.faces ? grouped(*plan.faces) : "not known before it is read") << "\n";
+  if (plan.vertices) out << "  vertices  " << grouped(*plan.vertices) << "\n";
   out << "passes\n";
   for (std::size_t i = 0; i < plan.passes.size(); ++i)
     out << "  " << i + 1 << ". " << plan.passes[i] << "\n";
@@ -241,16 +140,16 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
       << spoken(plan.clustered_reason) << "\n";
   out << "memory\n";
   for (const SimplifyPlan::Part& part : plan.memory) {
-    const std::string size = show_bytes(part.bytes);
+    const std::string size = human_bytes(part.bytes);
     out << "  " << std::string(10 - std::min<std::size_t>(9, size.size()), ' ') << size << "  "
         << spoken(part.name) << "\n";
   }
-  out << "  the smallest budget that works: " << show_bytes(plan.smallest_memory) << "\n";
+  out << "  the smallest budget that works: " << human_bytes(plan.smallest_memory) << "\n";
   if (plan.scratch_worst) {
     out << "scratch\n  ";
     if (plan.scratch_expected)
-      out << "about " << show_bytes(*plan.scratch_expected) << " for a coherent scan, ";
-    out << "never more than " << show_bytes(*plan.scratch_worst) << "\n";
+      out << "about " << human_bytes(*plan.scratch_expected) << " for a coherent scan, ";
+    out << "never more than " << human_bytes(*plan.scratch_worst) << "\n";
   }
   if (plan.seconds_expected)
     out << "time\n  about " << show_seconds(*plan.seconds_expected) << " where the disk keeps up\n";
@@ -261,16 +160,15 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
 void tell(const SimplifyReport& report, const CommonOptions& options) {
   std::ostream& out = report_stream(report.output.name);
   if (options.json) {
-    print(json_of(report), options, out);
+    print(json_of_report(report), options, out);
   } else if (!options.quiet) {
     show(report, out);
   }
 }
 
-void tell(const SimplifyPlan& plan, const std::vector<std::string>& inputs,
-          const std::string& output, const CommonOptions& options) {
+void tell(const SimplifyPlan& plan, const CommonOptions& options) {
   if (options.json) {
-    print(json_of(plan, inputs, output), options, std::cout);
+    print(json_of_report(plan), options, std::cout);
   } else {
     show(plan, std::cout);
   }

@@ -8,7 +8,7 @@
 #include "io/byte_sink.hpp"
 #include "io/job.hpp"
 #include "write/coarse_floats.hpp"
-#include "write/mesh_encoder.hpp"
+#include "write/formats.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +71,7 @@ GenerateReport generate(Context& context, const std::string& output,
   sink.finish();
 
   GenerateReport report;
+  report.name = output;
   report.faces = shape.faces;
   report.vertices = shape.vertices;
   report.bytes = sink.written();

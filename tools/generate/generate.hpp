@@ -6,9 +6,11 @@
 #include <winnow/simplify.hpp>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 
 namespace winnow {
 
@@ -29,10 +31,23 @@ struct GenerateOptions {
 };
 
 struct GenerateReport {
-  std::uint64_t faces = 0, vertices = 0, bytes = 0;
+  std::string name;    // of the output, as it was given
   std::string format;  // as in SimplifyReport
+  std::uint64_t faces = 0, vertices = 0, bytes = 0;
   double seconds = 0;
 };
+
+// Calls field(path, value) for every field, in the order of the JSON report.
+template <typename Report, typename Field>
+requires std::same_as<std::remove_const_t<Report>, GenerateReport>
+void for_each_field(Report& report, Field&& field) {
+  field("file", report.name);
+  field("format", report.format);
+  field("faces", report.faces);
+  field("vertices", report.vertices);
+  field("bytes", report.bytes);
+  field("seconds", report.seconds);
+}
 
 // Writes the surface to `output`, a file's name or "-" for standard output, in bounded memory. The
 // bytes depend on `options` alone. The surface is about 2 units across; its spacing follows from

@@ -18,7 +18,6 @@ OptionValue<GenerateOptions> seed() {
 
 std::span<const Option<GenerateOptions>> generate_options() {
   using Surfaces = std::vector<std::pair<const char*, Surface>>;
-  using Words = std::vector<std::pair<const char*, Format>>;
   static const std::vector<Option<GenerateOptions>> options{
       {"surface", "SURFACE", "",
        "What to make: scan (closed, curved, noisy), terrain (with a boundary) or part (like CAD)",
@@ -36,12 +35,7 @@ std::span<const Option<GenerateOptions>> generate_options() {
        "Add this to every position, as in georeferenced scans; PLY then holds doubles",
        triple<GenerateOptions>(&GenerateOptions::offset, "three numbers like 431000,5412000,300")},
       {"to", "FORMAT", result_group, "Output format, where the name's ending does not tell",
-       choice<GenerateOptions>(&GenerateOptions::to, Words{{"auto", Format::automatic},
-                                                           {"ply", Format::ply},
-                                                           {"stl", Format::stl},
-                                                           {"obj", Format::obj},
-                                                           {"off", Format::off},
-                                                           {"m", Format::m}})},
+       choice<GenerateOptions>(&GenerateOptions::to, format_words(FormatUse::generated))},
       {"force", "", result_group, "Replace the output if it exists",
        flag<GenerateOptions>(&GenerateOptions::force)}};
   return options;

@@ -27,8 +27,7 @@ py::object value_of(const std::string& value) {
   return py::str(value);
 }
 py::object value_of(Refine cost) {
-  constexpr std::array names{"none", "quadric", "volume", "importance"};
-  return py::str(names.at(static_cast<std::size_t>(cost)));
+  return py::str(facts_of(cost).name);
 }
 py::object value_of(const std::vector<std::string>& values) {
   py::list list;
@@ -67,31 +66,30 @@ class Fields {
   void operator()(const std::string& path, const Resumed& resumed) {
     (*this)(path + ".rounds", resumed.rounds);
   }
-  void operator()(const std::string& path, const Distances& distances, double diagonal) {
-    for (const auto& [name, value] :
-         {std::pair{"mean", distances.mean}, std::pair{"rms", distances.rms},
-          std::pair{"max", distances.max}}) {
-      (*this)(path + "." + name, value);
-      (*this)(path + "." + name + "_percent", diagonal > 0 ? 100 * value / diagonal : 0);
+  void operator()(const std::string& path, const InfoReport::Box& box) {
+    (*this)(path + ".min", box.min);
+    (*this)(path + ".max", box.max);
+  }
+  void operator()(const std::string& path, const CompareReport::Limit& limit) {
+    (*this)(path + ".length", limit.length);
+    (*this)(path + ".exceeded", limit.exceeded);
+  }
+  void operator()(const std::string& path, const std::string& text) {
+    set(path, value_of(is_message(path) ? spelled(text) : text));
+  }
+  void operator()(const std::string& path, std::vector<std::string> texts) {
+    if (is_message(path)) {
+      for (std::string& text : texts) text = spelled(text);
     }
-  }
-  void operator()(const std::string& path, const CompareReport::Mesh& mesh) {
-    (*this)(path + ".format", mesh.format);
-    (*this)(path + ".faces", mesh.faces);
-    (*this)(path + ".bad_faces", mesh.bad_faces);
-    (*this)(path + ".area", mesh.area);
-    (*this)(path + ".volume", mesh.volume);
-    (*this)(path + ".samples", mesh.samples);
-  }
-  // Messages.
-  void told(const std::string& path, std::vector<std::string> texts) {
-    for (std::string& text : texts) text = spelled(text);
-    (*this)(path, texts);
+    set(path, value_of(texts));
   }
 
   [[nodiscard]] py::dict dict() const { return root_; }
 
  private:
+  static bool is_message(const std::string& path) {
+    return path.ends_with("notes") || path.ends_with("reason") || path.ends_with("dropped");
+  }
   void set(const std::string& path, const py::object& value) {
     py::dict dict = root_;
     std::size_t begin = 0;
@@ -106,109 +104,26 @@ class Fields {
   py::dict root_;
 };
 
+template <typename Report>
+py::dict dict_by_table(const Report& report) {
+  Fields fields;
+  for_each_field(report, fields);
+  return fields.dict();
+}
+
 }  // namespace
 
 py::dict dict_of(const SimplifyReport& report) {
-  Fields fields;
-  for_each_result(report, fields);
-  for_each_run_field(report, fields);
-  for (const auto& [path, texts] : {std::pair{"missed_by", &report.missed_by},
-                                    std::pair{"attributes.dropped", &report.attributes.dropped},
-                                    std::pair{"notes", &report.notes}})
-    fields.told(path, *texts);
-  fields("clustered.reason", spelled(report.clustered.reason));
-  return fields.dict();
+  return dict_by_table(report);
 }
-
 py::dict dict_of(const ConvertReport& report) {
-  Fields fields;
-  fields("input.format", report.input.format);
-  fields("input.faces", report.input.faces);
-  fields("input.vertices", report.input.vertices);
-  fields("input.bytes", report.input.bytes);
-  fields("input.bad_faces", report.input.bad_faces);
-  fields("output.format", report.output.format);
-  fields("output.faces", report.output.faces);
-  fields("output.vertices", report.output.vertices);
-  fields("output.bytes", report.output.bytes);
-  fields("output.position_error", report.output.position_error);
-  fields("attributes.carried", report.attributes.carried);
-  fields.told("attributes.dropped", report.attributes.dropped);
-  fields("welded", report.welded);
-  fields("doubled_faces", report.doubled_faces);
-  fields("spilled_bytes", report.spilled_bytes);
-  fields("peak_scratch_bytes", report.peak_scratch_bytes);
-  fields("peak_memory_bytes", report.peak_memory_bytes);
-  fields("seconds", report.seconds.total);
-  fields.told("notes", report.notes);
-  return fields.dict();
+  return dict_by_table(report);
 }
-
 py::dict dict_of(const InfoReport& report) {
-  Fields fields;
-  fields("format", report.format);
-  fields("bytes", report.bytes);
-  fields("faces", report.faces);
-  fields("vertices", report.vertices);
-  fields("bad_faces", report.bad_faces);
-  fields("zero_area", report.zero_area);
-  fields("box", std::optional<double>());
-  if (report.has_box) {
-    Fields box;
-    box("min", report.box_min);
-    box("max", report.box_max);
-    fields.dict()["box"] = box.dict();
-  }
-  fields("area", report.area);
-  fields("mean_edge", report.mean_edge);
-  fields("attributes", report.attributes);
-  fields("edges.total", report.edges.total);
-  fields("edges.boundary", report.edges.boundary);
-  fields("edges.non_manifold", report.edges.non_manifold);
-  fields("watertight", report.watertight);
-  fields("parts", report.parts);
-  fields("volume", report.volume);
-  fields("spilled_bytes", report.spilled_bytes);
-  fields("peak_scratch_bytes", report.peak_scratch_bytes);
-  fields("peak_memory_bytes", report.peak_memory_bytes);
-  fields("seconds", report.seconds);
-  fields.told("notes", report.notes);
-  return fields.dict();
+  return dict_by_table(report);
 }
-
 py::dict dict_of(const CompareReport& report) {
-  Fields fields;
-  fields("original", report.original);
-  fields("simplified", report.simplified);
-  fields("diagonal", report.diagonal);
-  fields("distance.forward", report.forward, report.diagonal);
-  fields("distance.backward", report.backward, report.diagonal);
-  fields("distance.symmetric", report.symmetric, report.diagonal);
-  fields("distance.worst", report.worst);
-  fields("fail_above", std::optional<double>());
-  if (report.limit) {
-    Fields limit;
-    limit("length", report.limit->length);
-    limit("exceeded", report.limit->exceeded);
-    fields.dict()["fail_above"] = limit.dict();
-  }
-  fields("normal_deviation.mean", report.normal_deviation.mean);
-  fields("normal_deviation.p95", report.normal_deviation.p95);
-  fields("topology.boundary_edges", report.topology.boundary_edges);
-  fields("topology.non_manifold_edges", report.topology.non_manifold_edges);
-  fields("topology.flipped", report.topology.flipped);
-  fields("topology.degenerate", report.topology.degenerate);
-  fields("topology.duplicate", report.topology.duplicate);
-  fields("topology.components", report.topology.components);
-  fields("smallest_angles.min", report.smallest_angles.min);
-  fields("smallest_angles.mean", report.smallest_angles.mean);
-  fields("smallest_angles.below_10", report.smallest_angles.below_10);
-  fields("area_change", report.area_change);
-  fields("volume_change", report.volume_change);
-  fields("peak_memory_bytes", report.peak_memory_bytes);
-  fields("seconds", report.seconds);
-  fields.told("notes", report.notes);
-  return fields.dict();
+  return dict_by_table(report);
 }
 
 }  // namespace winnow::python

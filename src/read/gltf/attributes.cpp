@@ -11,9 +11,9 @@ namespace {
 constexpr std::array<const char*, 4> light_names{"red", "green", "blue", "alpha"};
 
 // Of which each holds all that those before it hold.
-ScalarType scalar_type(GltfType type) {
-  if (type == GltfType::uint8) return ScalarType::uint8;
-  return type == GltfType::uint16 ? ScalarType::uint16 : ScalarType::float32;
+NumberType scalar_type(GltfType type) {
+  if (type == GltfType::uint8) return NumberType::uint8;
+  return type == GltfType::uint16 ? NumberType::uint16 : NumberType::float32;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ GltfAttributes attributes_of(const GltfDocument& document) {
 AvailableAttributes offer_of(const GltfAttributes& attributes) {
   AvailableAttributes offer;
   for (std::size_t i = 0; i < normal_names.size() && attributes.normals; ++i)
-    offer.scalars.push_back({std::string(normal_names[i]), ScalarType::float32});
+    offer.scalars.push_back({std::string(normal_names[i]), NumberType::float32});
   for (std::size_t i = 0; i < (attributes.alpha ? 4 : 3) && attributes.colors; ++i) {
     offer.scalars.push_back({light_names[i], attributes.color_type,
                              i < 3 ? AttributeKind::light : AttributeKind::value});

@@ -20,7 +20,7 @@ struct GltfAttributes {
   // Normals and colours, where all primitives have them. Colours are of the widest type that any
   // has, and have an alpha if any has.
   bool normals = false, colors = false, alpha = false;
-  ScalarType color_type = ScalarType::uint8;
+  NumberType color_type = NumberType::uint8;
   std::vector<std::string> unread;  // in words
 };
 GltfAttributes attributes_of(const GltfDocument& document);

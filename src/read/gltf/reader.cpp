@@ -182,14 +182,9 @@ class GltfParser {
   std::uint64_t left_over_ = 0;
 };
 
-}  // namespace
-
-AvailableAttributes offer_of_gltf(Job& job, ByteSource& source) {
-  return offer_of(attributes_of(peek_gltf(job, source).document));
-}
-
 std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory, const AttributeRequest& wish) {
+                                      const ReaderMemory& memory, const AttributeRequest& wish,
+                                      bool /*asked*/) {
   const GltfFile file = peek_gltf(job, *source);
   const GltfAttributes attributes = attributes_of(file.document);
   const auto parse = [&](ByteSource& from, std::size_t /*batch_faces*/, BufferedMesh& mesh) {
@@ -201,5 +196,17 @@ std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> sour
                                           file.binary ? "GLB" : "glTF", offer_of(attributes),
                                           parse);
 }
+
+}  // namespace
+
+const InputFormat gltf_input{
+    .reading = Reading::whole_by_parts,
+    .open = open_gltf,
+    .probe =
+        [](Job& job, ByteSource& source, bool /*asked*/, InputProbe& probe) {
+          probe.facts.offer = offer_of(attributes_of(peek_gltf(job, source).document));
+        },
+    .certain = [](std::string_view head) { return head.starts_with("glTF"); },
+    .match = match_gltf};
 
 }  // namespace winnow

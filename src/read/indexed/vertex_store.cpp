@@ -78,11 +78,11 @@ void VertexStore::look_in(const std::byte* records, std::uint64_t count,
   layout_ = layout;
 }
 
-void VertexStore::begin_keeping(bool double_positions, std::span<const ScalarType> attributes) {
+void VertexStore::begin_keeping(bool double_positions, std::span<const NumberType> attributes) {
   const std::size_t size = double_positions ? sizeof(double) : sizeof(float);
   const PlyType type = double_positions ? PlyType::float64 : PlyType::float32;
   layout_ = {3 * size, {0, size, 2 * size}, {type, type, type}, false, {}};
-  for (const ScalarType attribute : attributes) {
+  for (const NumberType attribute : attributes) {
     layout_.attributes.push_back({layout_.stride, attribute});
     layout_.stride += size_of(attribute);
   }
@@ -94,10 +94,10 @@ namespace {
 
 // As a binary file has it: what is not finite stays so where the type can say it. Text may have
 // such where it promised whole numbers.
-void store_real(double value, ScalarType type, std::byte* at) {
-  if (type == ScalarType::float64) {
+void store_real(double value, NumberType type, std::byte* at) {
+  if (type == NumberType::float64) {
     std::memcpy(at, &value, sizeof value);
-  } else if (type == ScalarType::float32) {
+  } else if (type == NumberType::float32) {
     const auto single = static_cast<float>(value);
     std::memcpy(at, &single, sizeof single);
   } else {

@@ -32,7 +32,7 @@ struct VertexLayout {
   bool swapped = false;  // big-endian
   struct Number {
     std::size_t offset;
-    ScalarType type;
+    NumberType type;
   };
   std::vector<Number> attributes{};
 };
@@ -60,7 +60,7 @@ class VertexStore {
 
   // ... or: records handed over one stretch after the other. `attributes`: their types; then come
   // their numbers, as many a vertex.
-  void begin_keeping(bool double_positions, std::span<const ScalarType> attributes = {});
+  void begin_keeping(bool double_positions, std::span<const NumberType> attributes = {});
   void keep(std::span<const double> xyz, std::span<const double> attributes = {});
   void finish_keeping();
 

@@ -223,7 +223,7 @@ const PlyElement* PlyHeader::find(const std::string& element) const {
   return nullptr;
 }
 
-bool match_ply(std::string_view head) {
+bool begins_like_ply(std::string_view head) {
   const std::size_t begin = head.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return false;
   const std::size_t end = head.find_first_of("\r\n", begin);

@@ -1,7 +1,7 @@
 // The header of a PLY file.
 #pragma once
 
-#include "base/scalar_type.hpp"
+#include "base/number_type.hpp"
 #include "io/byte_source.hpp"
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace winnow {
 
-using PlyType = ScalarType;
+using PlyType = NumberType;
 
 struct PlyProperty {
   std::string name;
@@ -45,6 +45,9 @@ struct PlyHeader {
 
   [[nodiscard]] const PlyElement* find(const std::string& element) const;
 };
+
+// Whether the first line is that of one.
+bool begins_like_ply(std::string_view head);
 
 // Reads the header and leaves `source` right behind it. Throws Error(bad_input), naming the line.
 PlyHeader read_ply_header(ByteSource& source);

@@ -375,20 +375,17 @@ class PlyReader final : public IndexedReader {
   std::uint64_t bytes_seen_ = 0;
 };
 
-}  // namespace
-
 std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeRequest& wish) {
+                                     const ReaderMemory& memory, const AttributeRequest& wish,
+                                     bool /*asked*/) {
   return std::make_unique<PlyReader>(job, std::move(source), memory, wish);
 }
 
-InputProbe probe_ply(ByteSource& source, const AttributeRequest& wish) {
+void probe_ply(Job& /*job*/, ByteSource& source, bool /*asked*/, InputProbe& probe) {
   const PlyHeader header = read_ply_header(source);
   source.give_back(header.bytes);
-  InputProbe probe;
   probe.facts = facts_of(header);
   probe.facts.offer = offer_of(header);
-  probe.facts.choice = choose_attributes(wish, probe.facts.offer, source.name());
   const PlyElement* vertex = header.find("vertex");
   probe.vertices_buffered =
       vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
@@ -396,7 +393,11 @@ InputProbe probe_ply(ByteSource& source, const AttributeRequest& wish) {
   const FaceElement faces = find_faces(header, source.name());
   probe.facts.polygons = !surely_triangles(header, faces, source.size());
   probe.faces_buffered = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
-  return probe;
 }
+
+}  // namespace
+
+const InputFormat ply_input{
+    .reading = Reading::vertices, .open = open_ply, .probe = probe_ply, .certain = begins_like_ply};
 
 }  // namespace winnow

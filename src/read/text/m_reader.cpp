@@ -44,8 +44,6 @@ void parse_m(ByteSource& source, std::size_t batch_faces, BufferedMesh& mesh) {
   parse_text({[&](TextBlock& block) { return blocks.next(block); }, parse_m_lines}, mesh);
 }
 
-}  // namespace
-
 TextMatch match_m(std::string_view head) {
   TextLines each(head);
   TextMatch match = TextMatch::first;
@@ -60,9 +58,14 @@ TextMatch match_m(std::string_view head) {
 }
 
 std::unique_ptr<MeshReader> open_m(Job& job, std::unique_ptr<ByteSource> source,
-                                   const ReaderMemory& memory, const AttributeRequest& wish) {
-  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish, "M",
-                                          AvailableAttributes{}, parse_m);
+                                   const ReaderMemory& memory, const AttributeRequest& wish,
+                                   bool /*asked*/) {
+  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish,
+                                          facts_of(Format::m).name, AvailableAttributes{}, parse_m);
 }
+
+}  // namespace
+
+const InputFormat m_input{.reading = Reading::whole, .open = open_m, .match = match_m};
 
 }  // namespace winnow

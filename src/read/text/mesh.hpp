@@ -74,8 +74,8 @@ std::string first_lines(ByteSource& source);
 
 // What vertices carry by the first lines.
 template <AvailableAttributes (*offer)(std::string_view head)>
-AvailableAttributes offer_by_head(Job& /*job*/, ByteSource& source) {
-  return offer(first_lines(source));
+void probe_by_lines(Job& /*job*/, ByteSource& source, bool /*asked*/, InputProbe& probe) {
+  probe.facts.offer = offer(first_lines(source));
 }
 
 // Bytes of text at once, so that a block and what it holds take no more than a batch of faces.

@@ -82,8 +82,6 @@ void parse_obj(ByteSource& source, std::size_t batch_faces, BufferedMesh& mesh) 
       mesh);
 }
 
-}  // namespace
-
 TextMatch match_obj(std::string_view head) {
   TextLines each(head);
   TextMatch match = TextMatch::first;
@@ -113,7 +111,7 @@ AvailableAttributes offer_of_obj(std::string_view head) {
     while (!words.next().empty()) ++numbers;
     if (numbers == 6 || numbers == 7) {
       for (std::size_t i = 0; i < numbers - 3; ++i)
-        offer.scalars.push_back({components.at(i), ScalarType::float32});
+        offer.scalars.push_back({components.at(i), NumberType::float32});
     }
     break;
   }
@@ -121,10 +119,18 @@ AvailableAttributes offer_of_obj(std::string_view head) {
 }
 
 std::unique_ptr<MeshReader> open_obj(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeRequest& wish) {
-  const AvailableAttributes offer = offer_by_head<offer_of_obj>(job, *source);
-  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish, "OBJ", offer,
-                                          parse_obj);
+                                     const ReaderMemory& memory, const AttributeRequest& wish,
+                                     bool /*asked*/) {
+  const AvailableAttributes offer = offer_of_obj(first_lines(*source));
+  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish,
+                                          facts_of(Format::obj).name, offer, parse_obj);
 }
+
+}  // namespace
+
+const InputFormat obj_input{.reading = Reading::whole,
+                            .open = open_obj,
+                            .probe = probe_by_lines<offer_of_obj>,
+                            .match = match_obj};
 
 }  // namespace winnow

@@ -290,8 +290,6 @@ void parse_off(ByteSource& source, std::size_t batch_faces, BufferedMesh& mesh) 
   OffParser(source, batch_faces, mesh).parse();
 }
 
-}  // namespace
-
 TextMatch match_off(std::string_view head) {
   TextLines each(head);
   std::optional<Keyword> keyword;
@@ -322,27 +320,38 @@ AvailableAttributes offer_of_off(std::string_view head) {
   AvailableAttributes offer;
   TextLines each(head);
   Vertices vertices = vertices_of(each);
-  const auto add = [&](const std::vector<const char*>& names, ScalarType type) {
+  const auto add = [&](const std::vector<const char*>& names, NumberType type) {
     for (const char* name : names) offer.scalars.push_back({name, type});
   };
   const Colors colors = colors_of(each, vertices);
   if (!colors.whole_lines) return offer;
-  if (vertices.normals) add({"nx", "ny", "nz"}, ScalarType::float32);
+  if (vertices.normals) add({"nx", "ny", "nz"}, NumberType::float32);
   if (vertices.colors) {
     if (colors.components < 3 || colors.components > 4) return offer;
-    const ScalarType type = colors.bytes ? ScalarType::uint8 : ScalarType::float32;
+    const NumberType type = colors.bytes ? NumberType::uint8 : NumberType::float32;
     add({"red", "green", "blue"}, type);
     if (colors.components == 4) add({"alpha"}, type);
   }
-  if (vertices.texture) add({"s", "t"}, ScalarType::float32);
+  if (vertices.texture) add({"s", "t"}, NumberType::float32);
   return offer;
 }
 
 std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> source,
-                                     const ReaderMemory& memory, const AttributeRequest& wish) {
-  const AvailableAttributes offer = offer_by_head<offer_of_off>(job, *source);
-  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish, "OFF", offer,
-                                          parse_off);
+                                     const ReaderMemory& memory, const AttributeRequest& wish,
+                                     bool /*asked*/) {
+  const AvailableAttributes offer = offer_of_off(first_lines(*source));
+  return std::make_unique<BufferedReader>(job, std::move(source), memory, wish,
+                                          facts_of(Format::off).name, offer, parse_off);
 }
+
+}  // namespace
+
+const InputFormat off_input{
+    .reading = Reading::whole,
+    .open = open_off,
+    .probe = probe_by_lines<offer_of_off>,
+    .certain =
+        [](std::string_view head) { return head.substr(0, 16).find("OFF BINARY") != head.npos; },
+    .match = match_off};
 
 }  // namespace winnow

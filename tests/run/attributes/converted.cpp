@@ -14,11 +14,11 @@ namespace {
 std::vector<Column> all_columns() {
   std::vector<Column> columns = usual_columns();
   columns.insert(columns.begin() + 2,
-                 {"s", ScalarType::float32, [](const Point& p) { return p[0]; }});
-  columns.push_back({"nx", ScalarType::float32, [](const Point& p) { return 3 * p[0]; }});
-  columns.push_back({"ny", ScalarType::float32, [](const Point& p) { return p[1]; }});
-  columns.push_back({"nz", ScalarType::float32, [](const Point&) { return 0; }});
-  columns.push_back({"odd", ScalarType::float64, [](const Point& p) {
+                 {"s", NumberType::float32, [](const Point& p) { return p[0]; }});
+  columns.push_back({"nx", NumberType::float32, [](const Point& p) { return 3 * p[0]; }});
+  columns.push_back({"ny", NumberType::float32, [](const Point& p) { return p[1]; }});
+  columns.push_back({"nz", NumberType::float32, [](const Point&) { return 0; }});
+  columns.push_back({"odd", NumberType::float64, [](const Point& p) {
                        return p[0] > 0.2 ? infinity : p[0] < -0.2 ? nan : 1e300;
                      }});
   return columns;

@@ -27,7 +27,7 @@ struct Parts {
     const AttributedMesh mesh = generated(directory.path(), 20'000);
     write_attributed(whole, mesh, common);
     std::vector<Column> columns = common;
-    columns.push_back({"other_type", ScalarType::float32, [](const Point& p) { return p[0]; }});
+    columns.push_back({"other_type", NumberType::float32, [](const Point& p) { return p[0]; }});
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string& file =
           files.emplace_back(directory.file("part" + std::to_string(i) + ".ply"));
@@ -35,8 +35,8 @@ struct Parts {
                        part_of(mesh, mesh.faces.size() * i / 3, mesh.faces.size() * (i + 1) / 3),
                        columns, i == 1 ? PlyForm::ascii : PlyForm::little_endian);
       if (i == 0) {
-        columns.back().type = ScalarType::float64;
-        columns.push_back({"not_in_all", ScalarType::uint8, [](const Point&) { return 7; }});
+        columns.back().type = NumberType::float64;
+        columns.push_back({"not_in_all", NumberType::uint8, [](const Point&) { return 7; }});
         std::reverse(columns.begin(), columns.end());
       }
     }

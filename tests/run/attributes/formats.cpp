@@ -11,7 +11,7 @@ namespace winnow::test {
 
 namespace {
 
-std::vector<Column> colors_of(ScalarType type) {
+std::vector<Column> colors_of(NumberType type) {
   const double full = is_integer(type) ? 255 : 1;
   const auto wave = [full](double a, double b) {
     return
@@ -21,9 +21,9 @@ std::vector<Column> colors_of(ScalarType type) {
 }
 
 std::vector<Column> normals() {
-  return {{"nx", ScalarType::float32, [](const Point&) { return 0.6; }},
-          {"ny", ScalarType::float32, [](const Point& p) { return p[0] > 0 ? 0.8 : -0.8; }},
-          {"nz", ScalarType::float32, [](const Point&) { return 0.0; }}};
+  return {{"nx", NumberType::float32, [](const Point&) { return 0.6; }},
+          {"ny", NumberType::float32, [](const Point& p) { return p[0] > 0 ? 0.8 : -0.8; }},
+          {"nz", NumberType::float32, [](const Point&) { return 0.0; }}};
 }
 
 struct Case {
@@ -61,10 +61,10 @@ void check_columns(const AttributedMesh& out, const AttributedMesh& in, double f
 
 TEST_CASE("colours go to OBJ and OFF and come back") {
   const Case test;
-  for (const ScalarType type : {ScalarType::uint8, ScalarType::float32}) {
+  for (const NumberType type : {NumberType::uint8, NumberType::float32}) {
     write_attributed(test.file("in.ply"), test.mesh, colors_of(type));
     const AttributedMesh in = read_attributed(test.file("in.ply"));
-    const double full = type == ScalarType::uint8 ? 255 : 1;
+    const double full = type == NumberType::uint8 ? 255 : 1;
     CHECK(test.all("in.ply", "out.obj").json()["attributes"]["dropped"].empty());
     CHECK(test.all("out.obj", "back.ply").json()["attributes"]["carried"] ==
           nlohmann::json{"red (float)", "green (float)", "blue (float)"});
@@ -87,7 +87,7 @@ TEST_CASE("colours go to OBJ and OFF and come back") {
 TEST_CASE("normals that are carried are those that OBJ OFF and GLB get") {
   const Case test;
   std::vector<Column> columns = normals();
-  for (const Column& color : colors_of(ScalarType::uint8)) columns.push_back(color);
+  for (const Column& color : colors_of(NumberType::uint8)) columns.push_back(color);
   write_attributed(test.file("in.ply"), test.mesh, columns);
   const AttributedMesh in = read_attributed(test.file("in.ply"));
   CHECK(test.all("in.ply", "out.off").json()["attributes"]["carried"].size() == 6);
@@ -106,10 +106,10 @@ TEST_CASE("normals that are carried are those that OBJ OFF and GLB get") {
 TEST_CASE("eight bits of colour become sixteen of light in a GLB", "[same_bytes]") {
   const Case test;
   for (const bool alpha : {false, true}) {
-    std::vector<Column> columns = colors_of(ScalarType::uint8);
+    std::vector<Column> columns = colors_of(NumberType::uint8);
     if (alpha)
       columns.push_back(
-          {"alpha", ScalarType::uint8, [](const Point& p) { return 255 * std::abs(p[0]); }});
+          {"alpha", NumberType::uint8, [](const Point& p) { return 255 * std::abs(p[0]); }});
     write_attributed(test.file("in.ply"), test.mesh, columns);
     const AttributedMesh in = read_attributed(test.file("in.ply"));
     std::map<std::array<float, 3>, std::size_t> at;
@@ -164,9 +164,9 @@ TEST_CASE("what OBJ OFF .m and GLB cannot hold is told") {
 
 TEST_CASE("an alpha without a colour goes to no format that has it only with one") {
   const Case test;
-  std::vector<Column> columns{{"alpha", ScalarType::uint8, [](const Point&) { return 7; }}};
+  std::vector<Column> columns{{"alpha", NumberType::uint8, [](const Point&) { return 7; }}};
   write_attributed(test.file("alone.ply"), test.mesh, columns);
-  columns.push_back({"red", ScalarType::uint8, [](const Point&) { return 9; }});
+  columns.push_back({"red", NumberType::uint8, [](const Point&) { return 9; }});
   write_attributed(test.file("in.ply"), test.mesh, columns);
   const nlohmann::json told{
       "the output's format holds no attributes but normals and colours: alpha"};

@@ -16,16 +16,16 @@ namespace winnow::test {
 
 namespace {
 
-std::vector<Column> columns_of(ScalarType type, bool alpha) {
+std::vector<Column> columns_of(NumberType type, bool alpha) {
   const double full = full_component(type);
   const auto wave = [full](double a, double b) {
     return
         [full, a, b](const Point& p) { return full * (0.5 + 0.5 * std::sin(a * p[0] + b * p[1])); };
   };
   std::vector<Column> columns{
-      {"nx", ScalarType::float32, [](const Point&) { return 0.6; }},
-      {"ny", ScalarType::float32, [](const Point& p) { return p[0] > 0 ? 0.8 : -0.8; }},
-      {"nz", ScalarType::float32, [](const Point&) { return 0.0; }},
+      {"nx", NumberType::float32, [](const Point&) { return 0.6; }},
+      {"ny", NumberType::float32, [](const Point& p) { return p[0] > 0 ? 0.8 : -0.8; }},
+      {"nz", NumberType::float32, [](const Point&) { return 0.0; }},
       {"red", type, wave(3, 20)},
       {"green", type, wave(31, 7)},
       {"blue", type, wave(2, 9)}};
@@ -77,8 +77,8 @@ GltfBuilder colored_triangles(const std::vector<std::uint8_t>& bytes) {
 }  // namespace
 
 TEST_CASE("a PLY that goes through a GLB keeps its normals and colours", "[same_bytes]") {
-  for (const ScalarType type : {ScalarType::uint8, ScalarType::uint16, ScalarType::float32}) {
-    const bool alpha = type != ScalarType::float32;
+  for (const NumberType type : {NumberType::uint8, NumberType::uint16, NumberType::float32}) {
+    const bool alpha = type != NumberType::float32;
     const Case test(3000, columns_of(type, alpha));
     const std::string glb = test.converted("in.ply", "out.glb");
     // Once more nothing changes, and packed no more than the order.
@@ -97,7 +97,7 @@ TEST_CASE("a PLY that goes through a GLB keeps its normals and colours", "[same_
       const bool normal = name[0] == 'n';
       const double full = normal ? 1 : full_component(type);
       // Sixteen bits of light hold all of eight of colour; of more, floats do.
-      const double full_back = !normal && type == ScalarType::uint8 ? 65535 : 1;
+      const double full_back = !normal && type == NumberType::uint8 ? 65535 : 1;
       const std::vector<double>& found = back.columns.at(name);
       double worst = 0;
       for (std::size_t v = 0; v < numbers.size(); ++v) {
@@ -147,7 +147,7 @@ TEST_CASE("eight bits of light of a GLB stay what they are, and become eight bit
 }
 
 TEST_CASE("a GLB and a PLY carry colours together where they are of one type", "[same_bytes]") {
-  const Case test(4000, columns_of(ScalarType::float32, false));
+  const Case test(4000, columns_of(NumberType::float32, false));
   test.converted("in.ply", "same.glb");
   // The first says in which order, and whether it is light; both say the same colours.
   const Words options{"--cell", "0.02", "--json"};
@@ -176,7 +176,7 @@ TEST_CASE("a GLB and a PLY carry colours together where they are of one type", "
 
 TEST_CASE("attributes of a GLB are the same from files and pipes, and within the budget",
           "[same_bytes][budget]") {
-  const Case test(80'000, columns_of(ScalarType::uint8, true));
+  const Case test(80'000, columns_of(NumberType::uint8, true));
   test.converted("in.ply", "in.glb");
   const std::string input = test.file("in.glb");
   const Words options{"--faces", "10k"};

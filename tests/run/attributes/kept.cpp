@@ -17,24 +17,24 @@ std::vector<Column> all_types() {
     return [factor](const Point& p) { return factor * std::sin(40 * p[0] + 9 * p[1]); };
   };
   return {
-      {"nx", ScalarType::float32, [](const Point&) { return 0.6; }},
-      {"ny", ScalarType::float32, [](const Point& p) { return p[0] > 0 ? 0.8 : -0.8; }},
-      {"nz", ScalarType::float32, [](const Point&) { return 0.0; }},
-      {"red", ScalarType::uint8,
+      {"nx", NumberType::float32, [](const Point&) { return 0.6; }},
+      {"ny", NumberType::float32, [](const Point& p) { return p[0] > 0 ? 0.8 : -0.8; }},
+      {"nz", NumberType::float32, [](const Point&) { return 0.0; }},
+      {"red", NumberType::uint8,
        [](const Point& p) { return std::abs(255 * std::sin(90 * p[0])); }},
-      {"green", ScalarType::uint16,
+      {"green", NumberType::uint16,
        [](const Point& p) { return std::abs(65535 * std::sin(90 * p[0])); }},
-      {"blue", ScalarType::float32, [](const Point& p) { return std::abs(std::sin(90 * p[0])); }},
-      {"i1", ScalarType::int8, some(127)},
-      {"u1", ScalarType::uint8, [](const Point& p) { return std::abs(255 * std::sin(50 * p[2])); }},
-      {"i2", ScalarType::int16, some(32767)},
-      {"u2", ScalarType::uint16,
+      {"blue", NumberType::float32, [](const Point& p) { return std::abs(std::sin(90 * p[0])); }},
+      {"i1", NumberType::int8, some(127)},
+      {"u1", NumberType::uint8, [](const Point& p) { return std::abs(255 * std::sin(50 * p[2])); }},
+      {"i2", NumberType::int16, some(32767)},
+      {"u2", NumberType::uint16,
        [](const Point& p) { return std::abs(65535 * std::sin(50 * p[2])); }},
-      {"i4", ScalarType::int32, some(2147483647)},
-      {"u4", ScalarType::uint32,
+      {"i4", NumberType::int32, some(2147483647)},
+      {"u4", NumberType::uint32,
        [](const Point& p) { return std::abs(4294967295 * std::sin(50 * p[2])); }},
-      {"f4", ScalarType::float32, some(1e30)},
-      {"f8", ScalarType::float64,
+      {"f4", NumberType::float32, some(1e30)},
+      {"f8", NumberType::float64,
        [](const Point& p) { return 1e250 * (2 + std::sin(50 * p[2])); }}};
 }
 
@@ -117,9 +117,9 @@ TEST_CASE("normals in whole numbers are carried, and no others stand beside them
   const std::string out = directory.file("out.ply");
   const auto always = [](double value) { return [value](const Point&) { return value; }; };
   write_attributed(in, generated(directory.path(), 4000),
-                   {{"nx", ScalarType::int8, always(0)},
-                    {"ny", ScalarType::int8, always(0)},
-                    {"nz", ScalarType::int8, always(127)}});
+                   {{"nx", NumberType::int8, always(0)},
+                    {"ny", NumberType::int8, always(0)},
+                    {"nz", NumberType::int8, always(127)}});
   const std::vector<std::string> position{"float x", "float y", "float z"};
   winnow_ok({"simplify", in, "-o", out, "--faces", "500", "-q", "--force"});
   CHECK(read_attributed(out).properties == position + Words{"char nx", "char ny", "char nz"});
@@ -134,10 +134,10 @@ TEST_CASE("of a name that a file has twice the number of the common type is carr
   const std::string one = directory.file("one.ply");
   const std::string two = directory.file("two.ply");
   const std::string out = directory.file("out.ply");
-  write_attributed(one, mesh, {{"red", ScalarType::uint8, always(200)}});
+  write_attributed(one, mesh, {{"red", NumberType::uint8, always(200)}});
   write_attributed(
       two, mesh,
-      {{"red", ScalarType::float32, always(1e12)}, {"red", ScalarType::uint8, always(200)}});
+      {{"red", NumberType::float32, always(1e12)}, {"red", NumberType::uint8, always(200)}});
   for (const Words& inputs : {Words{one, two}, Words{two, one}}) {
     winnow_ok(Words{"simplify"} + inputs + Words{"-o", out, "--faces", "500", "-q", "--force"});
     const std::vector<double> red = read_attributed(out).columns.at("red");

@@ -50,15 +50,15 @@ TEST_CASE("no label comes out that did not go in") {
   const Directory directory;
   const AttributedMesh mesh = generated(directory.path(), 60'000);
   const std::string input = directory.file("in.ply");
-  const std::vector<std::pair<std::string, ScalarType>> labels{
-      {"label", ScalarType::int32},
-      {"object_id", ScalarType::uint32},
-      {"classification", ScalarType::uint8},
-      {"Segment", ScalarType::int16},
-      {"flags", ScalarType::uint16}};
+  const std::vector<std::pair<std::string, NumberType>> labels{
+      {"label", NumberType::int32},
+      {"object_id", NumberType::uint32},
+      {"classification", NumberType::uint8},
+      {"Segment", NumberType::int16},
+      {"flags", NumberType::uint16}};
   std::vector<Column> columns;
   for (const auto& [name, type] : labels) {
-    const bool small = type == ScalarType::uint8;
+    const bool small = type == NumberType::uint8;
     columns.push_back(
         {name, type, [small](const Point& p) { return small ? octant(p) / 8 : octant(p); }});
   }
@@ -91,10 +91,10 @@ TEST_CASE("a number that says there is no data takes no part in means") {
     return p[0] > 0.3 || (static_cast<int>(1e5 * p[1]) & 3) == 0 ? -9999 : p[2];
   };
   write_attributed(input, mesh,
-                   {{"height", ScalarType::float32, holes}, {"exact", ScalarType::float64, holes}});
+                   {{"height", NumberType::float32, holes}, {"exact", NumberType::float64, holes}});
   write_attributed(
       whole, mesh,
-      {{"height", ScalarType::float32, height}, {"exact", ScalarType::float64, height}});
+      {{"height", NumberType::float32, height}, {"exact", NumberType::float64, height}});
   for (SimplifyOptions options : label_ways()) {
     options.nodata = -9999;
     const AttributedMesh out = simplified(input, directory.file("out.ply"), options);

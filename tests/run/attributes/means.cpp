@@ -45,18 +45,18 @@ double largest_difference(const AttributedMesh& mesh, const std::string& name,
 TEST_CASE("a constant attribute stays what it is") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
-  const auto constant = [](const std::string& name, ScalarType type, double value) {
+  const auto constant = [](const std::string& name, NumberType type, double value) {
     return Column{name, type, [value](const Point&) { return value; }};
   };
-  const std::vector<Column> columns{constant("nx", ScalarType::float64, 0.48),
-                                    constant("ny", ScalarType::float64, 0.6),
-                                    constant("nz", ScalarType::float64, 0.64),
-                                    constant("red", ScalarType::uint8, 77),
-                                    constant("green", ScalarType::uint16, 54321),
-                                    constant("blue", ScalarType::float32, 0.7F),
-                                    constant("label", ScalarType::uint32, 4000000001),
-                                    constant("small", ScalarType::float64, 1.1e-300),
-                                    constant("large", ScalarType::float64, -1.7e308)};
+  const std::vector<Column> columns{constant("nx", NumberType::float64, 0.48),
+                                    constant("ny", NumberType::float64, 0.6),
+                                    constant("nz", NumberType::float64, 0.64),
+                                    constant("red", NumberType::uint8, 77),
+                                    constant("green", NumberType::uint16, 54321),
+                                    constant("blue", NumberType::float32, 0.7F),
+                                    constant("label", NumberType::uint32, 4000000001),
+                                    constant("small", NumberType::float64, 1.1e-300),
+                                    constant("large", NumberType::float64, -1.7e308)};
   write_attributed(in, generated(directory.path(), 80'000), columns);
   for (const Words& way : ways()) {
     const AttributedMesh mesh = simplified_mesh(directory, in, way);
@@ -72,7 +72,7 @@ TEST_CASE("a linear attribute stays near its line") {
   const std::string in = directory.file("in.ply");
   const auto line = [](const Point& p) { return 3 * p[0] - 2 * p[1] + p[2]; };
   const double slope = std::sqrt(14.0);
-  write_attributed(in, generated(directory.path(), 80'000), {{"line", ScalarType::float64, line}});
+  write_attributed(in, generated(directory.path(), 80'000), {{"line", NumberType::float64, line}});
   const AttributedMesh whole = read_attributed(in);
   for (const Words& way : ways()) {
     INFO(joined(way));
@@ -98,7 +98,7 @@ TEST_CASE("the mean of the light is kept") {
   const auto grain = [](const Point& p) {
     return std::sin(2000 * p[0]) * std::sin(3000 * p[1] + 2500 * p[2]) > 0 ? 255.0 : 0.0;
   };
-  write_attributed(in, generated(directory.path(), 80'000), {{"red", ScalarType::uint8, grain}});
+  write_attributed(in, generated(directory.path(), 80'000), {{"red", NumberType::uint8, grain}});
   const auto light = [](double x) { return light_of_component(x / 255); };
   const double before = mean_over_surface(read_attributed(in), "red", light);
   CHECK(before == Approx(0.5).margin(0.05));
@@ -120,7 +120,7 @@ TEST_CASE("numbers that are none are counted and left out of means") {
     if (p[2] > 0.1) return static_cast<double>(std::numeric_limits<float>::lowest());
     return p[1] > 0 ? infinity : nan;
   };
-  write_attributed(in, mesh, {{"quality", ScalarType::float32, spoilt}});
+  write_attributed(in, mesh, {{"quality", NumberType::float32, spoilt}});
   REQUIRE(count > 1000);
   const std::string out = directory.file("out.ply");
   for (const std::string& input : {in, zstd_file(in)}) {

@@ -22,7 +22,7 @@ std::vector<Column> one_color(double full, const std::array<const char*, 3>& nam
   const std::array<double, 3> color{0.8, 0.4, 0.2};
   for (std::size_t i = 0; i < 3; ++i)
     columns.push_back(
-        {names[i], ScalarType::float32, [=](const Point&) { return color[i] * full; }});
+        {names[i], NumberType::float32, [=](const Point&) { return color[i] * full; }});
   return columns;
 }
 

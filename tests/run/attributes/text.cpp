@@ -9,8 +9,8 @@ TEST_CASE("attributes written as text are read as the same numbers") {
   const std::string in = directory.file("in.ply");
   const std::string text = directory.file("text.ply");
   std::vector<Column> columns = usual_columns();
-  columns.push_back({"low", ScalarType::int8, [](const Point& p) { return 100 * p[0]; }});
-  columns.push_back({"count", ScalarType::uint16, [](const Point&) { return 65535; }});
+  columns.push_back({"low", NumberType::int8, [](const Point& p) { return 100 * p[0]; }});
+  columns.push_back({"count", NumberType::uint16, [](const Point&) { return 65535; }});
   write_attributed(in, generated(directory.path(), 4000), columns);
   const std::string binary = directory.file("binary.ply");
   const Words options{"--faces", "1000", "-q"};

@@ -1,5 +1,5 @@
 // Numbers are written as the nearest that their type has.
-#include "base/scalar_type.hpp"
+#include "base/number_type.hpp"
 
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace winnow {
 namespace {
 
 template <typename Number>
-Number stored(double value, ScalarType type) {
+Number stored(double value, NumberType type) {
   REQUIRE(size_of(type) == sizeof(Number));
   std::array<std::byte, sizeof(Number)> bytes{};
   store_rounded(value, type, bytes.data());
@@ -23,7 +23,7 @@ Number stored(double value, ScalarType type) {
 }
 
 template <typename Number>
-void check_whole(ScalarType type) {
+void check_whole(NumberType type) {
   using Limits = std::numeric_limits<Number>;
   CHECK(is_integer(type));
   CHECK(stored<Number>(1e300, type) == Limits::max());
@@ -38,24 +38,24 @@ void check_whole(ScalarType type) {
 }  // namespace
 
 TEST_CASE("whole numbers are rounded to the nearest and end at their type's ends") {
-  check_whole<std::int8_t>(ScalarType::int8);
-  check_whole<std::uint8_t>(ScalarType::uint8);
-  check_whole<std::int16_t>(ScalarType::int16);
-  check_whole<std::uint16_t>(ScalarType::uint16);
-  check_whole<std::int32_t>(ScalarType::int32);
-  check_whole<std::uint32_t>(ScalarType::uint32);
+  check_whole<std::int8_t>(NumberType::int8);
+  check_whole<std::uint8_t>(NumberType::uint8);
+  check_whole<std::int16_t>(NumberType::int16);
+  check_whole<std::uint16_t>(NumberType::uint16);
+  check_whole<std::int32_t>(NumberType::int32);
+  check_whole<std::uint32_t>(NumberType::uint32);
 }
 
 TEST_CASE("real numbers are rounded to the nearest and stay finite, or what they are") {
-  CHECK(stored<float>(0.1, ScalarType::float32) == 0.1F);
-  CHECK(stored<float>(1e300, ScalarType::float32) == std::numeric_limits<float>::max());
-  CHECK(stored<double>(0.1, ScalarType::float64) == 0.1);
+  CHECK(stored<float>(0.1, NumberType::float32) == 0.1F);
+  CHECK(stored<float>(1e300, NumberType::float32) == std::numeric_limits<float>::max());
+  CHECK(stored<double>(0.1, NumberType::float64) == 0.1);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  CHECK(stored<float>(-infinity, ScalarType::float32) == -std::numeric_limits<float>::infinity());
-  CHECK(stored<double>(infinity, ScalarType::float64) == infinity);
-  CHECK(std::isnan(stored<float>(std::nan(""), ScalarType::float32)));
-  CHECK(stored<std::int16_t>(std::nan(""), ScalarType::int16) == 0);
-  CHECK(stored<std::int16_t>(infinity, ScalarType::int16) == 32767);
+  CHECK(stored<float>(-infinity, NumberType::float32) == -std::numeric_limits<float>::infinity());
+  CHECK(stored<double>(infinity, NumberType::float64) == infinity);
+  CHECK(std::isnan(stored<float>(std::nan(""), NumberType::float32)));
+  CHECK(stored<std::int16_t>(std::nan(""), NumberType::int16) == 0);
+  CHECK(stored<std::int16_t>(infinity, NumberType::int16) == 32767);
 }
 
 }  // namespace winnow

@@ -1,4 +1,4 @@
-#include "base/scalar_type.hpp"
+#include "base/number_type.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,14 +14,16 @@ struct TypeFacts {
   const char* name;
   std::size_t size;
 };
-constexpr std::array<TypeFacts, 8> facts{{{"char", 1},
-                                          {"uchar", 1},
-                                          {"short", 2},
-                                          {"ushort", 2},
-                                          {"int", 4},
-                                          {"uint", 4},
-                                          {"float", 4},
-                                          {"double", 8}}};
+constexpr std::array<TypeFacts, 10> facts{{{"char", 1},
+                                           {"uchar", 1},
+                                           {"short", 2},
+                                           {"ushort", 2},
+                                           {"int", 4},
+                                           {"uint", 4},
+                                           {"int64", 8},
+                                           {"uint64", 8},
+                                           {"float", 4},
+                                           {"double", 8}}};
 
 template <typename Number>
 void store(double value, std::byte* at) {
@@ -39,17 +41,20 @@ void store(double value, std::byte* at) {
 
 }  // namespace
 
-std::size_t size_of(ScalarType type) {
+std::size_t size_of(NumberType type) {
   return facts.at(static_cast<std::size_t>(type)).size;
 }
-bool is_integer(ScalarType type) {
-  return type != ScalarType::float32 && type != ScalarType::float64;
+bool is_integer(NumberType type) {
+  return type != NumberType::float32 && type != NumberType::float64;
 }
-const char* name_of(ScalarType type) {
+bool is_wide_integer(NumberType type) {
+  return type == NumberType::int64 || type == NumberType::uint64;
+}
+const char* name_of(NumberType type) {
   return facts.at(static_cast<std::size_t>(type)).name;
 }
 
-void store_rounded(double value, ScalarType type, std::byte* at) {
+void store_rounded(double value, NumberType type, std::byte* at) {
   with_type(type, [&]<typename Number>(Number) { store<Number>(value, at); });
 }
 
