@@ -22,8 +22,6 @@
 //   went;
 // - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price,
 //   asked for where place() gave one that is not legal;
-// - void price_edges(faces, edges): adds all edges that may be collapsed to a PricedEdges; with it
-//   most collapses are made without a queue, which takes closer_price(), too;
 // - double closer_price(now, star, price): what place() found, looked at more closely, `price` or
 //   more, and infinity where it may not be; asked before every collapse, of one that is legal.
 #pragma once
@@ -32,7 +30,6 @@
 #include "decimate/legality.hpp"
 #include "decimate/piece.hpp"
 #include "decimate/price_queue.hpp"
-#include "decimate/priced_edges.hpp"
 #include "decimate/tile_mesh.hpp"
 
 #include <algorithm>
@@ -167,9 +164,11 @@ struct CollapseRules {
 struct CollapseLimits {
   std::uint64_t faces = 0;
   double price = std::numeric_limits<double>::infinity();
-  // So far without a queue, which is faster: a little beyond both of the others, and not quite in
-  // the order of prices.
+  // So far without a queue, which is faster: not quite in the order of prices.
   std::uint64_t sweeps_to = std::numeric_limits<std::uint64_t>::max();
+  double sweeps_price = std::numeric_limits<double>::infinity();
+  // With so many faces left sweeps begin to be finer.
+  std::uint64_t fine_from = 0;
 };
 
 // One collapse that was done. `price` is the highest so far: it never falls.
@@ -183,28 +182,22 @@ struct DoneCollapse {
 template <typename Cost>
 class Collapser {
  public:
-  Collapser(TileMesh& mesh, Cost& cost, const CollapseRules& rules)
+  // `highest`: the highest price of what was collapsed before.
+  Collapser(TileMesh& mesh, Cost& cost, const CollapseRules& rules, double highest = 0)
       : mesh_(mesh),
         cost_(cost),
         rules_(rules),
         legality_(mesh, rules.least_cosine),
-        star_(rules.rounding) {}
+        star_(rules.rounding),
+        highest_(highest) {}
 
   // Bytes in use at the most, besides the mesh and the cost.
-  static constexpr std::uint64_t memory(std::uint64_t vertices) {
-    // Two faces a vertex.
-    const std::uint64_t sweeps =
-        PricedEdges::memory(vertices) + vertices * (2 * sizeof(FaceNumber) + sizeof(std::uint32_t));
-    return knows_sweeps ? std::max(sweeps, Offers::memory(vertices)) : Offers::memory(vertices);
-  }
+  static constexpr std::uint64_t memory(std::uint64_t vertices) { return Offers::memory(vertices); }
 
   // Tells `done` of every collapse, while its faces are there where it is a piece that goes. `turn`
   // comes now and then, also where nothing can be collapsed.
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) {
-    if constexpr (knows_sweeps) {
-      if (!rules_.free_topology && mesh_.hubs() == 0 && run_sweeps(limits, done, turn)) return;
-    }
     offers_ = Offers(mesh_.vertex_count());
     for (VertexNumber v = 0; v < mesh_.vertex_count(); ++v)
       offers_.append(v, cost_.best(v, Candidate::none_yet()));
@@ -259,65 +252,6 @@ class Collapser {
 
  private:
   static constexpr std::uint32_t turns_between = 1024;
-  // Of the proposed edges those that a sweep looks at: with more the order of prices is lost, with
-  // fewer there are more sweeps (bench/RESULTS.md).
-  static constexpr double share_of_sweep = 0.4;
-  // Beside the dearest that a sweep looks at, how dear an edge may be that turns out to be dearer.
-  static constexpr double closer_bound = 0.25;
-  // A sweep is the last that collapses no more than one in so many of these.
-  static constexpr std::size_t worth_a_sweep = 8;
-
-  static constexpr bool knows_sweeps = requires(Cost cost, PricedEdges& edges) {
-    cost.price_edges(std::span<const FaceNumber>{}, edges);
-  };
-
-  // In each sweep all edges get their prices, and of the cheapest those are collapsed that are at
-  // no vertex of one before. True where nothing is left to do.
-  bool run_sweeps(const CollapseLimits& limits,
-                  const std::function<void(const DoneCollapse&)>& done,
-                  const std::function<void()>& turn) {
-    const std::uint64_t least = std::max(limits.faces, limits.sweeps_to);
-    if (mesh_.live_faces() <= least) return mesh_.live_faces() <= limits.faces;
-    std::vector<FaceNumber> faces;
-    faces.reserve(mesh_.live_faces());
-    for (FaceNumber f = 0; f < mesh_.face_count(); ++f) {
-      if (!mesh_.removed(f)) faces.push_back(f);
-    }
-    std::vector<std::uint32_t> last_sweep(mesh_.vertex_count(), 0);  // that met the vertex
-    PricedEdges edges(mesh_.vertex_count());
-    std::uint32_t turns = 0;
-    for (std::uint32_t sweep = 1; mesh_.live_faces() > least; ++sweep) {
-      cost_.price_edges(faces, edges);
-      const auto share =
-          static_cast<std::uint64_t>(share_of_sweep * static_cast<double>(edges.propose()));
-      const auto [cheapest, bound] =
-          edges.cheapest(std::min(share, (mesh_.live_faces() - limits.sweeps_to) / 2 + 1));
-      std::size_t made = 0;
-      for (const std::uint32_t number : cheapest) {
-        if (turns++ % turns_between == 0 && turn) turn();
-        if (mesh_.live_faces() <= least) break;
-        const FaceEdge told = FaceEdge::of(number);
-        if (mesh_.removed(told.face)) continue;
-        const auto [low, high] = told.ends(mesh_);
-        if (last_sweep[low] == sweep || last_sweep[high] == sweep) continue;
-        if (mesh_.degree(low) + mesh_.degree(high) > most_faces_beside_hubs) continue;
-        PricedCollapse now = cost_.place(low, high);
-        if (!(now.price < bound) || !judge(now).allowed) continue;
-        const double closer = cost_.closer_price(now, star_, now.price);
-        if (closer > now.price && !(closer < closer_bound * bound)) continue;
-        last_sweep[low] = last_sweep[high] = sweep;
-        const unsigned gone = collapse(now, now.price);
-        cost_.collapsed(now.edge);
-        done({now.edge, highest_, gone, cost_.largest_error()});
-        ++made;
-      }
-      if (bound > limits.price) return true;
-      if (made <= cheapest.size() / worth_a_sweep) break;
-      std::erase_if(faces, [this](FaceNumber f) { return mesh_.removed(f); });
-    }
-    return mesh_.live_faces() <= limits.faces;
-  }
-
   // The edge of star_. How many faces went.
   unsigned collapse(const PricedCollapse& now, double price) {
     highest_ = std::max(highest_, price);
@@ -433,7 +367,7 @@ class Collapser {
   SurfaceChange change_;
   std::vector<FaceVertices> gone_;
   TopologyChanges changes_;
-  double highest_ = 0;
+  double highest_;
 };
 
 }  // namespace winnow

@@ -6,11 +6,16 @@
 #include "decimate/importance_cost.hpp"
 #include "decimate/quadric_cost.hpp"
 #include "decimate/quadric_placement.hpp"
+#include "decimate/sweeps.hpp"
 #include "decimate/volume_cost.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace winnow {
@@ -22,7 +27,8 @@ CollapseRules rules_of(const DecimationSettings& settings) {
   return {settings.least_cosine, rounding, settings.keep_pieces, settings.free_topology};
 }
 
-// By a cost that knows the mesh alone: made when it is needed, by make(mesh).
+// By a cost that knows the mesh alone: made when it is needed, by make(mesh); or by
+// make(mesh, swept) where sweeps have been at the mesh, those of make.sweeps(mesh, rules).
 template <typename MakeCost>
 class MemorylessDecimation final : public Decimation {
  public:
@@ -34,12 +40,18 @@ class MemorylessDecimation final : public Decimation {
 
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) override {
+    if constexpr (requires { make_.sweeps(mesh_, rules_of(settings_)); }) {
+      if (!settings_.free_topology) {
+        std::optional<Swept> swept =
+            sweep(make_.sweeps(mesh_, rules_of(settings_)), limits, done, turn);
+        if (!swept) return;
+        const double highest = swept->highest_price;
+        mesh_.link();
+        return choose(make_(mesh_, std::move(*swept)), highest, limits, done, turn);
+      }
+    }
     mesh_.link();
-    auto cost = make_(mesh_);
-    Collapser collapser(mesh_, cost, rules_of(settings_));
-    collapser.run(limits, counting(mesh_, done), turn);
-    add(collapser.changes());
-    largest_error_ = cost.largest_error();
+    choose(make_(mesh_), 0, limits, done, turn);
   }
   void repeat(std::span<const Collapse> edges) override {
     const auto of_piece = [](const Collapse& edge) { return edge.of_piece(); };
@@ -53,6 +65,25 @@ class MemorylessDecimation final : public Decimation {
   [[nodiscard]] double largest_error() const override { return largest_error_; }
 
  private:
+  // None where nothing is left to do.
+  std::optional<Swept> sweep(Sweeps sweeps, const CollapseLimits& limits,
+                             const std::function<void(const DoneCollapse&)>& done,
+                             const std::function<void()>& turn) {
+    const bool ready = sweeps.run(limits, done, turn);
+    largest_error_ = std::sqrt(sweeps.largest_square());
+    if (ready) return std::nullopt;
+    return std::move(sweeps).hand_on();
+  }
+  // In the order of prices.
+  template <typename Cost>
+  void choose(Cost cost, double highest, const CollapseLimits& limits,
+              const std::function<void(const DoneCollapse&)>& done,
+              const std::function<void()>& turn) {
+    Collapser collapser(mesh_, cost, rules_of(settings_), highest);
+    collapser.run(limits, counting(mesh_, done), turn);
+    add(collapser.changes());
+    largest_error_ = cost.largest_error();
+  }
   void repeat(const Collapse& edge) {
     if (edge.of_piece()) return repeat_piece(mesh_, edge.kept);
     if (settings_.free_topology) {
@@ -80,6 +111,19 @@ std::unique_ptr<Decimation> memoryless(TileMesh& mesh, const DecimationSettings&
                                        MakeCost make) {
   return std::make_unique<MemorylessDecimation<MakeCost>>(mesh, settings, std::move(make));
 }
+
+struct MakeQuadricCost {
+  bool single;
+  CoordinateRounding rounding;
+
+  QuadricCost operator()(TileMesh& mesh) const { return QuadricCost(mesh, single, rounding); }
+  QuadricCost operator()(TileMesh& mesh, Swept swept) const {
+    return QuadricCost(mesh, single, rounding, std::move(swept.witnesses), swept.largest_square);
+  }
+  [[nodiscard]] Sweeps sweeps(TileMesh& mesh, const CollapseRules& rules) const {
+    return Sweeps(mesh, single, rules);
+  }
+};
 
 // By a cost that remembers.
 template <typename Cost>
@@ -169,22 +213,21 @@ std::unique_ptr<Decimation> by_quadrics(TileMesh& mesh, std::span<const std::byt
         mesh, settings, settings.single, rounding, *settings.error,
         bound_states(mesh, state, settings));
   }
-  return memoryless(mesh, settings, [single = settings.single, rounding](TileMesh& of) {
-    return QuadricCost(of, single, rounding);
-  });
+  return memoryless(mesh, settings, MakeQuadricCost{settings.single, rounding});
 }
 
-// Bytes that a cost holds besides what is remembered.
+// Bytes that collapsing by a cost takes besides what is remembered.
 std::uint64_t memory_of(Refine cost, std::uint64_t vertices) {
+  const std::uint64_t queue = Collapser<QuadricCost>::memory(vertices);
   switch (cost) {
     case Refine::quadric:
-      return QuadricCost::memory(vertices);
+      return std::max(queue + QuadricCost::memory(vertices), Sweeps::memory(vertices));
     case Refine::volume:
     case Refine::importance:
     case Refine::none:
       break;
   }
-  return 0;
+  return queue;
 }
 
 }  // namespace
@@ -242,8 +285,7 @@ std::size_t Decimation::state_size(const DecimationSettings& settings) {
 }
 
 std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64_t vertices) {
-  return memory_of(settings.cost, vertices) + vertices * state_size(settings) +
-         Collapser<QuadricCost>::memory(vertices);
+  return memory_of(settings.cost, vertices) + vertices * state_size(settings);
 }
 
 }  // namespace winnow

@@ -21,6 +21,19 @@ class EdgeStar {
 
   void find(const TileMesh& mesh, VertexNumber kept, VertexNumber removed);
 
+  // The same face by face: all of one end, then those of the other.
+  void begin(VertexNumber kept, VertexNumber removed) {
+    kept_ = kept;
+    removed_ = removed;
+    faces_.clear();
+    buffered_faces_ = 0;
+  }
+  void add_of_kept(const StarFace& face) {
+    faces_.push_back(face);
+    ++buffered_faces_;
+  }
+  void add_of_removed(const StarFace& face) { faces_.push_back(face); }
+
   [[nodiscard]] VertexNumber kept() const { return kept_; }
   [[nodiscard]] VertexNumber removed() const { return removed_; }
 

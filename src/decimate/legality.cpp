@@ -143,7 +143,12 @@ bool Legality::keeps_faces(EdgeStar& star, const Collapse& edge) const {
 
 bool Legality::opens_outwards(const EdgeStar& star, const Collapse& edge) const {
   Point sum{};
-  for (const StarFace& face : star.faces()) sum = sum + doubled_area(mesh_.triangle(face.number));
+  for (const StarFace& face : star.of_kept())
+    sum = sum +
+          doubled_area({mesh_.position(edge.kept), mesh_.position(face.w), mesh_.position(face.x)});
+  for (const StarFace& face : star.of_removed())
+    sum = sum + doubled_area(
+                    {mesh_.position(edge.removed), mesh_.position(face.w), mesh_.position(face.x)});
   for (std::size_t face = 0; face < star.faces().size(); ++face) {
     if (!star.opened(face)) continue;
     const auto [number, w, x, stays] = star.faces()[face];

@@ -5,8 +5,8 @@
 #include "decimate/quadric_placement.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <utility>
 
 namespace winnow {
 
@@ -24,15 +24,21 @@ constexpr double piece_reach = 6;
 }  // namespace
 
 QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding)
+    : QuadricCost(mesh, single, rounding, WitnessPoints(mesh, rounding.relative), 0) {}
+
+QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding,
+                         WitnessPoints witnesses, double largest_square)
     : mesh_(mesh),
       single_(single),
       rounding_(rounding),
       planes_(mesh.vertex_count()),
-      farthest_(mesh, rounding_.relative),
+      farthest_(std::move(witnesses)),
       at_boundary_(mesh.vertex_count(), 0),
-      price_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))) {
+      price_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))),
+      largest_square_(largest_square) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_boundary_[v] = !mesh.all_edges_even(v);
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.removed(f)) continue;
     const VertexPlanes planes = planes_of(f);
     for (const VertexNumber v : mesh.face(f)) add(planes_[v], planes);
   }
@@ -120,43 +126,6 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
     }
   }
   return cheapest;
-}
-
-void QuadricCost::price_edges(std::span<const FaceNumber> faces, PricedEdges& edges) {
-  edges.clear();
-  std::array<FaceEdge, EdgeBatch::capacity + 3> told;
-  std::size_t count = 0;
-  for (const FaceNumber f : faces) {
-    const FaceVertices& face = mesh_.face(f);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      // An edge is told by the face in which it leads from its lower end to the higher, or by its
-      // only one. Which it is is a coin toss, so there is no branch on it.
-      const VertexNumber a = face[i];
-      const VertexNumber b = face[(1U << i) & 3U];
-      bool tells = a < b;
-      if ((at_boundary_[a] & at_boundary_[b]) != 0) tells |= mesh_.faces_at(a, b, 2) == 1;
-      told[count] = {f, i};
-      count += static_cast<std::size_t>(tells & !mesh_.locked(a) & !mesh_.locked(b));
-    }
-    if (count < EdgeBatch::capacity) continue;
-    price(std::span(told).first(EdgeBatch::capacity), edges);
-    count -= EdgeBatch::capacity;
-    std::copy_n(told.begin() + EdgeBatch::capacity, count, told.begin());
-  }
-  price(std::span(told).first(count), edges);
-}
-
-// No more than a batch.
-void QuadricCost::price(std::span<const FaceEdge> told, PricedEdges& edges) {
-  std::array<VertexNumber, EdgeBatch::capacity> lows{};
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    const auto [low, high] = told[i].ends(mesh_);
-    lows[i] = low;
-    set_low(batch_, i, mesh_.position(low), planes_[low]);
-    set_high(batch_, i, mesh_.position(high), planes_[high], false);
-  }
-  price_edges_(batch_, told.size(), single_);
-  for (std::size_t i = 0; i < told.size(); ++i) edges.add(told[i], lows[i], batch_.price[i]);
 }
 
 double QuadricCost::closer_price(const PricedCollapse& now, const EdgeStar& star, double price,

@@ -9,7 +9,6 @@
 #include "decimate/edge_batch.hpp"
 #include "decimate/error_bound.hpp"
 #include "decimate/legality.hpp"
-#include "decimate/priced_edges.hpp"
 #include "decimate/witness_points.hpp"
 
 #include <cmath>
@@ -27,6 +26,9 @@ class QuadricCost {
 
   // `single`: vertices go to numbers that floats have.
   QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding);
+  // Goes on from what was collapsed before.
+  QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding,
+              WitnessPoints witnesses, double largest_square);
   // The same within an error; `states`: of each vertex.
   QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding, double error,
               std::vector<State> states);
@@ -37,8 +39,6 @@ class QuadricCost {
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
   [[nodiscard]] PricedCollapse place(VertexNumber low, VertexNumber high);
-  // All edges of these faces that may be collapsed. No vertex is a hub.
-  void price_edges(std::span<const FaceNumber> faces, PricedEdges& edges);
   // The same at the other end, where nothing is lost there either. Asked only of what place() gave
   // last.
   [[nodiscard]] std::optional<PricedCollapse> other_place(const PricedCollapse& now) const;
@@ -69,7 +69,6 @@ class QuadricCost {
 
  private:
   [[nodiscard]] VertexPlanes planes_of(FaceNumber f) const;
-  void price(std::span<const FaceEdge> told, PricedEdges& edges);
   void take_anew(VertexNumber v);
   void add_boundary(VertexNumber a, VertexNumber b, double sign);
   void take_boundaries(const Collapse& edge, const EdgeStar& star);

@@ -6,6 +6,18 @@
 
 namespace winnow {
 
+void keep_single(std::vector<VertexNumber>& vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < vertices.size();) {
+    std::size_t end = i + 1;
+    while (end < vertices.size() && vertices[end] == vertices[i]) ++end;
+    if (end == i + 1) vertices[count++] = vertices[i];
+    i = end;
+  }
+  vertices.resize(count);
+}
+
 TileMesh::TileMesh(std::vector<Point> positions, std::vector<FaceVertices> faces,
                    std::vector<std::uint8_t> locked, bool linked)
     : position_(std::move(positions)),
@@ -19,10 +31,10 @@ void TileMesh::link() {
   if (linked()) return;
   first_.assign(position_.size(), no_number);
   degree_.assign(position_.size(), 0);
-  link_.resize(3 * face_.size());
-  mark_.assign(position_.size(), 0);
+  link_.assign(3 * face_.size(), {});
   // From the back, so that every chain begins with the vertex's lowest face.
   for (FaceNumber f = face_count(); f-- > 0;) {
+    if (removed(f)) continue;
     for (std::uint32_t i = 3; i-- > 0;) {
       const VertexNumber v = face_[f][i];
       const std::uint32_t corner = 4 * f + i;
@@ -33,6 +45,13 @@ void TileMesh::link() {
     }
   }
   for (VertexNumber v = 0; v < vertex_count(); ++v) update_hub(v);
+}
+
+void TileMesh::replace_faces(std::span<const SurvivingFace> left) {
+  first_.clear();
+  for (FaceVertices& face : face_) face[0] = no_number;
+  for (const SurvivingFace& face : left) face_[face.number] = face.vertices;
+  live_faces_ = left.size();
 }
 
 std::uint64_t TileMesh::memory(std::uint64_t vertices, std::uint64_t faces) {
@@ -48,6 +67,7 @@ void TileMesh::update_hub(VertexNumber v) {
 }
 
 std::uint32_t TileMesh::new_marks(std::uint32_t count) {
+  mark_.resize(position_.size());
   if (UINT32_MAX - last_mark_ < count) {
     std::fill(mark_.begin(), mark_.end(), 0);
     last_mark_ = 0;
@@ -61,15 +81,8 @@ std::span<const VertexNumber> TileMesh::open_neighbours(VertexNumber v) {
   for_each_corner(v, [&](FaceNumber, VertexNumber w, VertexNumber x) {
     neighbours_.insert(neighbours_.end(), {w, x});
   });
-  std::sort(neighbours_.begin(), neighbours_.end());
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < neighbours_.size();) {
-    std::size_t end = i + 1;
-    while (end < neighbours_.size() && neighbours_[end] == neighbours_[i]) ++end;
-    if (end == i + 1) neighbours_[count++] = neighbours_[i];
-    i = end;
-  }
-  return {neighbours_.data(), count};
+  keep_single(neighbours_);
+  return neighbours_;
 }
 
 TileMesh::Meeting TileMesh::meeting(std::span<const StarFace> faces_a, VertexNumber b,

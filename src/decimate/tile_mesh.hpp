@@ -26,6 +26,15 @@ using FaceNumber = std::uint32_t;
 inline constexpr std::uint32_t most_faces_beside_hubs = 64;
 inline constexpr std::uint32_t hub_no_more = 32;
 
+// Which vertices occur once among these, in ascending order.
+void keep_single(std::vector<VertexNumber>& vertices);
+
+// A face that is left when others have gone, and its number.
+struct SurvivingFace {
+  FaceVertices vertices;
+  FaceNumber number;
+};
+
 // One edge collapsed into one of its ends, which moves. Where both ends are the same vertex, the
 // piece of the surface that has it goes as a whole (piece.hpp).
 struct Collapse {
@@ -57,6 +66,8 @@ class TileMesh {
            std::vector<std::uint8_t> locked, bool linked = true);
 
   void link();
+  // The faces that are left, by collapses made elsewhere; not linked any more.
+  void replace_faces(std::span<const SurvivingFace> left);
   [[nodiscard]] bool linked() const { return first_.size() == position_.size(); }
 
   // Bytes in use at the most while collapsing, for the plan.
@@ -71,6 +82,7 @@ class TileMesh {
   [[nodiscard]] std::uint64_t live_faces() const { return live_faces_; }
 
   [[nodiscard]] const Point& position(VertexNumber v) const { return position_[v]; }
+  void move(VertexNumber v, const Point& to) { position_[v] = to; }
   [[nodiscard]] bool locked(VertexNumber v) const {
     return (flags_[v] & (closed_vertex | fixed_hub)) != 0;
   }

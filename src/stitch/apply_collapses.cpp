@@ -73,7 +73,12 @@ CollapsedMesh collapse_nothing(const Tiles& tiles) {
 
 CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double dearest) {
   CollapseLimits limits{tiles.settings().faces, dearest};
-  if (tiles.settings().in_sweeps(round)) limits.sweeps_to = left_by_sweeps(tiles);
+  // Later rounds watch the order of collapses: few are left.
+  if (round == 1 && tiles.settings().in_sweeps()) {
+    limits.sweeps_to = left_by_sweeps(tiles);
+    limits.fine_from = static_cast<std::uint64_t>(RefineSettings::fine_beside_wanted *
+                                                  static_cast<double>(tiles.settings().faces));
+  }
   ProgressMeter& progress = tiles.job().progress;
   return collapse_tiles(tiles, [&](std::size_t, Decimation& decimation, CarriedValues& values) {
     TileProgress told(progress);

@@ -38,6 +38,9 @@ double headroom_when_blocked(Refine cost) {
   // A swept volume grows with the distance, the others with its square.
   return cost == Refine::volume ? 2 : 4;
 }
+// In later rounds few collapses are left, of which the order matters: what costs no more than this
+// part of the dearest collapse of the last round is collapsed in sweeps.
+constexpr double sweeps_beside_dearest = 0.25;
 
 }  // namespace
 
@@ -47,7 +50,8 @@ CollapseChooser::CollapseChooser(const Tiles& tiles, std::uint64_t round, KnownP
       settings_(tiles.settings()),
       round_(round),
       prices_(prices),
-      checkpoint_(checkpoint) {}
+      checkpoint_(checkpoint),
+      sweeps_price_(round == 1 ? no_limit : sweeps_beside_dearest * prices.dearest) {}
 
 std::uint64_t CollapseChooser::faces_to_try() const {
   const bool deep = round_ == 1 && tiles_.count() > 1;
@@ -170,21 +174,24 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
           return;
         }
         Tile tile = tiles_.load(number, settings_.known_state_size(), 0);
-        TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
+        TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked),
+                      false);
         tried.frozen = tile.frozen;
         const std::unique_ptr<Decimation> decimation = Decimation::make(mesh, tile.state, settings);
         CollapseLimits limits{0, most.price};
-        if (settings_.in_sweeps(round_)) limits.sweeps_to = 0;
+        const auto own = static_cast<double>(tile.own_faces);
+        const auto others = static_cast<double>(mesh.face_count() - tile.own_faces + tried.frozen);
+        if (settings_.in_sweeps() && sweeps_price_ > 0) {
+          limits.sweeps_to = 0;
+          limits.sweeps_price = sweeps_price_;
+          limits.fine_from = static_cast<std::uint64_t>(
+              RefineSettings::fine_beside_wanted * left / spare * own + others);
+        }
         if (estimates)
           limits.price = std::min(limits.price, headroom_of_estimate * estimate.price());
         const double share =
             most.share * static_cast<double>(settings_.faces) / static_cast<double>(tiles_.faces());
-        if (share > worth_a_limit) {
-          const auto others =
-              static_cast<double>(mesh.face_count() - tile.own_faces + tried.frozen);
-          limits.faces =
-              static_cast<std::uint64_t>(share * static_cast<double>(tile.own_faces) + others);
-        }
+        if (share > worth_a_limit) limits.faces = static_cast<std::uint64_t>(share * own + others);
         std::uint64_t removed = 0;
         TileProgress told(progress);
         decimation->run(

@@ -77,6 +77,7 @@ class CollapseChooser {
   std::uint64_t round_;
   KnownPrices& prices_;
   const CheckpointDirectory* checkpoint_;
+  double sweeps_price_;
   unsigned attempts_ = 0;
   std::uint64_t tiles_before_ = 0;
 };

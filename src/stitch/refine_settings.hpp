@@ -20,10 +20,10 @@ struct RefineSettings {
 
   // Whoever asks for an error gets the surface on which it was watched.
   [[nodiscard]] bool unfolds() const { return !decimation.error; }
-  // Later rounds watch the order of collapses: few are left. So does whoever asks for an error.
-  [[nodiscard]] bool in_sweeps(std::uint64_t round) const {
-    return round == 1 && !decimation.error;
-  }
+  // An error is watched in the order of prices.
+  [[nodiscard]] bool in_sweeps() const { return !decimation.error; }
+  // With so many times the wanted faces left sweeps begin to be finer.
+  static constexpr double fine_beside_wanted = 2;
 
   // Bytes a vertex that rounds leave, and that a round begins with.
   [[nodiscard]] std::size_t state_size() const { return Decimation::state_size(decimation); }

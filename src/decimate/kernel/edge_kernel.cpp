@@ -149,6 +149,13 @@ void price(EdgeBatch& batch, std::size_t end) {
 }  // namespace
 
 void WINNOW_JOIN(edge_kernel_, WINNOW_KERNEL)(EdgeBatch& batch, std::size_t count, bool single) {
+  if (count == 1) {
+    // One by itself needs no lanes.
+    place(batch, 1, single ? rounding_of_floats : rounding_of_doubles);
+    if (single) round_to_floats(batch, 1);
+    price(batch, 1);
+    return;
+  }
   const std::size_t end = (count + edge_kernel_lanes - 1) / edge_kernel_lanes * edge_kernel_lanes;
   place(batch, end, single ? rounding_of_floats : rounding_of_doubles);
   if (single) round_to_floats(batch, end);

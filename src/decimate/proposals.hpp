@@ -1,0 +1,90 @@
+// The edges that vertices propose, by what they cost: the cheapest first, nearly.
+#pragma once
+
+#include "base/vector.hpp"
+#include "decimate/tile_mesh.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace winnow {
+
+// What collapsing an edge costs and where it goes to.
+struct PricedEdge {
+  double price = std::numeric_limits<double>::infinity();
+  Point position{};
+  VertexNumber high = no_number;
+  bool flat_low = false, flat_high = false;  // nothing is lost at this end but rounding
+};
+
+// Every vertex proposes one edge: of those to higher numbers the cheapest.
+class Proposals {
+ public:
+  explicit Proposals(VertexNumber vertices) : of_(vertices), counts_(classes) {}
+
+  static constexpr std::uint64_t memory(std::uint64_t vertices) {
+    return vertices * (sizeof(PricedEdge) + sizeof(VertexNumber));
+  }
+
+  void clear(VertexNumber v) { of_[v] = {}; }
+  // Prices are not below 0. Of equally cheap ones the first stays.
+  void add(VertexNumber low, const PricedEdge& edge) {
+    if (edge.price < of_[low].price) of_[low] = edge;
+  }
+  [[nodiscard]] const PricedEdge& of(VertexNumber v) const { return of_[v]; }
+
+  // How many of these vertices propose one.
+  std::size_t count(std::span<const VertexNumber> vertices) {
+    std::fill(counts_.begin(), counts_.end(), 0);
+    std::size_t count = 0;
+    for (const VertexNumber v : vertices) {
+      if (!proposes(v)) continue;
+      ++counts_[class_of(of_[v].price)];
+      ++count;
+    }
+    return count;
+  }
+
+  struct Cheapest {
+    std::span<const VertexNumber> vertices;
+    double bound = 0;  // none of them costs as much
+  };
+  // Of the counted ones so many, and those that cost nearly as much as the last: cheaper classes
+  // first, those of a class in the order of the vertices. Once for each count().
+  Cheapest cheapest(std::span<const VertexNumber> vertices, std::size_t wanted) {
+    std::uint32_t end = 0;
+    std::uint32_t count = 0;
+    for (; end < classes && count < wanted; ++end) count += std::exchange(counts_[end], count);
+    sorted_.resize(count);
+    for (const VertexNumber v : vertices) {
+      if (!proposes(v)) continue;
+      const std::uint32_t its = class_of(of_[v].price);
+      if (its < end) sorted_[counts_[its]++] = v;
+    }
+    if (end == classes) return {sorted_, std::numeric_limits<double>::infinity()};
+    return {sorted_, std::bit_cast<double>(std::uint64_t{end} << class_bits)};
+  }
+
+ private:
+  // The bits of a price without the lowest: what is in a class differs by less than a sixteenth.
+  static constexpr unsigned class_bits = 48;
+  static constexpr std::size_t classes = std::size_t{1} << (63 - class_bits);  // no sign
+
+  [[nodiscard]] bool proposes(VertexNumber v) const { return std::isfinite(of_[v].price); }
+  static std::uint32_t class_of(double price) {
+    return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(price + 0.0) >> class_bits);
+  }
+
+  std::vector<PricedEdge> of_;
+  std::vector<std::uint32_t> counts_;
+  std::vector<VertexNumber> sorted_;
+};
+
+}  // namespace winnow

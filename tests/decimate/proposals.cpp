@@ -1,0 +1,52 @@
+// Every vertex proposes its cheapest edge, and the cheapest of these come first.
+#include "decimate/proposals.hpp"
+
+#include "support/surfaces.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include <catch2/catch.hpp>
+
+namespace winnow {
+
+TEST_CASE("vertices propose their cheapest edges, the cheapest come first") {
+  test::Random random(77);
+  constexpr VertexNumber count = 500;
+  std::vector<VertexNumber> vertices(count);
+  std::iota(vertices.begin(), vertices.end(), 0U);
+  Proposals proposals(count);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<double> least(count, std::numeric_limits<double>::infinity());
+    for (VertexNumber v = 0; v < count; ++v) {
+      proposals.clear(v);
+      const std::uint64_t edges = random.below(4);
+      for (std::uint64_t i = 0; i < edges; ++i) {
+        PricedEdge edge;
+        edge.price = random.below(10) == 0 ? 0 : std::pow(10, random.real(-250, 250));
+        edge.high = v + 1;
+        proposals.add(v, edge);
+        least[v] = std::min(least[v], edge.price);
+      }
+      REQUIRE(proposals.of(v).price == least[v]);
+    }
+    const auto finite = [](double price) { return std::isfinite(price); };
+    const std::size_t proposed = proposals.count(vertices);
+    REQUIRE(proposed ==
+            static_cast<std::size_t>(std::count_if(least.begin(), least.end(), finite)));
+    const std::size_t wanted = 1 + random.below(2 * proposed);
+    const auto [cheapest, bound] = proposals.cheapest(vertices, wanted);
+    CHECK((cheapest.size() >= wanted || std::isinf(bound)));
+    double highest = 0;
+    for (const VertexNumber low : cheapest) {
+      REQUIRE(least[low] < bound);
+      REQUIRE(least[low] >= highest / 1.0626);
+      highest = std::max(highest, least[low]);
+    }
+    const auto cheaper = [bound = bound](double price) { return price < bound; };
+    CHECK(cheapest.size() ==
+          static_cast<std::size_t>(std::count_if(least.begin(), least.end(), cheaper)));
+  }
+}
+
+}  // namespace winnow
