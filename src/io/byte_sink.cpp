@@ -118,6 +118,15 @@ void ByteSink::refuse_terminal() const {
               "or write text with `to` obj");
 }
 
+void ByteSink::take_back() noexcept {
+  if (!std::exchange(named_, false)) return;
+  if (replaced_) {
+    ::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE);
+  } else {
+    ::unlink(path_.c_str());
+  }
+}
+
 ByteSink::~ByteSink() {
   if (fd_ >= 0) ::close(fd_);
   if (!aside_.empty()) ::unlink(aside_.c_str());
@@ -247,15 +256,17 @@ void ByteSink::finish() {
   // before it has its name.
   const int written = std::exchange(fd_, ::fcntl(fd_, F_DUPFD_CLOEXEC, 3));
   if (::close(written) != 0) fail(errno);
-  if (force_) {
-    if (::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);
-  } else if (::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) !=
-             0) {
-    if (errno == EEXIST) refuse_existing();
-    // Not every file system knows the flag; then a file that appeared meanwhile is replaced.
-    if (errno != EINVAL || ::rename(aside_.c_str(), path_.c_str()) != 0) fail(errno);
+  const auto rename_with = [&](unsigned flag) {
+    return ::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, path_.c_str(), flag) == 0;
+  };
+  if (!rename_with(RENAME_NOREPLACE)) {
+    if (errno == EEXIST && !force_) refuse_existing();
+    // Not every file system knows the flags; then what has the name is replaced for good.
+    if (errno != EEXIST && errno != EINVAL) fail(errno);
+    replaced_ = rename_with(RENAME_EXCHANGE);
+    if (!replaced_ && ((errno != EINVAL && errno != ENOENT) || !rename_with(0))) fail(errno);
   }
-  aside_.clear();
+  named_ = true;
   const int directory = ::open(directory_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (directory >= 0) {
     ::fsync(directory);  // the name, too, survives a power cut

@@ -38,7 +38,10 @@ class ByteSink {
   // Everything that can fail for want of room; of several files, all are settled before any is
   // finished.
   void flush_and_sync();
+  // Gives the file its name. What it replaces stays aside for as long as the sink lives.
   void finish();
+  // After finish(): what had the name before has it again, where the file system can exchange names.
+  void take_back() noexcept;
 
   // Names the file that flush_and_sync() brought to the disk, also when it is under its own name;
   // empty where it is written straight.
@@ -59,6 +62,8 @@ class ByteSink {
   Job& job_;
   std::string path_;   // "" for standard output
   std::string aside_;  // the name it is written under meanwhile; "" where it is written straight
+  bool named_ = false;    // the file has its name,
+  bool replaced_ = false;  // and what had it before is aside
   bool force_;
   const char* way_out_;
   bool pipe_ = false;  // may block for as long as its reader likes
