@@ -66,6 +66,33 @@ def section_collapse(bench):
     return result
 
 
+def section_levels(bench):
+    """Several results in one run, beside a run for each: time, and distance to the original"""
+    options = bench.options
+    result = {}
+    shares = ["50%", "10%", "1%", "0.1%"]
+    for source in (bench.generate(options.fidelity_faces), *real_meshes(options.data)):
+        warm(source)
+        together = measure([options.winnow, "simplify", source, "-o",
+                            bench.work / "level-{ratio}.ply", "--ratio", ",".join(shares),
+                            "--threads", options.threads, "--force", "--json"])
+        table = Table("share", "faces", "RMS % of the diagonal", "of a run of its own", "relative")
+        alone_seconds = 0
+        for share, level in zip(shares, together["report"]["levels"]):
+            alone = bench.winnow(source, "--ratio", share)
+            alone_seconds += alone["seconds"]
+            rms = [bench.compare(source, name)["report"]["distance"]["symmetric"]["rms_percent"]
+                   for name in (level["output"]["file"], bench.out)]
+            table.add(share, level["output"]["faces"], *rms, rms[0] / rms[1])
+            os.unlink(level["output"]["file"])
+            result.setdefault(source.name, {})[share] = rms
+        print(f"**{source.name}**, {faces_in(together)} faces: {together['seconds']:.2f} s "
+              f"together, {alone_seconds:.2f} s one by one:\n")
+        table.print()
+        result[source.name]["seconds"] = [together["seconds"], alone_seconds]
+    return result
+
+
 def section_fidelity(bench):
     """Distance to the original at the same face count (% of the box diagonal)"""
     options = bench.options

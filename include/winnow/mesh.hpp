@@ -134,6 +134,14 @@ struct Mesh {
 WINNOW_API Mesh simplify(Context& context, const MeshView& mesh, const SimplifyOptions& options,
                          SimplifyReport* report = nullptr);
 
+// The same for several targets (SimplifyOptions::coarser) in one run: the finest mesh first.
+WINNOW_API std::vector<Mesh> simplify_levels(Context& context, const MeshView& mesh,
+                                             const SimplifyOptions& options,
+                                             SimplifyReport* report = nullptr);
+WINNOW_API std::vector<Mesh> simplify_levels(Context& context, const std::string& input,
+                                             const SimplifyOptions& options,
+                                             SimplifyReport* report = nullptr);
+
 // From memory to a file, and from a file to memory.
 WINNOW_API SimplifyReport simplify(Context& context, const MeshView& mesh,
                                    const std::string& output, const SimplifyOptions& options);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace winnow {
 
@@ -68,6 +69,8 @@ class WINNOW_API Simplification {
   // The same where no output was named: gives the mesh, which does not count in the budget, and
   // puts the report where `report` points, if anywhere.
   Mesh finish_mesh(SimplifyReport* report = nullptr);
+  // The same for several targets, the finest first.
+  std::vector<Mesh> finish_meshes(SimplifyReport* report = nullptr);
 
  private:
   struct WINNOW_LOCAL State;

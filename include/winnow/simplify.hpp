@@ -38,6 +38,9 @@ enum class Topology {
 // Options that change the result. options.hpp has them as a table.
 struct SimplifyOptions {
   Target target;  // how fine; it must be set: options.target = Target::faces(100'000)
+  // Further results of the same run, which reads the input once for all: targets of the same kind,
+  // faces, ratio or error, each coarser than the one before it. Only refined.
+  std::vector<Target> coarser{};
 
   // Default: quadric for a target of faces, ratio or error, none for cell and grid (which allow
   // nothing else).
@@ -98,6 +101,7 @@ struct SimplifyPlan {
   std::vector<std::string> inputs;          // as they were given
   std::string output;                       // as it was given
   std::string input_format, output_format;  // as in SimplifyReport
+  std::vector<std::string> outputs;         // names, the finest first
   struct Part {
     std::string name;
     std::uint64_t bytes = 0;
@@ -125,6 +129,7 @@ void for_each_field(Plan& plan, Field&& field) {
   field("input.format", plan.input_format);
   field("output.file", plan.output);
   field("output.format", plan.output_format);
+  field("outputs", plan.outputs);
   field("memory", plan.memory);
   field("smallest_memory", plan.smallest_memory);
   field("passes", plan.passes);
@@ -143,8 +148,10 @@ void for_each_field(Plan& plan, Field&& field) {
 // input: a file's name, or "-" for standard input, of any Format, plain or in gzip or zstd. output:
 // a file's name, or "-" for standard output; compressed where the name ends in .gz or .zst. A
 // regular file appears under its name only when it is whole; anything else (a pipe, a device) is
-// written straight. The result depends on the input's content and on `options` alone: never on the
-// context, on threads, on memory, or on whether a file or a pipe was read.
+// written straight. {faces}, {ratio} or {error} in the name stands for what the target asks for, as
+// a number ("small-{faces}.ply"). With several targets there are as many files, which appear
+// together, and their names must differ. The result depends on the input's content and on `options`
+// alone: never on the context, on threads, on memory, or on whether a file or a pipe was read.
 //
 // Throws Error: usage (options), bad_input, resources, cancelled, failed.
 WINNOW_API SimplifyReport simplify(Context& context, const std::string& input,

@@ -39,18 +39,8 @@ struct SurfaceEdges {
   std::uint64_t non_manifold = 0;  // with more than two
 };
 
-struct SimplifyReport {
-  struct Input {
-    std::uint64_t faces =
-        0;  // triangles read, bad ones included; polygons count as their triangles
-    std::uint64_t vertices = 0;  // vertices stored; 0 for formats without (STL)
-    std::uint64_t bytes = 0;     // after decompression
-    BadFaces bad_faces;
-    std::uint64_t cropped_faces =
-        0;               // left out for SimplifyOptions::crop; the others are `faces` less these
-    std::string format;  // as in InfoReport; of several inputs joined by "and"
-    std::vector<std::string> names;  // as they were given
-  } input;
+// What is told of each result.
+struct LevelReport {
   struct Output {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
     std::string name;                                  // as it was given
@@ -58,12 +48,6 @@ struct SimplifyReport {
     // By which Encoding::quantize moves a position at most, in model units; 0 without.
     double position_error = 0;
   } output;
-  struct Weld {
-    double distance = 0;         // of SimplifyOptions::weld, in model units; 0 without
-    std::uint64_t vertices = 0;  // positions that became one with another
-    std::uint64_t faces = 0;     // faces that lost a corner thereby; left out
-  } weld;
-
   std::optional<std::uint64_t> target_faces;  // with faces and ratio
   struct Refinement {
     Refine cost = Refine::none;
@@ -87,14 +71,6 @@ struct SimplifyReport {
     std::uint64_t holes = 0;    // boundary loops that closed: with Topology::free
   } lost;
 
-  struct Attributes {
-    std::vector<std::string> carried;  // "red (uchar)", in the order of the output
-    std::vector<std::string>
-        dropped;  // what was not carried, and why: "properties of faces: flags"
-    // Numbers that are not finite, or FLT_MAX or DBL_MAX in size: the means leave them out.
-    std::uint64_t ignored = 0;
-  } attributes;
-
   struct Topology {
     // Once equal positions are one. Absent where clustering comes first, as counting would take as
     // long as all else; above 2^20 faces, only where the budget has room for all edges.
@@ -105,16 +81,44 @@ struct SimplifyReport {
     bool closed = false;  // the output: every side of a face meets one of the opposite direction
   } topology;
 
+  struct Area {
+    double input = 0;  // of all good faces
+    double output = 0;
+  } area;
+};
+
+// Of several results the finest is told of here, and in `levels` as well.
+struct SimplifyReport : LevelReport {
+  struct Input {
+    std::uint64_t faces =
+        0;  // triangles read, bad ones included; polygons count as their triangles
+    std::uint64_t vertices = 0;  // vertices stored; 0 for formats without (STL)
+    std::uint64_t bytes = 0;     // after decompression
+    BadFaces bad_faces;
+    std::uint64_t cropped_faces =
+        0;               // left out for SimplifyOptions::crop; the others are `faces` less these
+    std::string format;  // as in InfoReport; of several inputs joined by "and"
+    std::vector<std::string> names;  // as they were given
+  } input;
+  struct Weld {
+    double distance = 0;         // of SimplifyOptions::weld, in model units; 0 without
+    std::uint64_t vertices = 0;  // positions that became one with another
+    std::uint64_t faces = 0;     // faces that lost a corner thereby; left out
+  } weld;
+
+  struct Attributes {
+    std::vector<std::string> carried;  // "red (uchar)", in the order of the output
+    std::vector<std::string>
+        dropped;  // what was not carried, and why: "properties of faces: flags"
+    // Numbers that are not finite, or FLT_MAX or DBL_MAX in size: the means leave them out.
+    std::uint64_t ignored = 0;
+  } attributes;
+
   // Whether clustering came first, or alone, and the reason: "`detail` full", "few faces", ...
   struct Clustered {
     bool first = false;
     std::string reason;
   } clustered;
-
-  struct Area {
-    double input = 0;  // of all good faces
-    double output = 0;
-  } area;
 
   double cell_size = 0;     // edge of a cell, in the units of the model; 0 where none was clustered
   std::uint64_t cells = 0;  // cells that any corner fell into
@@ -141,8 +145,40 @@ struct SimplifyReport {
   } seconds;
   std::vector<std::string> notes;  // what was unusual about the input, a line each
 
+  std::vector<LevelReport> levels;  // of several results, the finest first; else empty
+
   std::optional<Resumed> resumed;  // where the run went on from a checkpoint
 };
+
+// Calls field(path, value) for every field that tells of one result.
+template <typename Report, typename Field>
+void for_each_level_field(Report& report, Field&& field) {
+  field("output.file", report.output.name);
+  field("output.format", report.output.format);
+  field("output.faces", report.output.faces);
+  field("output.vertices", report.output.vertices);
+  field("output.bytes", report.output.bytes);
+  field("output.position_error", report.output.position_error);
+  field("target.faces", report.target_faces);
+  field("target_met", report.target_met);
+  field("missed_by", report.missed_by);
+  field("refine.cost", report.refine.cost);
+  field("refine.tiles", report.refine.tiles);
+  field("refine.collapses", report.refine.collapses);
+  field("refine.max_error", report.refine.max_error);
+  field("refine.stopped_by", report.refine.stopped_by);
+  field("lost.pieces", report.lost.pieces);
+  field("lost.piece_area", report.lost.piece_area);
+  field("lost.handles", report.lost.handles);
+  field("lost.holes", report.lost.holes);
+  field("topology.input", report.topology.input);
+  field("topology.output", report.topology.output);
+  field("topology.pieces.input", report.topology.input_pieces);
+  field("topology.pieces.output", report.topology.output_pieces);
+  field("topology.closed", report.topology.closed);
+  field("area.input", report.area.input);
+  field("area.output", report.area.output);
+}
 
 // Calls field(path, value) for every field that tells of the result. The path is the field's place
 // in the JSON report; a checkpoint keeps them by the same name.
@@ -157,39 +193,15 @@ void for_each_result(Report& report, Field&& field) {
   field("input.bad_faces.degenerate", report.input.bad_faces.degenerate);
   field("input.bad_faces.non_finite", report.input.bad_faces.non_finite);
   field("input.bad_faces.out_of_range", report.input.bad_faces.out_of_range);
-  field("output.file", report.output.name);
-  field("output.format", report.output.format);
-  field("output.faces", report.output.faces);
-  field("output.vertices", report.output.vertices);
-  field("output.bytes", report.output.bytes);
-  field("output.position_error", report.output.position_error);
+  for_each_level_field(report, field);
   field("weld.distance", report.weld.distance);
   field("weld.vertices", report.weld.vertices);
   field("weld.collapsed_faces", report.weld.faces);
-  field("target.faces", report.target_faces);
-  field("target_met", report.target_met);
-  field("missed_by", report.missed_by);
-  field("refine.cost", report.refine.cost);
-  field("refine.tiles", report.refine.tiles);
-  field("refine.collapses", report.refine.collapses);
-  field("refine.max_error", report.refine.max_error);
-  field("refine.stopped_by", report.refine.stopped_by);
-  field("lost.pieces", report.lost.pieces);
-  field("lost.piece_area", report.lost.piece_area);
-  field("lost.handles", report.lost.handles);
-  field("lost.holes", report.lost.holes);
   field("attributes.carried", report.attributes.carried);
   field("attributes.dropped", report.attributes.dropped);
   field("attributes.ignored_values", report.attributes.ignored);
   field("clustered.first", report.clustered.first);
   field("clustered.reason", report.clustered.reason);
-  field("topology.input", report.topology.input);
-  field("topology.output", report.topology.output);
-  field("topology.pieces.input", report.topology.input_pieces);
-  field("topology.pieces.output", report.topology.output_pieces);
-  field("topology.closed", report.topology.closed);
-  field("area.input", report.area.input);
-  field("area.output", report.area.output);
   field("cell_size", report.cell_size);
   field("cells", report.cells);
   field("split_cells", report.split_cells);
@@ -199,6 +211,7 @@ void for_each_result(Report& report, Field&& field) {
   field("error_bound", report.error_bound);
   field("cluster_passes", report.cluster_passes);
   field("notes", report.notes);
+  field("levels", report.levels);
 }
 
 // The same for those that tell of this run of the program.

@@ -40,7 +40,8 @@ class ByteSink {
   void flush_and_sync();
   // Gives the file its name. What it replaces stays aside for as long as the sink lives.
   void finish();
-  // After finish(): what had the name before has it again, where the file system can exchange names.
+  // After finish(): what had the name before has it again, where the file system can exchange
+  // names.
   void take_back() noexcept;
 
   // Names the file that flush_and_sync() brought to the disk, also when it is under its own name;
@@ -60,9 +61,9 @@ class ByteSink {
   [[noreturn]] void fail(int code) const;
 
   Job& job_;
-  std::string path_;   // "" for standard output
-  std::string aside_;  // the name it is written under meanwhile; "" where it is written straight
-  bool named_ = false;    // the file has its name,
+  std::string path_;    // "" for standard output
+  std::string aside_;   // the name it is written under meanwhile; "" where it is written straight
+  bool named_ = false;  // the file has its name,
   bool replaced_ = false;  // and what had it before is aside
   bool force_;
   const char* way_out_;

@@ -27,6 +27,17 @@ MeshLayout layout_in(const Manifest& manifest) {
   return {manifest.number("mesh.state_bytes"), manifest.number("mesh.attributes")};
 }
 
+std::string level_key(std::size_t level) {
+  return "mesh.level-" + std::to_string(level);
+}
+
+// Whether the stage is the level that was kept last.
+bool is_level(const Manifest& manifest, const std::string& stage) {
+  std::size_t levels = 0;
+  while (manifest.has(level_key(levels))) ++levels;
+  return levels > 0 && manifest.text(level_key(levels - 1)) == stage;
+}
+
 // Vertices and faces.
 StoredMesh load_surface(Job& job, const CheckpointDirectory& checkpoint, const std::string& stage,
                         const MeshLayout& layout, std::uint64_t memory) {
@@ -48,9 +59,12 @@ void save_mesh(CheckpointDirectory& checkpoint, const StoredMesh& whole, std::ui
   Manifest& manifest = checkpoint.manifest();
   if (manifest.has(stage_key)) {
     const std::string before = manifest.text(stage_key);
-    for (const char* part : {state_part, attributes_part}) checkpoint.forget(before + part);
-    if (!keep_first || before != stage_after(0)) {
-      for (const char* part : {vertices_part, faces_part}) checkpoint.forget(before + part);
+    checkpoint.forget(before + state_part);
+    if (!is_level(manifest, before)) {
+      checkpoint.forget(before + attributes_part);
+      if (!keep_first || before != stage_after(0)) {
+        for (const char* part : {vertices_part, faces_part}) checkpoint.forget(before + part);
+      }
     }
   }
   const std::string stage = stage_after(rounds);
@@ -63,10 +77,11 @@ void save_mesh(CheckpointDirectory& checkpoint, const StoredMesh& whole, std::ui
   manifest.set("mesh.attributes", std::uint64_t{whole.layout.attributes});
 }
 
-StoredMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
-  const Manifest& manifest = checkpoint.manifest();
-  const std::string stage = manifest.text(stage_key);
-  StoredMesh mesh = load_surface(job, checkpoint, stage, layout_in(manifest), memory);
+namespace {
+
+StoredMesh load_stage(Job& job, const CheckpointDirectory& checkpoint, const std::string& stage,
+                      const MeshLayout& layout, std::uint64_t memory) {
+  StoredMesh mesh = load_surface(job, checkpoint, stage, layout, memory);
   const std::uint64_t each = vertex_memory(mesh.layout, memory);
   const auto load = [&](const char* part, std::size_t bytes) -> std::unique_ptr<Spool> {
     if (bytes == 0) return nullptr;
@@ -75,6 +90,25 @@ StoredMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint6
   mesh.state = load(state_part, mesh.layout.state);
   mesh.attributes = load(attributes_part, mesh.layout.attribute_bytes());
   return mesh;
+}
+
+}  // namespace
+
+void keep_level(CheckpointDirectory& checkpoint, std::size_t level) {
+  checkpoint.manifest().set(level_key(level), checkpoint.manifest().text(stage_key));
+}
+
+StoredMesh load_level(Job& job, const CheckpointDirectory& checkpoint, std::size_t level,
+                      std::uint64_t memory) {
+  const Manifest& manifest = checkpoint.manifest();
+  MeshLayout layout = layout_in(manifest);
+  layout.state = 0;
+  return load_stage(job, checkpoint, manifest.text(level_key(level)), layout, memory);
+}
+
+StoredMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
+  const Manifest& manifest = checkpoint.manifest();
+  return load_stage(job, checkpoint, manifest.text(stage_key), layout_in(manifest), memory);
 }
 
 StoredMesh load_reference(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {

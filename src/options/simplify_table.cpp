@@ -1,8 +1,10 @@
 #include "base/morton.hpp"
+#include "options/level_targets.hpp"
 #include "options/option_kinds.hpp"
 #include "options/refuse_targets.hpp"
 #include "options/shared_entries.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +41,32 @@ OptionValue<Options> target(Target (*make)(Value), std::optional<Value> (Target:
     }
   };
   return kind;
+}
+
+// The same with commas between several, in any order: the finest is the target, the others follow.
+OptionValue<Options> several(OptionValue<Options> one) {
+  OptionValue<Options> value;
+  value.set = [set = one.set](Options& options, const std::string& text,
+                              const std::string& option) {
+    std::vector<Target> targets;
+    std::size_t begin = 0;
+    for (std::size_t comma = 0; comma != std::string::npos; begin = comma + 1) {
+      comma = text.find(',', begin);
+      Options read = options;
+      set(read, text.substr(begin, comma - begin), option);
+      targets.push_back(read.target);
+    }
+    std::stable_sort(targets.begin(), targets.end(), is_finer);
+    options.target = targets.front();
+    options.coarser.assign(targets.begin() + 1, targets.end());
+  };
+  value.get = [get = one.get](const Options& options) {
+    std::string text = get(options);
+    if (text.empty()) return text;
+    for (const Target& target : options.coarser) text += "," + text_of(target);
+    return text;
+  };
+  return value;
 }
 
 // A number above 1; "full" is infinity.
@@ -107,17 +135,19 @@ std::vector<Option<Options>> table() {
   const char* const refinement = "Refinement: edges collapsed after clustering";
   std::vector<Option<Options>> options{
       {"faces", "N", fineness,
-       "Stop at this many faces: 500k, 1.5M (only about that many with `refine` none)",
-       target<std::uint64_t>(&Target::faces, &Target::faces,
-                             [](const std::string& text, const std::string& option) {
-                               return count_in(text, option, 4, std::uint64_t{1} << 62,
-                                               "at least 4");
-                             })},
-      {"ratio", "R", fineness, "Keep this part of the faces: 0.01 or 1%",
-       target<double>(&Target::ratio, &Target::ratio,
-                      [](const std::string& text, const std::string& option) {
-                        return ratio_in(text, option, ratio_range);
-                      })},
+       "Stop at this many faces: 500k, 1.5M (only about that many with `refine` none). 1M,100k,10k "
+       "writes three files in one run, named by {faces} in OUT.",
+       several(target<std::uint64_t>(&Target::faces, &Target::faces,
+                                     [](const std::string& text, const std::string& option) {
+                                       return count_in(text, option, 4, std::uint64_t{1} << 62,
+                                                       "at least 4");
+                                     }))},
+      {"ratio", "R", fineness,
+       "Keep this part of the faces: 0.01 or 1%; several, as 10%,1%, with {ratio} in OUT",
+       several(target<double>(&Target::ratio, &Target::ratio,
+                              [](const std::string& text, const std::string& option) {
+                                return ratio_in(text, option, ratio_range);
+                              }))},
       {"cell", "LENGTH", fineness,
        "Size of a grid cell in model units; the only choice that reads a pipe just once",
        target<double>(&Target::cell, &Target::cell,
@@ -134,11 +164,11 @@ std::vector<Option<Options>> table() {
                              })},
       {"error", "E", fineness,
        "Stop at this error: 0.5 (model units) or 0.1% (of the diagonal). It is the RMS distance; "
-       "boundaries stay within 1.5 times it.",
-       target<Distance>(&Target::error, &Target::error,
-                        [](const std::string& text, const std::string& option) {
-                          return distance_in(text, option, length_range, part_range);
-                        })},
+       "boundaries stay within 1.5 times it. Several, as 0.1%,1%, with {error} in OUT.",
+       several(target<Distance>(&Target::error, &Target::error,
+                                [](const std::string& text, const std::string& option) {
+                                  return distance_in(text, option, length_range, part_range);
+                                }))},
 
       {"refine", "COST", refinement,
        "What an edge costs to collapse (default: quadric with `faces`, `ratio` and `error`, else "

@@ -8,6 +8,7 @@
 #include "cluster/open_cells.hpp"
 #include "cluster/welder.hpp"
 #include "measure/result_surface.hpp"
+#include "options/level_targets.hpp"
 #include "read/for_each_batch.hpp"
 #include "run/input.hpp"
 #include "run/safe_clustering.hpp"
@@ -89,10 +90,10 @@ std::string few_faces() {
 
 }  // namespace
 
-std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint64_t available) {
-  if (options.target.faces()) return options.target.faces();
-  if (!options.target.ratio()) return {};
-  const double part = *options.target.ratio() * static_cast<double>(available);
+std::optional<std::uint64_t> faces_wanted(const Target& target, std::uint64_t available) {
+  if (target.faces()) return target.faces();
+  if (!target.ratio()) return {};
+  const double part = *target.ratio() * static_cast<double>(available);
   return std::max<std::uint64_t>(4, static_cast<std::uint64_t>(part + 0.5));
 }
 
@@ -143,8 +144,7 @@ Clustered Clustering::run() {
   report_.reoriented_faces = mesh.turned;
   report_.merged_opposite_faces = mesh.fused;
   out.mesh = std::move(mesh);
-  out.target = target_;
-  out.error = error_;
+  out.goals = std::move(goals_);
   out.normals = reader_.facts().normals;
   out.double_positions = reader_.facts().double_positions;
   out.attributes = settings_.attributes.attributes;
@@ -167,7 +167,9 @@ ClusteredMesh Clustering::as_asked() {
   available_ = count_faces(job_, reader_);
   if (available_ == 0) refuse_empty();
   if (options_.target.error()) return to_error();
-  target_ = target_of(options_, available_).value_or(0);
+  for (const Target& target : targets_of(options_))
+    goals_.push_back({faces_wanted(target, available_).value_or(0), 0});
+  target_ = goals_.front().faces;
   report_.target_faces = target_;
   return cost_of(options_) == Refine::none ? to_count(sample(target_), target_, tolerance)
                                            : to_detail();
@@ -191,7 +193,9 @@ ClusteredMesh Clustering::to_error() {
           ? measure_box_of_faces(job_, reader_)
           : measure_surface(job_, reader_, reader_.facts().vertices.value_or(available_));
   if (box.empty) refuse_empty();
-  error_ = options_.target.error()->length(box.diagonal());
+  for (const Target& target : targets_of(options_))
+    goals_.push_back({0, target.error()->length(box.diagonal())});
+  error_ = goals_.front().error;
   const double cell = cell_for_error * error_;
   const Detail detail = detail_for_error(options_, available_);
   if (detail.welded) return welded(detail.reason);

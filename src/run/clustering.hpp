@@ -12,6 +12,7 @@
 #include "run/attributes.hpp"
 #include "run/plan.hpp"
 #include "run/safe_clustering.hpp"
+#include "stitch/level_goal.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -24,17 +25,16 @@ namespace winnow {
 // What all that comes after has to know of it.
 struct Clustered {
   StoredMesh mesh;
-  std::uint64_t target = 0;       // faces wanted; 0 where an error says how many
-  double error = 0;               // the error wanted, in model units; 0 where faces are counted
-  bool normals = false;           // of the input
-  bool double_positions = false;  // likewise
+  std::vector<LevelGoal> goals{};       // of each target, the finest first
+  bool normals = false;                 // of the input
+  bool double_positions = false;        // likewise
   std::vector<Attribute> attributes{};  // that vertices carry
   SimplifyReport report{};              // of the input, its attributes and the cells
 };
 
 // Faces that are asked for, of so many in the input; nothing where a cell or an error says how
 // many.
-std::optional<std::uint64_t> target_of(const SimplifyOptions& options, std::uint64_t available);
+std::optional<std::uint64_t> faces_wanted(const Target& target, std::uint64_t available);
 
 // What refinement starts from: all faces, welded, or as many as clustering leaves.
 struct Detail {
@@ -83,6 +83,7 @@ class Clustering {
   std::uint64_t available_ = 0;  // faces of the input
   std::uint64_t target_ = 0;
   double error_ = 0;
+  std::vector<LevelGoal> goals_;
   std::unique_ptr<Spool> open_cells_;  // of the last pass; null where boundaries may move
 };
 

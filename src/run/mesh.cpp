@@ -15,25 +15,31 @@ namespace {
 
 template <typename Source>
 SimplifyReport simplify_between(Job& job, const Source& source, const SimplifyOptions& options,
-                                const std::function<std::unique_ptr<MeshSink>()>& open_sink) {
+                                const std::function<MeshSinks()>& open_sinks) {
   return in_arena(job, [&] {
     const Stopwatch watch;
     expect_plan(job, options);
-    const std::unique_ptr<MeshSink> sink = open_sink();
-    return simplify_input(job, Input(job, source), *sink, options, watch);
+    return simplify_input(job, Input(job, source), open_sinks(), options, watch);
   });
+}
+
+template <typename Source>
+std::vector<Mesh> simplified_meshes(Context& context, const Source& source,
+                                    const SimplifyOptions& options, SimplifyReport* report) {
+  check(options);
+  Job job(context);
+  std::vector<Mesh> results(1 + options.coarser.size());
+  SimplifyReport told =
+      simplify_between(job, source, options, [&] { return sinks_into(job, results, options); });
+  if (report != nullptr) *report = std::move(told);
+  return results;
 }
 
 template <typename Source>
 Mesh simplified_mesh(Context& context, const Source& source, const SimplifyOptions& options,
                      SimplifyReport* report) {
-  check(options);
-  Job job(context);
-  Mesh result;
-  SimplifyReport told = simplify_between(
-      job, source, options, [&] { return std::make_unique<MemorySink>(job, result, options); });
-  if (report != nullptr) *report = std::move(told);
-  return result;
+  refuse_levels(options);
+  return std::move(simplified_meshes(context, source, options, report).front());
 }
 
 }  // namespace
@@ -68,12 +74,23 @@ Mesh simplify(Context& context, const std::string& input, const SimplifyOptions&
   return mesh;
 }
 
+std::vector<Mesh> simplify_levels(Context& context, const MeshView& mesh,
+                                  const SimplifyOptions& options, SimplifyReport* report) {
+  return simplified_meshes(context, mesh, options, report);
+}
+
+std::vector<Mesh> simplify_levels(Context& context, const std::string& input,
+                                  const SimplifyOptions& options, SimplifyReport* report) {
+  std::vector<Mesh> meshes = simplified_meshes(context, std::vector{input}, options, report);
+  if (report != nullptr) report->input.names = {input};
+  return meshes;
+}
+
 SimplifyReport simplify(Context& context, const MeshView& mesh, const std::string& output,
                         const SimplifyOptions& options) {
   check(options);
   Job job(context);
-  return simplify_between(job, mesh, options,
-                          [&] { return std::make_unique<FileSink>(job, output, options); });
+  return simplify_between(job, mesh, options, [&] { return sinks_to(job, output, options); });
 }
 
 }  // namespace winnow

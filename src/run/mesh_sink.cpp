@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "base/parallel.hpp"
+#include "options/level_targets.hpp"
 #include "run/attributes.hpp"
 #include "run/write_blocks.hpp"
 #include "write/formats.hpp"
@@ -71,6 +72,36 @@ void in_chunks(Job& job, std::uint64_t elements, const Work& work) {
 }
 
 }  // namespace
+
+void finish(const MeshSinks& sinks) {
+  std::size_t finished = 0;
+  try {
+    for (; finished < sinks.size(); ++finished) sinks[finished]->finish();
+  } catch (...) {
+    while (finished > 0) sinks[--finished]->take_back();
+    throw;
+  }
+}
+
+MeshSinks sinks_to(Job& job, const std::string& output, const SimplifyOptions& options) {
+  MeshSinks sinks;
+  for (const std::string& name : output_names(output, options))
+    sinks.push_back(std::make_unique<FileSink>(job, name, options));
+  return sinks;
+}
+
+MeshSinks sinks_into(Job& job, std::vector<Mesh>& meshes, const SimplifyOptions& options) {
+  MeshSinks sinks;
+  for (Mesh& mesh : meshes) sinks.push_back(std::make_unique<MemorySink>(job, mesh, options));
+  return sinks;
+}
+
+void refuse_levels(const SimplifyOptions& options) {
+  if (options.coarser.empty()) return;
+  throw Error(ErrorKind::usage,
+              "several targets give several meshes: ask for all of them with simplify_levels() or "
+              "finish_meshes()");
+}
 
 FileSink::FileSink(Job& job, std::string name, const SimplifyOptions& options, const char* way_out)
     : job_(job),

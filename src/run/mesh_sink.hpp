@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace winnow {
 
@@ -24,11 +25,26 @@ class MeshSink {
   // Everything that can fail. Returns the size of the mesh, before compression.
   virtual std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) = 0;
   virtual void finish() = 0;
+  // After finish(): nothing of the mesh stays.
+  virtual void take_back() noexcept = 0;
 
   [[nodiscard]] virtual std::string name() const { return {}; }      // of a file, as it was given
   [[nodiscard]] virtual std::string format() const = 0;              // for people
   [[nodiscard]] virtual std::string identity() const { return {}; }  // see ByteSink
 };
+
+// One for each result, the finest first.
+using MeshSinks = std::vector<std::unique_ptr<MeshSink>>;
+
+// All appear, or, where one cannot, none.
+void finish(const MeshSinks& sinks);
+
+// Files, named as output_names() says.
+MeshSinks sinks_to(Job& job, const std::string& output, const SimplifyOptions& options);
+// Meshes of the caller, which stay where they are: as many as there are targets.
+MeshSinks sinks_into(Job& job, std::vector<Mesh>& meshes, const SimplifyOptions& options);
+// Throws Error(usage) where there are several targets and only one mesh is to be given.
+void refuse_levels(const SimplifyOptions& options);
 
 class FileSink final : public MeshSink {
  public:
@@ -40,6 +56,7 @@ class FileSink final : public MeshSink {
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
   std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
   void finish() override { sink_.finish(); }
+  void take_back() noexcept override { sink_.take_back(); }
   [[nodiscard]] std::string name() const override { return name_; }
   [[nodiscard]] std::string format() const override { return format_; }
   [[nodiscard]] std::string identity() const override { return sink_.identity(); }
@@ -61,6 +78,7 @@ class MemorySink final : public MeshSink {
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
   std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
   void finish() override {}
+  void take_back() noexcept override { mesh_ = {}; }
   [[nodiscard]] std::string format() const override { return "memory"; }
 
  private:

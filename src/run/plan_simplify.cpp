@@ -3,6 +3,7 @@
 #include "cluster/near_faces.hpp"
 #include "io/arena.hpp"
 #include "io/block_sums.hpp"
+#include "options/level_targets.hpp"
 #include "read/corner_streams.hpp"
 #include "read/indexed/buffered_faces.hpp"
 #include "run/attributes.hpp"
@@ -57,6 +58,11 @@ std::vector<std::string> passes_of(const InputProbe& probe, const SimplifyOption
   if (refine) passes.emplace_back("collapse edges, tile by tile");
   passes.emplace_back("count the edges of the result");
   passes.emplace_back("write the result");
+  if (!options.coarser.empty()) {
+    const std::size_t more = options.coarser.size();
+    passes.push_back("collapse, count and write " + std::to_string(more) +
+                     (more == 1 ? " more time" : " more times") + ", each from the result before");
+  }
   return passes;
 }
 
@@ -95,7 +101,7 @@ void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const Cell
   if (options.target.error()) return;
   const auto faces = static_cast<double>(*out.faces);
   const std::uint64_t target =
-      std::min(*out.faces, target_of(options, *out.faces).value_or(*out.faces / 10));
+      std::min(*out.faces, faces_wanted(options.target, *out.faces).value_or(*out.faces / 10));
   out.scratch_expected = expected_scratch(target, plan, needs);
   double seconds = faces / clustered_a_second;
   if (cost_of(options) != Refine::none) {
@@ -138,6 +144,7 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   out.inputs = inputs;
   out.output = output;
   out.input_format = probe.facts.format;
+  out.outputs = output_names(output, options);
   out.output_format = format_written(options.to, output, options.encoding);
   out.memory = plan.parts();
   out.smallest_memory = plan.smallest + input.memory();
@@ -156,7 +163,7 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
     out.scratch_worst = BlockSums::with_sums(worst_scratch(*out.faces, needs) + kept +
                                              worst_of_jumping(probe, plan));
     if (cost_of(options) != Refine::none) {
-      const auto target = target_of(options, *out.faces);
+      const auto target = faces_wanted(options.target, *out.faces);
       const Detail detail = target ? detail_for(options, *out.faces, std::min(*out.faces, *target))
                                    : detail_for_error(options, *out.faces);
       if (!detail.reason.empty()) out.clustered = !detail.welded;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -134,24 +135,11 @@ RefineMemory refine_memory(std::uint64_t left) {
           share::refine::lists(left)};
 }
 
-Refinement refine_to_target(Job& job, Clustered clustered, const SimplifyOptions& options,
-                            bool doubles, const PlanOf& plan, CheckpointDirectory* checkpoint) {
-  RefineSettings settings;
-  settings.faces = clustered.target;
-  settings.attributes = clustered.attributes;
-  settings.decimation.cost = cost_of(options);
-  settings.decimation.single = !doubles;
-  settings.decimation.rounding = clustered.mesh.rounding;
-  settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
-  settings.decimation.keep_boundaries = options.boundary == Boundary::keep;
-  settings.decimation.keep_pieces = options.keep_pieces;
-  settings.decimation.free_topology = options.topology == Topology::free;
-  if (clustered.error > 0) settings.decimation.error = clustered.error;
-  const RefineMemory memory = refine_memory(job.budget.left());
-  StoredMesh whole = std::move(clustered.mesh);
-  job.budget.expect_held(HeldBesideTile(job, whole, settings, plan));
-  auto [mesh, done] = refine(job, std::move(whole), settings, memory, checkpoint);
-  job.budget.expect_held({});
+namespace {
+
+// Of the level that was done.
+Refinement refinement_of(Job& job, const StoredMesh& mesh, const RefineReport& done,
+                         const LevelGoal& goal, const SimplifyOptions& options) {
   if (mesh.face_count == 0)
     throw Error(ErrorKind::failed,
                 "no face is left: faces without neighbours go first; choose more faces");
@@ -162,16 +150,43 @@ Refinement refine_to_target(Job& job, Clustered clustered, const SimplifyOptions
   out.refine.max_error = done.largest_error;
   out.refine.stopped_by = name_of(done.stopped_by);
   out.lost = {done.changes.pieces, done.changes.area, done.changes.handles, done.changes.holes};
+  out.wanted = goal.faces;
   out.rounds_before = done.rounds_before;
   out.tiles_before = done.tiles_before;
   if (done.joined > 0)
     job.note("no edge could be collapsed any more, so " + grouped(done.joined) +
              " vertices were joined with others near them");
   if (done.stopped_by != StoppedBy::count && done.stopped_by != StoppedBy::error)
-    out.missed_by = tell_reasons(job, done, mesh.face_count, settings.faces,
-                                 options.topology == Topology::free);
-  out.mesh = std::move(mesh);
+    out.missed_by =
+        tell_reasons(job, done, mesh.face_count, goal.faces, options.topology == Topology::free);
   return out;
+}
+
+}  // namespace
+
+void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
+                       const PlanOf& plan, CheckpointDirectory* checkpoint,
+                       const std::function<void(const StoredMesh&, const Refinement&)>& take) {
+  const std::vector<LevelGoal> goals = std::move(clustered.goals);
+  RefineSettings settings;
+  settings.attributes = clustered.attributes;
+  settings.decimation.cost = cost_of(options);
+  settings.decimation.single = !doubles;
+  settings.decimation.rounding = clustered.mesh.rounding;
+  settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
+  settings.decimation.keep_boundaries = options.boundary == Boundary::keep;
+  settings.decimation.keep_pieces = options.keep_pieces;
+  settings.decimation.free_topology = options.topology == Topology::free;
+  if (goals.front().error > 0) settings.decimation.error = goals.front().error;
+  const RefineMemory memory = refine_memory(job.budget.left());
+  StoredMesh whole = std::move(clustered.mesh);
+  job.budget.expect_held(HeldBesideTile(job, whole, settings, plan));
+  std::size_t level = 0;
+  refine_levels(job, std::move(whole), settings, goals, memory, checkpoint,
+                [&](const StoredMesh& mesh, const RefineReport& done) {
+                  take(mesh, refinement_of(job, mesh, done, goals[level++], options));
+                });
+  job.budget.expect_held({});
 }
 
 }  // namespace winnow

@@ -23,17 +23,20 @@ RefineMemory refine_memory(std::uint64_t left);
 // How the run would divide a budget of `total`.
 using PlanOf = std::function<MemoryPlan(std::uint64_t total)>;
 
+// What is told of a level.
 struct Refinement {
-  StoredMesh mesh;
-  SimplifyReport::Refinement refine;
-  SimplifyReport::Lost lost;
+  LevelReport::Refinement refine;
+  LevelReport::Lost lost;
   std::vector<std::string> missed_by;
+  std::uint64_t wanted = 0;                           // faces; 0 where an error says how many
   std::uint64_t rounds_before = 0, tiles_before = 0;  // done when it went on from a checkpoint
 };
 
-// `doubles`: positions are going to be written as such. `checkpoint`: null where nothing is kept.
-// Throws Error(resources) where the budget has no room for a tile; it names one that has.
-Refinement refine_to_target(Job& job, Clustered clustered, const SimplifyOptions& options,
-                            bool doubles, const PlanOf& plan, CheckpointDirectory* checkpoint);
+// Calls `take` with the mesh of each goal in order, the finest first. `doubles`: positions are
+// going to be written as such. `checkpoint`: null where nothing is kept. Throws Error(resources)
+// where the budget has no room for a tile; it names one that has.
+void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
+                       const PlanOf& plan, CheckpointDirectory* checkpoint,
+                       const std::function<void(const StoredMesh&, const Refinement&)>& take);
 
 }  // namespace winnow

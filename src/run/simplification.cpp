@@ -47,9 +47,10 @@ struct Simplification::State {
       : options(checked(asked)), job(context) {
     expect_plan(job, options);
     if (path) {
-      sink = std::make_unique<FileSink>(job, *path, options);
+      sinks = sinks_to(job, *path, options);
     } else {
-      sink = std::make_unique<MemorySink>(job, result, options);
+      results.resize(1 + options.coarser.size());
+      sinks = sinks_into(job, results, options);
     }
     vertices = std::make_unique<Spool>(job, memory_of_mesh(job, options));
     faces = std::make_unique<Spool>(job, memory_of_mesh(job, options));
@@ -140,7 +141,7 @@ struct Simplification::State {
     if (face_count == 0) throw Error(ErrorKind::bad_input, "no face was added");
     return in_arena(job, [&] {
       Input input(job, spooled_source("what was added", head(), std::move(spools)));
-      return simplify_input(job, std::move(input), *sink, options, watch);
+      return simplify_input(job, std::move(input), sinks, options, watch);
     });
   }
 
@@ -154,8 +155,8 @@ struct Simplification::State {
 
   SimplifyOptions options;
   Job job;
-  Mesh result;
-  std::unique_ptr<MeshSink> sink;
+  std::vector<Mesh> results;
+  MeshSinks sinks;
   std::unique_ptr<Spool> vertices, faces;
   std::uint64_t vertex_count = 0, face_count = 0;
   std::optional<bool> soup, doubles;
@@ -208,17 +209,22 @@ void Simplification::add_triangles(std::span<const double> coordinates) {
 }
 
 SimplifyReport Simplification::finish() {
-  if (state_->sink->name().empty())
+  if (state_->sinks.front()->name().empty())
     throw Error(ErrorKind::usage, "no output was named; finish_mesh() gives the mesh");
   return state_->finish();
 }
 
-Mesh Simplification::finish_mesh(SimplifyReport* report) {
-  if (!state_->sink->name().empty())
+std::vector<Mesh> Simplification::finish_meshes(SimplifyReport* report) {
+  if (!state_->sinks.front()->name().empty())
     throw Error(ErrorKind::usage, "the mesh goes to a file; finish() writes it");
   SimplifyReport told = state_->finish();
   if (report != nullptr) *report = std::move(told);
-  return std::move(state_->result);
+  return std::move(state_->results);
+}
+
+Mesh Simplification::finish_mesh(SimplifyReport* report) {
+  refuse_levels(state_->options);
+  return std::move(finish_meshes(report).front());
 }
 
 }  // namespace winnow

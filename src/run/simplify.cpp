@@ -9,6 +9,7 @@
 #include "cluster/resolution.hpp"
 #include "io/arena.hpp"
 #include "measure/result_surface.hpp"
+#include "options/level_targets.hpp"
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
 #include "run/input.hpp"
@@ -81,9 +82,16 @@ std::string percentage(double part) {
   return shortest(tenths) + " %";
 }
 
-// What became of the surface that `report` tells of; notes what is odd about it.
+// What a note of one result of several begins with.
+std::string level_named(const Target& target, const SimplifyOptions& options) {
+  if (options.coarser.empty()) return "";
+  return (target.faces() ? grouped(*target.faces()) + " faces" : text_of(target)) + ": ";
+}
+
+// What became of the surface that `report` tells of; notes what is odd about it. `level`: the notes
+// begin with it.
 ResultSurface check_surface(Job& job, const StoredMesh& mesh, const SimplifyOptions& options,
-                            const SimplifyReport& report) {
+                            const std::string& level, const SimplifyReport& report) {
   const ResultSurface surface = measure_result(job, mesh, share::left::checking(job.budget.left()));
   // Whatever the budget is, the note is the same.
   const bool of_input =
@@ -91,23 +99,43 @@ ResultSurface check_surface(Job& job, const StoredMesh& mesh, const SimplifyOpti
   const SurfaceEdges& edges = of_input ? *report.topology.input : surface.edges;
   if (edges.total >= enough_edges &&
       static_cast<double>(edges.boundary) > loose_edges * static_cast<double>(edges.total)) {
-    job.note(percentage(static_cast<double>(edges.boundary) / static_cast<double>(edges.total)) +
+    job.note(level +
+             percentage(static_cast<double>(edges.boundary) / static_cast<double>(edges.total)) +
              " of the edges of the " + (of_input ? "input" : "result") +
              " are boundaries, as if its faces did not touch; " +
              (welds(options) ? "a larger distance of `weld`" : "`weld` DISTANCE") +
              " joins vertices that lie near each other");
   }
   const double lost = 1 - surface.area / report.area.input;
-  if (lost > lost_area) job.note(percentage(lost) + " of the area is gone");
+  if (lost > lost_area) job.note(level + percentage(lost) + " of the area is gone");
   return surface;
 }
 
+// How the results are written, whatever their size.
+struct Style {
+  bool normals, doubles, exact;
+};
+
+Style style_of(const SimplifyOptions& options, const MeshEncoder& encoder,
+               const Clustered& clustered) {
+  const std::vector<Attribute>& attributes = clustered.attributes;
+  // Where the input's normals are no attributes of the output, its own stand in for them, unless
+  // the names are taken.
+  const bool taken = std::any_of(attributes.begin(), attributes.end(), names_normal);
+  const bool normals =
+      options.normals ||
+      (carries_normals(attributes) ? encoder.normals_apart()
+                                   : clustered.normals && !options.attributes && !taken);
+  const bool exact = clustered.double_positions;
+  return {normals, writes_doubles(options.encoding, exact), exact};
+}
+
 // `input`: of a run whose mesh is not in the checkpoint.
-SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink,
+SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshSinks& sinks,
                             const SimplifyRequest& request, SimplifyCheckpoint& checkpoint,
                             const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
-  const MeshEncoder& encoder = sink.encoder();
+  const MeshEncoder& encoder = sinks.front()->encoder();
   const AttributeRequest wish = wish_for(options, encoder);
   AttributeSelection choice;
   if (input && !wish.none()) choice = input->probe(options, wish).facts.choice;
@@ -126,50 +154,59 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink
     checkpoint.save(job, clustered);
   } else {
     clustered = checkpoint.load(job, plan.cluster.vertices + plan.cluster.result);
+    clustered.report.levels.clear();  // of a run that was killed when all were made
     clustered.report.seconds = {};
     clustered.report.seconds.read = watch.seconds();
   }
   SimplifyReport report = std::move(clustered.report);
   const std::vector<Attribute> attributes = clustered.attributes;
-  // Where the input's normals are no attributes of the output, its own stand in for them, unless
-  // the names are taken.
-  const bool taken = std::any_of(attributes.begin(), attributes.end(), names_normal);
-  const bool normals =
-      options.normals ||
-      (carries_normals(attributes) ? encoder.normals_apart()
-                                   : clustered.normals && !options.attributes && !taken);
-  const bool exact = clustered.double_positions;
-  const bool doubles = writes_doubles(options.encoding, exact);
-  StoredMesh mesh;
+  const Style style = style_of(options, encoder, clustered);
+  const std::vector<Target> targets = targets_of(options);
+  const auto write = [&](const StoredMesh& mesh) {
+    const Stopwatch writing;
+    const std::size_t level = report.levels.size();
+    MeshSink& sink = *sinks[level];
+    const ResultSurface surface =
+        check_surface(job, mesh, options, level_named(targets[level], options), report);
+    report.topology.output = surface.edges;
+    report.topology.output_pieces = surface.pieces;
+    report.topology.closed = surface.closed;
+    report.area.output = surface.area;
+    MeshShape shape = shape_of(job, mesh, sink.encoder(), style.normals, style.doubles, style.exact,
+                               "simplified by winnow");
+    shape.attributes = attributes;
+    shape.closed = report.topology.closed;
+    const std::uint64_t written = sink.write(mesh, shape);
+    report.output = {mesh.face_count, mesh.vertices->size(), written,
+                     sink.name(),     sink.format(),         sink.encoder().position_error(shape)};
+    report.levels.push_back(report);
+    report.seconds.write += writing.seconds();
+  };
   if (cost_of(options) == Refine::none) {
-    mesh = std::move(clustered.mesh);
+    write(clustered.mesh);
   } else {
-    Refinement refined = refine_to_target(job, std::move(clustered), options, doubles, plan_of,
-                                          checkpoint.directory());
-    mesh = std::move(refined.mesh);
-    report.refine = std::move(refined.refine);
-    report.lost = refined.lost;
-    report.missed_by = std::move(refined.missed_by);
-    if (report.target_faces) report.target_met = mesh.face_count <= *report.target_faces;
-    if (report.resumed) {
-      report.resumed->rounds = refined.rounds_before;
-      report.resumed->tiles = refined.tiles_before;
-    }
-    report.seconds.refine = watch.seconds() - report.seconds.read - report.seconds.cluster;
+    refine_to_targets(job, std::move(clustered), options, style.doubles, plan_of,
+                      checkpoint.directory(),
+                      [&](const StoredMesh& mesh, const Refinement& refined) {
+                        report.refine = refined.refine;
+                        report.lost = refined.lost;
+                        report.missed_by = refined.missed_by;
+                        if (report.target_faces) {
+                          report.target_faces = refined.wanted;
+                          report.target_met = mesh.face_count <= refined.wanted;
+                        }
+                        if (report.resumed) {
+                          report.resumed->rounds += refined.rounds_before;
+                          report.resumed->tiles += refined.tiles_before;
+                        }
+                        write(mesh);
+                      });
+    report.seconds.refine =
+        watch.seconds() - report.seconds.read - report.seconds.cluster - report.seconds.write;
   }
+  static_cast<LevelReport&>(report) = report.levels.front();
+  if (report.levels.size() == 1) report.levels.clear();
 
-  const ResultSurface surface = check_surface(job, mesh, options, report);
-  report.topology.output = surface.edges;
-  report.topology.output_pieces = surface.pieces;
-  report.topology.closed = surface.closed;
-  report.area.output = surface.area;
-  MeshShape shape = shape_of(job, mesh, encoder, normals, doubles, exact, "simplified by winnow");
-  shape.attributes = attributes;
-  shape.closed = report.topology.closed;
-  const std::uint64_t written = sink.write(mesh, shape);
-
-  report.output = {mesh.face_count, mesh.vertices->size(), written,
-                   sink.name(),     sink.format(),         encoder.position_error(shape)};
   report.input.names = request.inputs;
   report.error_bound = report.cell_size * std::sqrt(3.0);
   report.spilled_bytes = job.scratch.written();
@@ -179,8 +216,8 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, MeshSink& sink
     if (std::find(report.notes.begin(), report.notes.end(), note) == report.notes.end())
       report.notes.push_back(note);
   }
-  checkpoint.settled(sink.identity(), report);
-  sink.finish();
+  checkpoint.settled(sinks, report);
+  finish(sinks);
   checkpoint.finish(job);
 
   report.peak_memory_bytes = peak_resident_bytes();
@@ -200,11 +237,18 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
     MemoryPlan::divide(job.budget.total(), 0, job.threads, needs_of(options));
   expect_plan(job, options);
   // A run that is resumed cannot be told to replace it.
-  FileSink sink(job, request.output, options,
-                checkpoint.opened() ? "move it away and resume again" : ByteSink::by_force);
+  MeshSinks sinks;
+  for (const std::string& name : output_names(request.output, options)) {
+    SimplifyOptions own = options;
+    // One that a run had named before it was killed is the same to the byte.
+    own.force |= checkpoint.is_written(sinks.size(), name);
+    sinks.push_back(std::make_unique<FileSink>(
+        job, name, own,
+        checkpoint.opened() ? "move it away and resume again" : ByteSink::by_force));
+  }
   std::optional<Input> input;
   if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
-  return run_pipeline(job, std::move(input), sink, request, checkpoint, watch);
+  return run_pipeline(job, std::move(input), sinks, request, checkpoint, watch);
 }
 
 SimplifyReport simplify_with(Job& job, const SimplifyRequest& request,
@@ -224,10 +268,10 @@ void expect_plan(Job& job, const SimplifyOptions& options) {
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
 }
 
-SimplifyReport simplify_input(Job& job, Input input, MeshSink& sink, const SimplifyOptions& options,
-                              const Stopwatch& watch) {
+SimplifyReport simplify_input(Job& job, Input input, const MeshSinks& sinks,
+                              const SimplifyOptions& options, const Stopwatch& watch) {
   SimplifyCheckpoint none;
-  return run_pipeline(job, std::move(input), sink, {{}, {}, options}, none, watch);
+  return run_pipeline(job, std::move(input), sinks, {{}, {}, options}, none, watch);
 }
 
 SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,
@@ -257,7 +301,7 @@ SimplifyReport resume(Context& context, const Checkpoint& settings) {
   SimplifyCheckpoint checkpoint = SimplifyCheckpoint::open(job, settings);
   const SimplifyRequest request = checkpoint.request();
   SimplifyReport report;
-  if (!checkpoint.is_written(request.output, report)) {
+  if (!checkpoint.are_written(output_names(request.output, request.options), report)) {
     checkpoint.check_inputs();
     return simplify_with(job, request, std::move(checkpoint));
   }

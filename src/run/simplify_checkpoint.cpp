@@ -13,8 +13,17 @@ namespace {
 // In place of the output's identity where that has none, a pipe or a device.
 constexpr const char* done = "straight";
 
+constexpr const char* goal_count = "clustered.goals";
 constexpr const char* attribute_count = "clustered.attributes";
 constexpr const char* rounding_relative = "clustered.rounding.relative";
+
+std::string written_key(std::size_t number) {
+  return "written." + std::to_string(number);
+}
+
+std::string goal_key(std::size_t number, const char* what) {
+  return std::string(goal_count) + "." + std::to_string(number) + "." + what;
+}
 
 std::string attribute_key(std::size_t number, const char* what) {
   return std::string(attribute_count) + "." + std::to_string(number) + "." + what;
@@ -63,7 +72,7 @@ void SimplifyCheckpoint::begun() {
 }
 
 bool SimplifyCheckpoint::has_mesh() const {
-  return directory_ != nullptr && directory_->manifest().has("clustered.target");
+  return directory_ != nullptr && directory_->manifest().has(goal_count);
 }
 
 Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory) const {
@@ -75,8 +84,9 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory) const {
   job.notes.insert(job.notes.begin(), report.notes.begin(), report.notes.end());
   job.progress.begin("go on", 0, "bytes");
   clustered.mesh = load_mesh(job, *directory_, memory);
-  clustered.target = manifest.number("clustered.target");
-  clustered.error = manifest.real("clustered.error");
+  for (std::size_t i = 0; i < manifest.number(goal_count); ++i)
+    clustered.goals.push_back(
+        {manifest.number(goal_key(i, "faces")), manifest.real(goal_key(i, "error"))});
   clustered.normals = manifest.number("clustered.normals") != 0;
   clustered.double_positions = manifest.number("clustered.double_positions") != 0;
   if (manifest.has(rounding_relative)) {
@@ -101,8 +111,11 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered) {
   Manifest& manifest = directory_->manifest();
   clustered.report.notes = job.notes;
   put_report(manifest, clustered.report);
-  manifest.set("clustered.target", clustered.target);
-  manifest.set("clustered.error", clustered.error);
+  manifest.set(goal_count, std::uint64_t{clustered.goals.size()});
+  for (std::size_t i = 0; i < clustered.goals.size(); ++i) {
+    manifest.set(goal_key(i, "faces"), clustered.goals[i].faces);
+    manifest.set(goal_key(i, "error"), clustered.goals[i].error);
+  }
   manifest.set("clustered.normals", std::uint64_t{clustered.normals});
   manifest.set("clustered.double_positions", std::uint64_t{clustered.double_positions});
   if (clustered.mesh.rounding) {
@@ -122,29 +135,39 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered) {
   directory_->commit();
 }
 
-bool SimplifyCheckpoint::is_written(const std::string& output, SimplifyReport& report) const {
-  if (directory_ == nullptr || !directory_->manifest().has("written")) return false;
-  const Manifest& manifest = directory_->manifest();
-  if (manifest.text("written") != done && !ByteSink::is(output, manifest.text("written")))
-    return false;
-  get_report(manifest, report);
+bool SimplifyCheckpoint::is_written(std::size_t number, const std::string& output) const {
+  if (directory_ == nullptr || !directory_->manifest().has(written_key(number))) return false;
+  const std::string identity = directory_->manifest().text(written_key(number));
+  return identity == done || ByteSink::is(output, identity);
+}
+
+bool SimplifyCheckpoint::are_written(const std::vector<std::string>& outputs,
+                                     SimplifyReport& report) const {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (!is_written(i, outputs[i])) return false;
+  }
+  get_report(directory_->manifest(), report);
   return true;
 }
 
-void SimplifyCheckpoint::settled(const std::string& identity, const SimplifyReport& report) {
+void SimplifyCheckpoint::settled(const MeshSinks& sinks, const SimplifyReport& report) {
   if (directory_ == nullptr) return;
-  put_report(directory_->manifest(), report);
-  directory_->manifest().set("written", identity);
+  Manifest& manifest = directory_->manifest();
+  put_report(manifest, report);
+  for (std::size_t i = 0; i < sinks.size(); ++i) manifest.set(written_key(i), sinks[i]->identity());
   directory_->commit();
 }
 
 void SimplifyCheckpoint::finish(Job& job) {
   if (directory_ == nullptr || keep_) return;
   Manifest& manifest = directory_->manifest();
-  if (manifest.text("written").empty()) {
-    manifest.set("written", std::string(done));
-    directory_->commit();
+  bool straight = false;
+  for (std::size_t i = 0; manifest.has(written_key(i)); ++i) {
+    if (!manifest.text(written_key(i)).empty()) continue;
+    manifest.set(written_key(i), std::string(done));
+    straight = true;
   }
+  if (straight) directory_->commit();
   directory_->remove();
   if (job.context.notice)
     job.context.notice("the checkpoint in '" + directory_->path() +

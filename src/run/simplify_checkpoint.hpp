@@ -7,9 +7,12 @@
 #include "io/byte_sink.hpp"
 #include "io/checkpoint_directory.hpp"
 #include "run/clustering.hpp"
+#include "run/mesh_sink.hpp"
 #include "run/simplify_request.hpp"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace winnow {
 
@@ -33,11 +36,13 @@ class SimplifyCheckpoint {
   Clustered load(Job& job, std::uint64_t memory) const;
   void save(Job& job, Clustered& clustered);
 
-  // Whether the output is whole and under its name. Then the report is too.
-  bool is_written(const std::string& output, SimplifyReport& report) const;
-  // Before the output gets its name. `identity`: see ByteSink.
-  void settled(const std::string& identity, const SimplifyReport& report);
-  // When it has it: removes the files, unless they are to be kept.
+  // Whether the outputs are whole and under their names. Then the report is too.
+  bool are_written(const std::vector<std::string>& outputs, SimplifyReport& report) const;
+  // Whether this one of them is.
+  [[nodiscard]] bool is_written(std::size_t number, const std::string& output) const;
+  // Before the outputs get their names.
+  void settled(const MeshSinks& sinks, const SimplifyReport& report);
+  // When they have them: removes the files, unless they are to be kept.
   void finish(Job& job);
 
   // Null where nothing is kept.

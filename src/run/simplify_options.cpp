@@ -3,6 +3,7 @@
 #include <winnow/error.hpp>
 
 #include "options/check_ranges.hpp"
+#include "options/level_targets.hpp"
 #include "options/refuse_targets.hpp"
 
 #include <cmath>
@@ -13,9 +14,33 @@ Refine cost_of(const SimplifyOptions& options) {
   return options.refine.value_or(options.target.of_cells() ? Refine::none : Refine::quadric);
 }
 
+namespace {
+
+void check_levels(const SimplifyOptions& options) {
+  if (options.coarser.empty()) return;
+  if (cost_of(options) == Refine::none)
+    throw Error(ErrorKind::usage,
+                "several results of one run are made by refining; with cells or `refine` none each "
+                "takes a run of its own");
+  const std::vector<Target> targets = targets_of(options);
+  for (std::size_t i = 1; i < targets.size(); ++i) {
+    if (targets[i].kind() != targets[0].kind() || is_finer(targets[i], targets[i - 1]))
+      throw Error(ErrorKind::usage,
+                  "several targets are all of one kind, `faces`, `ratio` or `error`, and each is "
+                  "coarser than the one before");
+    const std::optional<Distance> error = targets[i].error();
+    if (error && error->relative != targets[0].error()->relative)
+      throw Error(ErrorKind::usage,
+                  "several values of `error` are all lengths or all parts of the diagonal");
+  }
+}
+
+}  // namespace
+
 void check(const SimplifyOptions& options) {
   if (options.target.kind() == Target::Kind::none) refuse_targets();
   check_ranges(simplify_options(), options);
+  check_levels(options);
   const bool by_error = options.target.error().has_value();
   if (by_error && !facts_of(options.refine.value_or(Refine::quadric)).bounds_error) {
     throw Error(ErrorKind::usage,

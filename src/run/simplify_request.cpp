@@ -47,6 +47,14 @@ class Put {
     manifest_.set(report_key(path) + ".boundary", edges.boundary);
     manifest_.set(report_key(path) + ".non_manifold", edges.non_manifold);
   }
+  void operator()(const std::string& path, const std::vector<LevelReport>& levels) {
+    manifest_.set(report_key(path), std::uint64_t{levels.size()});
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      for_each_level_field(levels[i], [&](const std::string& field, const auto& value) {
+        (*this)(path + "." + std::to_string(i) + "." + field, value);
+      });
+    }
+  }
   void operator()(const std::string& path, const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
@@ -85,6 +93,14 @@ class Get {
     edges.total = manifest_.number(report_key(path));
     edges.boundary = manifest_.number(report_key(path) + ".boundary");
     edges.non_manifold = manifest_.number(report_key(path) + ".non_manifold");
+  }
+  void operator()(const std::string& path, std::vector<LevelReport>& levels) {
+    levels.clear();
+    for (std::uint64_t i = 0; i < manifest_.number(report_key(path)); ++i) {
+      for_each_level_field(levels.emplace_back(), [&](const std::string& field, auto& value) {
+        (*this)(path + "." + std::to_string(i) + "." + field, value);
+      });
+    }
   }
   void operator()(const std::string& path, std::vector<std::string>& lines) {
     lines.clear();

@@ -12,7 +12,7 @@ namespace winnow {
 
 struct SimplifyRequest {
   std::vector<std::string> inputs;
-  std::string output;
+  std::string output;  // with {faces} or the like where there are several results
   SimplifyOptions options;
 };
 

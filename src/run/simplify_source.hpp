@@ -14,7 +14,7 @@ namespace winnow {
 void expect_plan(Job& job, const SimplifyOptions& options);
 
 // Inside the job's arena. `watch` began with the call.
-SimplifyReport simplify_input(Job& job, Input input, MeshSink& sink, const SimplifyOptions& options,
-                              const Stopwatch& watch);
+SimplifyReport simplify_input(Job& job, Input input, const MeshSinks& sinks,
+                              const SimplifyOptions& options, const Stopwatch& watch);
 
 }  // namespace winnow

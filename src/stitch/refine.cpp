@@ -27,17 +27,35 @@ class Refiner {
           CheckpointDirectory* checkpoint)
       : job_(job), settings_(std::move(settings)), memory_(memory), checkpoint_(checkpoint) {}
 
-  Refined run(StoredMesh whole) {
+  void run(StoredMesh whole, std::span<const LevelGoal> goals, const TakeLevel& take) {
+    std::size_t level = 0;
     if (checkpoint_ != nullptr && holds_rounds(checkpoint_->manifest())) {
       state_ = load_rounds(checkpoint_->manifest());
       settings_.decimation.boundaries_known = true;
+      for (; level < state_.level; ++level) {
+        set(goals[level]);
+        StoredMesh before = load_level(job_, *checkpoint_, level, memory_.mesh);
+        give(before, load_level_report(checkpoint_->manifest(), level), take);
+      }
     }
-    while (!state_.done) whole = round(std::move(whole));
-    StoredMesh mesh = unfolded(std::move(whole));
-    return {std::move(mesh), state_.report};
+    for (;;) {
+      set(goals[level]);
+      while (!state_.done) whole = round(std::move(whole));
+      const bool last = ++level == goals.size();
+      if (last) whole.state.reset();
+      give(whole, state_.report, take);
+      if (last) return;
+      state_.next_level();
+    }
   }
 
  private:
+  void set(const LevelGoal& goal) {
+    settings_.faces = goal.faces;
+    settings_.decimation.error.reset();
+    if (goal.error > 0) settings_.decimation.error = goal.error;
+  }
+
   StoredMesh round(StoredMesh whole) {
     RefineReport& report = state_.report;
     const std::uint64_t before = whole.face_count;
@@ -51,7 +69,7 @@ class Refiner {
       report.collapses += collapsed.collapses;
       report.largest_error = std::max(report.largest_error, collapsed.largest_error);
       report.changes.add(collapsed.changes);
-      if (report.rounds == 1) keep_reference(whole);
+      if (++state_.stage == 1) keep_reference(whole);
       whole = std::move(collapsed.whole);
     }
     settings_.decimation.boundaries_known = true;
@@ -129,21 +147,28 @@ class Refiner {
   void keep(const StoredMesh& whole) {
     if (checkpoint_ == nullptr) return;
     job_.progress.begin("keep", 0, "bytes");
-    save_mesh(*checkpoint_, whole, state_.report.rounds, settings_.unfolds());
+    save_mesh(*checkpoint_, whole, state_.stage, settings_.unfolds());
     save_rounds(checkpoint_->manifest(), state_);
+    if (state_.done) keep_level(*checkpoint_, state_.level);
     checkpoint_->commit();
   }
 
-  // The mesh as it is written: no round goes on from it.
-  StoredMesh unfolded(StoredMesh whole) {
-    if (!settings_.unfolds() || state_.report.collapses == 0 || whole.face_count == 0) return whole;
+  // The mesh as it is written is lent to `take`: no round goes on from it.
+  void give(StoredMesh& whole, const RefineReport& report, const TakeLevel& take) {
+    const bool changed = state_.collapses + state_.report.collapses > 0;
+    if (!settings_.unfolds() || !changed || whole.face_count == 0) return take(whole, report);
+    std::unique_ptr<VertexIndex> collapsed = std::exchange(whole.vertices, unfolded(whole));
+    take(whole, report);
+    whole.vertices = std::move(collapsed);
+  }
+
+  std::unique_ptr<VertexIndex> unfolded(const StoredMesh& whole) {
     job_.progress.begin("unfold", whole.face_count, "faces");
-    whole.state.reset();
     if (checkpoint_ != nullptr) reference_ = load_reference(job_, *checkpoint_, memory_.mesh);
-    const ReferenceMesh reference(job_, reference_, share::refine::boxes(memory_.lists));
-    const std::uint64_t ratio = reference_.face_count / whole.face_count;
     auto vertices = std::make_unique<VertexIndex>(job_, memory_.mesh);
     {
+      const ReferenceMesh reference(job_, reference_, share::refine::boxes(memory_.lists));
+      const std::uint64_t ratio = reference_.face_count / whole.face_count;
       const Tiles tiles(job_, whole, settings_, memory_);
       tiles.for_each<std::vector<IndexedVertex>>(
           0,
@@ -155,9 +180,9 @@ class Refiner {
           },
           [&](std::size_t, const std::vector<IndexedVertex>& moved) { vertices->append(moved); });
     }
+    if (checkpoint_ != nullptr) reference_ = {};
     vertices->finish();
-    whole.vertices = std::move(vertices);
-    return whole;
+    return vertices;
   }
 
   Job& job_;
@@ -172,7 +197,19 @@ class Refiner {
 
 Refined refine(Job& job, StoredMesh whole, const RefineSettings& settings,
                const RefineMemory& memory, CheckpointDirectory* checkpoint) {
-  return Refiner(job, settings, memory, checkpoint).run(std::move(whole));
+  const LevelGoal goal{settings.faces, settings.decimation.error.value_or(0)};
+  Refined out;
+  refine_levels(job, std::move(whole), settings, std::span(&goal, 1), memory, checkpoint,
+                [&](StoredMesh& mesh, const RefineReport& report) {
+                  out = {std::move(mesh), report};
+                });
+  return out;
+}
+
+void refine_levels(Job& job, StoredMesh whole, const RefineSettings& settings,
+                   std::span<const LevelGoal> goals, const RefineMemory& memory,
+                   CheckpointDirectory* checkpoint, const TakeLevel& take) {
+  Refiner(job, settings, memory, checkpoint).run(std::move(whole), goals, take);
 }
 
 }  // namespace winnow

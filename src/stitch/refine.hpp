@@ -3,9 +3,13 @@
 #pragma once
 
 #include "io/checkpoint_directory.hpp"
+#include "stitch/level_goal.hpp"
 #include "stitch/refine_report.hpp"
 #include "stitch/refine_settings.hpp"
 #include "stitch/tile.hpp"
+
+#include <functional>
+#include <span>
 
 namespace winnow {
 
@@ -21,5 +25,15 @@ struct Refined {
 // done again; report.tiles_before says how much.
 Refined refine(Job& job, StoredMesh whole, const RefineSettings& settings,
                const RefineMemory& memory, CheckpointDirectory* checkpoint = nullptr);
+
+// The mesh of a level, lent, and what refining it told; the last one may be taken away.
+using TakeLevel = std::function<void(StoredMesh& mesh, const RefineReport& report)>;
+
+// The same for several goals, each coarser than the one before: the rounds of a level go on from
+// the mesh that the level before has left, and the first level is what it would be alone. Calls
+// `take` for each in order. Levels that a checkpoint holds are taken from there.
+void refine_levels(Job& job, StoredMesh whole, const RefineSettings& settings,
+                   std::span<const LevelGoal> goals, const RefineMemory& memory,
+                   CheckpointDirectory* checkpoint, const TakeLevel& take);
 
 }  // namespace winnow

@@ -1,31 +1,51 @@
 #include "stitch/saved_rounds.hpp"
 
 #include <cstdint>
+#include <string>
 
 namespace winnow {
 
 namespace {
 
-constexpr const char* rounds_key = "refine.rounds";
+constexpr const char* level_count = "refine.levels";  // that are done, before the one at work
+
+// Keys of what the level at work tells, or one before it.
+std::string level_key(std::size_t level, const char* what) {
+  return "refine.level-" + std::to_string(level) + "." + what;
+}
+
+void save_report(Manifest& manifest, std::size_t level, const RefineReport& report) {
+  const auto set = [&](const char* what, const auto& value) {
+    manifest.set(level_key(level, what), value);
+  };
+  set("rounds", report.rounds);
+  set("tiles", report.tiles);
+  set("collapses", report.collapses);
+  set("largest_error", report.largest_error);
+  set("stopped_by", static_cast<std::uint64_t>(report.stopped_by));
+  set("blocked.topology", report.blocked.topology);
+  set("blocked.boundaries", report.blocked.boundaries);
+  set("blocked.hubs", report.blocked.hubs);
+  set("blocked.pieces", report.blocked.pieces);
+  set("pieces", report.changes.pieces);
+  set("piece_area", report.changes.area);
+  set("handles", report.changes.handles);
+  set("holes", report.changes.holes);
+  set("joined", report.joined);
+}
 
 }  // namespace
 
+void RoundsState::next_level() {
+  const std::uint64_t before = collapses + report.collapses;
+  *this = {{}, {}, 0, false, level + 1, stage, before};
+}
+
 void save_rounds(Manifest& manifest, const RoundsState& state) {
-  const RefineReport& report = state.report;
-  manifest.set(rounds_key, report.rounds);
-  manifest.set("refine.tiles", report.tiles);
-  manifest.set("refine.collapses", report.collapses);
-  manifest.set("refine.largest_error", report.largest_error);
-  manifest.set("refine.stopped_by", static_cast<std::uint64_t>(report.stopped_by));
-  manifest.set("refine.blocked.topology", report.blocked.topology);
-  manifest.set("refine.blocked.boundaries", report.blocked.boundaries);
-  manifest.set("refine.blocked.hubs", report.blocked.hubs);
-  manifest.set("refine.blocked.pieces", report.blocked.pieces);
-  manifest.set("refine.pieces", report.changes.pieces);
-  manifest.set("refine.piece_area", report.changes.area);
-  manifest.set("refine.handles", report.changes.handles);
-  manifest.set("refine.holes", report.changes.holes);
-  manifest.set("refine.joined", report.joined);
+  save_report(manifest, state.level, state.report);
+  manifest.set(level_count, std::uint64_t{state.level});
+  manifest.set("refine.stage", state.stage);
+  manifest.set("refine.collapses", state.collapses);
   manifest.set("refine.idle", std::uint64_t{state.idle});
   manifest.set("refine.dearest", state.prices.dearest);
   manifest.set("refine.dearest_allowed", state.prices.dearest_allowed);
@@ -33,26 +53,36 @@ void save_rounds(Manifest& manifest, const RoundsState& state) {
 }
 
 bool holds_rounds(const Manifest& manifest) {
-  return manifest.has(rounds_key);
+  return manifest.has(level_count);
+}
+
+RefineReport load_level_report(const Manifest& manifest, std::size_t level) {
+  const auto number = [&](const char* what) { return manifest.number(level_key(level, what)); };
+  const auto real = [&](const char* what) { return manifest.real(level_key(level, what)); };
+  RefineReport report;
+  report.rounds = report.rounds_before = number("rounds");
+  report.tiles = number("tiles");
+  report.collapses = number("collapses");
+  report.largest_error = real("largest_error");
+  report.stopped_by = static_cast<StoppedBy>(number("stopped_by"));
+  report.blocked.topology = number("blocked.topology");
+  report.blocked.boundaries = number("blocked.boundaries");
+  report.blocked.hubs = number("blocked.hubs");
+  report.blocked.pieces = number("blocked.pieces");
+  report.changes.pieces = number("pieces");
+  report.changes.area = real("piece_area");
+  report.changes.handles = number("handles");
+  report.changes.holes = number("holes");
+  report.joined = number("joined");
+  return report;
 }
 
 RoundsState load_rounds(const Manifest& manifest) {
   RoundsState state;
-  RefineReport& report = state.report;
-  report.rounds = report.rounds_before = manifest.number(rounds_key);
-  report.tiles = manifest.number("refine.tiles");
-  report.collapses = manifest.number("refine.collapses");
-  report.largest_error = manifest.real("refine.largest_error");
-  report.stopped_by = static_cast<StoppedBy>(manifest.number("refine.stopped_by"));
-  report.blocked.topology = manifest.number("refine.blocked.topology");
-  report.blocked.boundaries = manifest.number("refine.blocked.boundaries");
-  report.blocked.hubs = manifest.number("refine.blocked.hubs");
-  report.blocked.pieces = manifest.number("refine.blocked.pieces");
-  report.changes.pieces = manifest.number("refine.pieces");
-  report.changes.area = manifest.real("refine.piece_area");
-  report.changes.handles = manifest.number("refine.handles");
-  report.changes.holes = manifest.number("refine.holes");
-  report.joined = manifest.number("refine.joined");
+  state.level = manifest.number(level_count);
+  state.report = load_level_report(manifest, state.level);
+  state.stage = manifest.number("refine.stage");
+  state.collapses = manifest.number("refine.collapses");
   state.idle = static_cast<unsigned>(manifest.number("refine.idle"));
   state.prices.dearest = manifest.real("refine.dearest");
   state.prices.dearest_allowed = manifest.real("refine.dearest_allowed");

@@ -257,6 +257,25 @@ TEST_CASE("a reader that does not read does not keep a cancelled run") {
   ::close(reader);
 }
 
+TEST_CASE("an output that is taken back leaves what was there before") {
+  const test::Directory directory;
+  const std::string path = directory.file("out.bin");
+  test::TestJob test;
+  for (const bool there : {false, true}) {
+    if (there) test::write_file(path, "old");
+    {
+      ByteSink sink(test.job, path, there);
+      write_all(sink, "new");
+      sink.finish();
+      CHECK(test::bytes_of_file(path) == "new");
+      sink.take_back();
+    }
+    CHECK(test::exists(path) == there);
+    if (there) CHECK(test::bytes_of_file(path) == "old");
+    CHECK(directory.names().size() == (there ? 1 : 0));
+  }
+}
+
 TEST_CASE("a cancelled run does not finish its output") {
   const test::Directory directory;
   {

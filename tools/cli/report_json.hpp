@@ -76,6 +76,15 @@ class JsonFields {
     for (const std::string& text : texts) at(path).push_back(told(path, text));
   }
 
+  void operator()(const std::string& path, const std::vector<LevelReport>& levels) {
+    at(path) = Json::array();
+    for (const LevelReport& level : levels) {
+      JsonFields fields;
+      for_each_level_field(level, fields);
+      at(path).push_back(fields.json());
+    }
+  }
+
   [[nodiscard]] const Json& json() const { return json_; }
 
  private:

@@ -73,6 +73,10 @@ void show(const SimplifyReport& report, std::ostream& out) {
   if (report.input.vertices > 0) vertices = grouped(report.input.vertices) + " -> " + vertices;
   line("vertices", vertices);
   line("file", human_bytes(report.input.bytes) + " -> " + human_bytes(report.output.bytes));
+  for (const LevelReport& level : report.levels) {
+    line("level", grouped(level.output.faces) + " faces, " + grouped(level.output.vertices) +
+                      " vertices, " + human_bytes(level.output.bytes) + ": " + level.output.name);
+  }
   show_quantized(line, report.output.position_error);
   if (report.weld.distance > 0) {
     line("welded", grouped(report.weld.vertices) + " vertices nearer than " +
@@ -138,6 +142,10 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
           : *plan.clustered ? "yes: "
                             : "no: ")
       << spoken(plan.clustered_reason) << "\n";
+  if (plan.outputs.size() > 1) {
+    out << "outputs\n";
+    for (const std::string& name : plan.outputs) out << "  " << clean(name) << "\n";
+  }
   out << "memory\n";
   for (const SimplifyPlan::Part& part : plan.memory) {
     const std::string size = human_bytes(part.bytes);

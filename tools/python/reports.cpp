@@ -63,6 +63,15 @@ class Fields {
     (*this)(path + ".boundary", edges.boundary);
     (*this)(path + ".non_manifold", edges.non_manifold);
   }
+  void operator()(const std::string& path, const std::vector<LevelReport>& levels) {
+    py::list list;
+    for (const LevelReport& level : levels) {
+      Fields fields;
+      for_each_level_field(level, fields);
+      list.append(fields.dict());
+    }
+    set(path, list);
+  }
   void operator()(const std::string& path, const Resumed& resumed) {
     (*this)(path + ".rounds", resumed.rounds);
   }

@@ -41,13 +41,13 @@ TEST_CASE("small inputs are refined from all of their faces") {
 
 TEST_CASE("a ratio asks for the nearest count, and for no fewer than four") {
   SimplifyOptions options;
-  CHECK(target_of(options, 1000) == std::nullopt);
+  CHECK(faces_wanted(options.target, 1000) == std::nullopt);
   options.target = Target::ratio(0.0123);
-  CHECK(target_of(options, 1000) == 12U);
-  CHECK(target_of(options, 100) == 4U);
-  CHECK(target_of(options, 10'000'000'000) == 123'000'000U);
+  CHECK(faces_wanted(options.target, 1000) == 12U);
+  CHECK(faces_wanted(options.target, 100) == 4U);
+  CHECK(faces_wanted(options.target, 10'000'000'000) == 123'000'000U);
   options.target = Target::faces(77);
-  CHECK(target_of(options, 10) == 77U);
+  CHECK(faces_wanted(options.target, 10) == 77U);
 }
 
 }  // namespace winnow
