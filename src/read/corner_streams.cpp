@@ -16,7 +16,7 @@ namespace winnow {
 namespace {
 
 // Two files each are open at a time, of the thousand that a process usually may have.
-constexpr std::size_t most_parts = 256;
+constexpr std::size_t most_streams = 256;
 // Lookups in a part of this size find most in a core's caches; so many parts are still written to
 // in long stretches.
 constexpr std::uint64_t usual_part_bytes = std::uint64_t{8} << 20;
@@ -56,7 +56,7 @@ std::optional<CornerStreams::Plan> CornerStreams::plan(std::uint64_t vertices,
   while (plan.part_bits > usual_bits && parts_of(vertices, plan.part_bits - 1) <= usual_parts)
     --plan.part_bits;
   const std::uint64_t parts = parts_of(vertices, plan.part_bits);
-  if (parts > most_parts) return {};
+  if (parts > most_streams) return {};
   plan.parts = parts;
   plan.buffer_bytes = part_buffer_bytes(memory, parts);
   plan.chunks = std::min<std::size_t>(2 * std::size_t{threads} + 1, 9);
