@@ -1,6 +1,6 @@
 // Readers, by all their ways: as a file and as a pipe, in large batches and small ones. All say the
 // same.
-#include "base/checksum.hpp"
+#include "base/hash.hpp"
 #include "fuzz/job.hpp"
 #include "fuzz/targets.hpp"
 #include "read/mesh_reader.hpp"
