@@ -217,11 +217,14 @@ std::unique_ptr<Decimation> by_quadrics(TileMesh& mesh, std::span<const std::byt
 }
 
 // Bytes that collapsing by a cost takes besides what is remembered.
-std::uint64_t memory_of(Refine cost, std::uint64_t vertices) {
+std::uint64_t memory_of(const DecimationSettings& settings, std::uint64_t vertices) {
   const std::uint64_t queue = Collapser<QuadricCost>::memory(vertices);
-  switch (cost) {
-    case Refine::quadric:
-      return std::max(queue + QuadricCost::memory(vertices), Sweeps::memory(vertices));
+  switch (settings.cost) {
+    case Refine::quadric: {
+      const std::uint64_t with_quadrics = queue + QuadricCost::memory(vertices);
+      const bool sweeps = !bounds_error(settings);
+      return sweeps ? std::max(with_quadrics, Sweeps::memory(vertices)) : with_quadrics;
+    }
     case Refine::volume:
     case Refine::importance:
     case Refine::none:
@@ -285,7 +288,7 @@ std::size_t Decimation::state_size(const DecimationSettings& settings) {
 }
 
 std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64_t vertices) {
-  return memory_of(settings.cost, vertices) + vertices * state_size(settings);
+  return memory_of(settings, vertices) + vertices * state_size(settings);
 }
 
 }  // namespace winnow

@@ -245,7 +245,7 @@ void ByteSink::flush_and_sync() {
   if (!aside_.empty() && ::fsync(fd_) != 0) fail(errno);
 }
 
-void ByteSink::finish() {
+void ByteSink::finish(bool for_now) {
   flush_and_sync();
   if (aside_.empty()) {
     const int fd = std::exchange(fd_, -1);
@@ -263,8 +263,8 @@ void ByteSink::finish() {
     if (errno == EEXIST && !force_) refuse_existing();
     // Not every file system knows the flags; then what has the name is replaced for good.
     if (errno != EEXIST && errno != EINVAL) fail(errno);
-    replaced_ = rename_with(RENAME_EXCHANGE);
-    if (!replaced_ && ((errno != EINVAL && errno != ENOENT) || !rename_with(0))) fail(errno);
+    replaced_ = for_now && rename_with(RENAME_EXCHANGE);
+    if (!replaced_ && !rename_with(0)) fail(errno);
   }
   named_ = true;
   const int directory = ::open(directory_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

@@ -38,10 +38,12 @@ class ByteSink {
   // Everything that can fail for want of room; of several files, all are settled before any is
   // finished.
   void flush_and_sync();
-  // Gives the file its name. What it replaces stays aside for as long as the sink lives.
-  void finish();
-  // After finish(): what had the name before has it again, where the file system can exchange
-  // names.
+  // Gives the file its name.
+  void finish() { finish(false); }
+  // The same; what it replaces stays aside for as long as the sink lives.
+  void finish_for_now() { finish(true); }
+  // After finish_for_now(): what had the name before has it again, where the file system can
+  // exchange names.
   void take_back() noexcept;
 
   // Names the file that flush_and_sync() brought to the disk, also when it is under its own name;
@@ -53,6 +55,7 @@ class ByteSink {
   [[nodiscard]] std::uint64_t written() const { return written_; }  // before compression
 
  private:
+  void finish(bool for_now);
   [[noreturn]] void refuse_existing() const;
   void open_aside(mode_t rights);  // of a new file
   void open_straight(bool named_pipe);

@@ -74,9 +74,10 @@ void in_chunks(Job& job, std::uint64_t elements, const Work& work) {
 }  // namespace
 
 void finish(const MeshSinks& sinks) {
+  if (sinks.size() == 1) return sinks.front()->finish();
   std::size_t finished = 0;
   try {
-    for (; finished < sinks.size(); ++finished) sinks[finished]->finish();
+    for (; finished < sinks.size(); ++finished) sinks[finished]->finish_for_now();
   } catch (...) {
     while (finished > 0) sinks[--finished]->take_back();
     throw;

@@ -25,7 +25,8 @@ class MeshSink {
   // Everything that can fail. Returns the size of the mesh, before compression.
   virtual std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) = 0;
   virtual void finish() = 0;
-  // After finish(): nothing of the mesh stays.
+  virtual void finish_for_now() = 0;
+  // After finish_for_now(): nothing of the mesh stays.
   virtual void take_back() noexcept = 0;
 
   [[nodiscard]] virtual std::string name() const { return {}; }      // of a file, as it was given
@@ -56,6 +57,7 @@ class FileSink final : public MeshSink {
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
   std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
   void finish() override { sink_.finish(); }
+  void finish_for_now() override { sink_.finish_for_now(); }
   void take_back() noexcept override { sink_.take_back(); }
   [[nodiscard]] std::string name() const override { return name_; }
   [[nodiscard]] std::string format() const override { return format_; }
@@ -78,6 +80,7 @@ class MemorySink final : public MeshSink {
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
   std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
   void finish() override {}
+  void finish_for_now() override {}
   void take_back() noexcept override { mesh_ = {}; }
   [[nodiscard]] std::string format() const override { return "memory"; }
 

@@ -266,7 +266,7 @@ TEST_CASE("an output that is taken back leaves what was there before") {
     {
       ByteSink sink(test.job, path, there);
       write_all(sink, "new");
-      sink.finish();
+      sink.finish_for_now();
       CHECK(test::bytes_of_file(path) == "new");
       sink.take_back();
     }

@@ -14,12 +14,12 @@ TEST_CASE("every count and index type in every form gives the same faces") {
   test::Random random(210);
   const test::Polygons mesh = test::random_polygons(random, 100, 60, 6);
   for (int form = 0; form < 3; ++form) {
-    for (int count = 0; count < 6; ++count) {
-      for (int index = 0; index < 6; ++index) {
+    for (std::size_t count = 0; count < test::whole_types; ++count) {
+      for (std::size_t index = 0; index < test::whole_types; ++index) {
         test::PlyStyle style;
         style.form = static_cast<PlyForm>(form);
-        style.count = static_cast<PlyType>(count);
-        style.index = static_cast<PlyType>(index);
+        style.count = test::ply_types.at(count);
+        style.index = test::ply_types.at(index);
         const std::vector<test::SeenFace> right = as_triangles(as_stored(mesh, style));
         for (const char* list : {"vertex_index", "vertex_indices"}) {
           style.list = list;
@@ -38,17 +38,17 @@ TEST_CASE("every coordinate type in every form gives the same positions") {
   test::Random random(211);
   const test::Polygons mesh = test::random_polygons(random, 100, 60, 4);
   for (int form = 0; form < 3; ++form) {
-    for (int type = 0; type < 8; ++type) {
+    for (const PlyType type : test::ply_types) {
       test::PlyStyle style;
       style.form = static_cast<PlyForm>(form);
-      style.coordinate.fill(static_cast<PlyType>(type));
+      style.coordinate.fill(type);
       test::Polygons positive = mesh;
       for (test::Point& p : positive.vertices) {
         for (double& x : p) x = std::abs(x);  // some types are unsigned
       }
       const std::string file = ply_file(positive, style);
       const std::vector<test::SeenFace> right = as_triangles(as_stored(positive, style));
-      CAPTURE(form, type);
+      CAPTURE(form, test::type_name(type, true));
       REQUIRE(difference(test::faces_of(file), right) == "");
       REQUIRE(difference(test::faces_of_pipe(file), right) == "");
     }

@@ -85,8 +85,8 @@ TEST_CASE("blanks, tabs, empty lines and remarks anywhere do not matter") {
 }
 
 TEST_CASE("old and new type names are the same types") {
-  for (int number = 0; number < 8; ++number) {
-    const auto type = static_cast<PlyType>(number);
+  for (std::size_t i = 0; i < test::ply_types.size(); ++i) {
+    const PlyType type = test::ply_types.at(i);
     for (const bool new_names : {false, true}) {
       const std::string name = test::type_name(type, new_names);
       const PlyHeader header =
@@ -96,7 +96,7 @@ TEST_CASE("old and new type names are the same types") {
       CHECK(size_of(type) == header.elements[0].smallest_size());
     }
     CHECK(std::string(name_of(type)) == test::type_name(type, false));
-    CHECK(is_integer(type) == (number < 6));
+    CHECK(is_integer(type) == (i < test::whole_types));
   }
 }
 

@@ -119,15 +119,12 @@ class Writer {
   std::string text_;
 };
 
-constexpr std::array all_types{PlyType::int8,  PlyType::uint8,  PlyType::int16,   PlyType::uint16,
-                               PlyType::int32, PlyType::uint32, PlyType::float32, PlyType::float64};
-
 Property random_property(Random& random, const std::string& name, bool list) {
   Property property;
   property.name = name;
-  property.type = all_types.at(random.below(8));
+  property.type = ply_types.at(random.below(ply_types.size()));
   property.list = list;
-  property.count = all_types.at(random.below(6));
+  property.count = ply_types.at(random.below(whole_types));
   const std::uint64_t seed = random.bits();
   property.values = [seed, list](std::size_t record) {
     Random values(seed + record);
@@ -154,21 +151,33 @@ Element random_element(Random& random, const std::string& name) {
   return element;
 }
 
+struct Numbers {
+  PlyType type;
+  const char* old_name;
+  const char* new_name;
+  double largest;
+};
+
+const Numbers& numbers_of(PlyType type) {
+  static constexpr std::array<Numbers, 8> all{{{PlyType::int8, "char", "int8", 127},
+                                               {PlyType::uint8, "uchar", "uint8", 255},
+                                               {PlyType::int16, "short", "int16", 32767},
+                                               {PlyType::uint16, "ushort", "uint16", 65535},
+                                               {PlyType::int32, "int", "int32", 2147483647},
+                                               {PlyType::uint32, "uint", "uint32", 4294967295},
+                                               {PlyType::float32, "float", "float32", 16777216},
+                                               {PlyType::float64, "double", "float64", 9e15}}};
+  return *std::ranges::find(all, type, &Numbers::type);
+}
+
 double largest_of(PlyType type) {
-  constexpr std::array<double, 8> largest{127,        255,        32767,    65535,
-                                          2147483647, 4294967295, 16777216, 9e15};
-  return largest.at(static_cast<std::size_t>(type));
+  return numbers_of(type).largest;
 }
 
 }  // namespace
 
 std::string type_name(PlyType type, bool new_names) {
-  constexpr std::array old_ones{"char", "uchar", "short", "ushort",
-                                "int",  "uint",  "float", "double"};
-  constexpr std::array new_ones{"int8",  "uint8",  "int16",   "uint16",
-                                "int32", "uint32", "float32", "float64"};
-  return new_names ? new_ones.at(static_cast<std::size_t>(type))
-                   : old_ones.at(static_cast<std::size_t>(type));
+  return new_names ? numbers_of(type).new_name : numbers_of(type).old_name;
 }
 
 std::string ply_file(const Polygons& mesh, const PlyStyle& style) {
@@ -207,9 +216,9 @@ PlyStyle random_ply_style(Random& random, const Polygons& mesh) {
   const auto highest = static_cast<double>(mesh.vertices.size());
   std::size_t longest = 0;
   for (const auto& polygon : mesh.faces) longest = std::max(longest, polygon.size());
-  do style.index = all_types.at(random.below(6));
+  do style.index = ply_types.at(random.below(whole_types));
   while (largest_of(style.index) < highest);
-  do style.count = all_types.at(random.below(6));
+  do style.count = ply_types.at(random.below(whole_types));
   while (largest_of(style.count) < static_cast<double>(longest));
   if (random.chance(0.4)) {  // what nearly every file has, and what has a fast way of its own
     style.index = PlyType::int32;

@@ -31,6 +31,12 @@ PlyStyle random_ply_style(Random& random, const Polygons& mesh);
 // The mesh as the types of the style hold it.
 Polygons as_stored(Polygons mesh, const PlyStyle& style);
 
+// Whole numbers first.
+inline constexpr std::array ply_types{PlyType::int8,    PlyType::uint8,  PlyType::int16,
+                                      PlyType::uint16,  PlyType::int32,  PlyType::uint32,
+                                      PlyType::float32, PlyType::float64};
+inline constexpr std::size_t whole_types = 6;
+
 std::string type_name(PlyType type, bool new_names);
 
 }  // namespace winnow::test
