@@ -1,9 +1,7 @@
 // Searching what is in order and known by numbers alone, as records in scratch are.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <ranges>
 
 namespace winnow {
 
@@ -11,7 +9,15 @@ namespace winnow {
 // below some number and false from there on.
 template <typename Before>
 std::uint64_t first_not_before(std::uint64_t low, std::uint64_t high, const Before& before) {
-  return *std::ranges::partition_point(std::views::iota(low, high), before);
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    if (before(middle)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
 }
 
 }  // namespace winnow

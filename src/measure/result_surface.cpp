@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace winnow {
@@ -220,7 +221,9 @@ ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t mem
 }
 
 CountedSurface count_surface(Job& job, const StoredMesh& mesh, std::uint64_t memory) {
-  return survey(job, mesh, memory, false);
+  ResultSurface surface = survey(job, mesh, memory, false);
+  CountedSurface& counted = surface;
+  return std::move(counted);
 }
 
 }  // namespace winnow

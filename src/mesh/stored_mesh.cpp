@@ -8,8 +8,8 @@ MeshMemory MeshMemory::divide(std::uint64_t memory) {
   return {memory / (vertex + faces) * vertex, memory / (vertex + faces) * faces};
 }
 
-StoredMesh::StoredMesh(Job& job, const MeshLayout& given, const MeshMemory& memory)
-    : layout(given) {
+StoredMesh::StoredMesh(Job& job, const MeshLayout& planned, const MeshMemory& memory)
+    : layout(planned) {
   const std::uint64_t each = memory.vertices / layout.vertex_bytes();
   vertices = std::make_unique<VertexIndex>(job, each * sizeof(IndexedVertex));
   if (layout.state > 0) state = std::make_unique<Spool>(job, each * layout.state);

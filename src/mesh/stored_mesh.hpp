@@ -43,7 +43,7 @@ struct MeshMemory {
 struct StoredMesh {
   StoredMesh() = default;
   // Without vertices and faces yet.
-  StoredMesh(Job& job, const MeshLayout& layout, const MeshMemory& memory);
+  StoredMesh(Job& job, const MeshLayout& planned, const MeshMemory& memory);
 
   MeshLayout layout;
   std::unique_ptr<VertexIndex> vertices;

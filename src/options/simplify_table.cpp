@@ -44,7 +44,7 @@ OptionValue<Options> target(Target (*make)(Value), std::optional<Value> (Target:
 }
 
 // The same with commas between several, in any order: the finest is the target, the others follow.
-OptionValue<Options> several(OptionValue<Options> one) {
+OptionValue<Options> several(const OptionValue<Options>& one) {
   OptionValue<Options> value;
   value.set = [set = one.set](Options& options, const std::string& text,
                               const std::string& option) {
