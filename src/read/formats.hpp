@@ -67,7 +67,8 @@ constexpr const InputFormat* input_format(Format format) {
   return nullptr;
 }
 static_assert(std::ranges::all_of(all_values<Format>(), [](Format format) {
-  return serves(format, FormatUse::read) == (input_format(format) != nullptr);
+  const auto listed = [format](const auto& entry) { return entry.first == format; };
+  return serves(format, FormatUse::read) == std::ranges::any_of(input_formats, listed);
 }));
 
 // Of gltf_input, which is another in a library without that part.

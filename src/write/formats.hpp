@@ -46,7 +46,8 @@ constexpr const OutputFormat* output_format(Format format) {
   return nullptr;
 }
 static_assert(std::ranges::all_of(all_values<Format>(), [](Format format) {
-  return serves(format, FormatUse::written) == (output_format(format) != nullptr);
+  const auto listed = [format](const auto& entry) { return entry.first == format; };
+  return serves(format, FormatUse::written) == std::ranges::any_of(output_formats, listed);
 }));
 
 // The encoder for `format`; with Format::automatic for what the name ends in (before .gz or .zst),
