@@ -2,8 +2,15 @@
 
 namespace winnow {
 
+namespace {
+
+constexpr bool has_gltf = WINNOW_HAS_GLTF;
+constexpr bool has_compare = WINNOW_HAS_COMPARE;
+
+}  // namespace
+
 bool has_part(Part part) {
-  return part == Part::gltf ? WINNOW_HAS_GLTF : WINNOW_HAS_COMPARE;
+  return part == Part::gltf ? has_gltf : has_compare;
 }
 
 MissingPart::MissingPart(Part part, const std::string& failed)

@@ -26,6 +26,11 @@ std::string report_key(const std::string& path) {
   return "report." + path;
 }
 
+// A field of one of several results.
+std::string level_key(std::string path, std::uint64_t level, const std::string& field) {
+  return path.append(".").append(std::to_string(level)).append(".").append(field);
+}
+
 class Put {
  public:
   explicit Put(Manifest& manifest) : manifest_(manifest) {}
@@ -51,7 +56,7 @@ class Put {
     manifest_.set(report_key(path), std::uint64_t{levels.size()});
     for (std::size_t i = 0; i < levels.size(); ++i) {
       for_each_level_field(levels[i], [&](const std::string& field, const auto& value) {
-        (*this)(path + "." + std::to_string(i) + "." + field, value);
+        (*this)(level_key(path, i, field), value);
       });
     }
   }
@@ -98,7 +103,7 @@ class Get {
     levels.clear();
     for (std::uint64_t i = 0; i < manifest_.number(report_key(path)); ++i) {
       for_each_level_field(levels.emplace_back(), [&](const std::string& field, auto& value) {
-        (*this)(path + "." + std::to_string(i) + "." + field, value);
+        (*this)(level_key(path, i, field), value);
       });
     }
   }

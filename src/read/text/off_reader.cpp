@@ -346,12 +346,14 @@ std::unique_ptr<MeshReader> open_off(Job& job, std::unique_ptr<ByteSource> sourc
 
 }  // namespace
 
-const InputFormat off_input{
-    .reading = Reading::whole,
-    .open = open_off,
-    .probe = probe_by_lines<offer_of_off>,
-    .certain =
-        [](std::string_view head) { return head.substr(0, 16).find("OFF BINARY") != head.npos; },
-    .match = match_off};
+const InputFormat off_input{.reading = Reading::whole,
+                            .open = open_off,
+                            .probe = probe_by_lines<offer_of_off>,
+                            .certain =
+                                [](std::string_view head) {
+                                  return head.substr(0, 16).find("OFF BINARY") !=
+                                         std::string_view::npos;
+                                },
+                            .match = match_off};
 
 }  // namespace winnow
