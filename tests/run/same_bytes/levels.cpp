@@ -11,7 +11,8 @@ TEST_CASE("the same levels with other threads, little memory, and through a pipe
   const Words options{"--faces", "600,60k,9k", "--detail", "full"};
   const auto hashes = [&](const Run& run) {
     Words all;
-    for (const auto& level : run.json()["levels"]) {
+    const nlohmann::json report = run.json();
+    for (const auto& level : report["levels"]) {
       const std::string file = level["output"]["file"];
       all.push_back(hash_of_file(file));
       ::unlink(file.c_str());
