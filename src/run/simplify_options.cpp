@@ -39,8 +39,8 @@ void check_levels(const SimplifyOptions& options) {
 
 void check(const SimplifyOptions& options) {
   if (options.target.kind() == Target::Kind::none) refuse_targets();
-  check_ranges(simplify_options(), options);
   check_levels(options);
+  check_ranges(simplify_options(), options);
   const bool by_error = options.target.error().has_value();
   if (by_error && !facts_of(options.refine.value_or(Refine::quadric)).bounds_error) {
     throw Error(ErrorKind::usage,
