@@ -33,7 +33,7 @@ def test_compare_tells_distances(scan, tmp_path):
     report = winnow.compare(scan, tmp_path / "small.ply", samples=10000, fail_above="1%")
     assert 0 < report.distance.symmetric.rms_percent < 1
     assert report.fail_above.exceeded is False
-    assert report.simplified.faces == 1000
+    assert 999 <= report.simplified.faces <= 1000  # at most one collapse less
 
 
 def test_several_files_are_one_model(scan, tmp_path):

@@ -71,7 +71,7 @@ def test_without_like_it_is_a_mesh_of_winnow(name):
     small = winnow.simplify(MESHES[name][0], target_count=800)
     assert isinstance(small, winnow.Mesh)
     assert np.array_equal(small.points, WANTED[0])
-    assert small.report.output.faces == 800
+    assert 799 <= small.report.output.faces <= 800
 
 
 def test_arrays_become_what_like_is():
