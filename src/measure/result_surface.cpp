@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace winnow {
@@ -221,9 +220,9 @@ ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t mem
 }
 
 CountedSurface count_surface(Job& job, const StoredMesh& mesh, std::uint64_t memory) {
-  ResultSurface surface = survey(job, mesh, memory, false);
-  CountedSurface& counted = surface;
-  return std::move(counted);
+  const ResultSurface surface = survey(job, mesh, memory, false);
+  const CountedSurface& counted = surface;
+  return counted;
 }
 
 }  // namespace winnow
