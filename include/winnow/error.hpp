@@ -17,6 +17,23 @@ enum class ErrorKind {
   cancelled = 130  // Context::cancel was called
 };
 
+// Its name in reports.
+constexpr const char* name_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage:
+      return "usage";
+    case ErrorKind::bad_input:
+      return "bad_input";
+    case ErrorKind::resources:
+      return "resources";
+    case ErrorKind::cancelled:
+      return "cancelled";
+    case ErrorKind::failed:
+      break;
+  }
+  return "failed";
+}
+
 // Thrown by every function of the library that can fail. The message is one line, names the file
 // and the place (byte, line or face) where there is one, and says the way out.
 class WINNOW_API Error : public std::runtime_error {

@@ -10,22 +10,6 @@ namespace winnow::cli {
 
 namespace {
 
-const char* kind_name(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::usage:
-      return "usage";
-    case ErrorKind::bad_input:
-      return "bad_input";
-    case ErrorKind::resources:
-      return "resources";
-    case ErrorKind::cancelled:
-      return "cancelled";
-    case ErrorKind::failed:
-      break;
-  }
-  return "failed";
-}
-
 Json head_of(const CLI::App& command) {
   Json options = Json::object();
   for (const CLI::Option* option : command.get_options()) {
@@ -58,7 +42,7 @@ Json report_of(const CLI::App& command, const Json& body) {
 
 Json json_of_error(const std::string& message, ErrorKind kind) {
   return {{"error",
-           {{"kind", kind_name(kind)},
+           {{"kind", name_of(kind)},
             {"exit_code", static_cast<int>(kind)},
             {"message", clean(spoken(message))}}}};
 }

@@ -13,22 +13,6 @@ namespace {
 
 namespace py = pybind11;
 
-const char* name_of(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::usage:
-      return "usage";
-    case ErrorKind::bad_input:
-      return "bad_input";
-    case ErrorKind::resources:
-      return "resources";
-    case ErrorKind::cancelled:
-      return "cancelled";
-    case ErrorKind::failed:
-      break;
-  }
-  return "failed";
-}
-
 // Live as long as the process.
 py::handle error_type, missing_part_type;
 
