@@ -40,49 +40,49 @@ py::tuple simplify_arrays(const py::array& points, const py::array& faces,
   return py::make_tuple(arrays_of(std::move(mesh)), dict_of(report));
 }
 
+// What a call of the library tells, made with these surroundings and this progress.
+template <typename Call>
+py::dict told_by(const Call& call, const Texts& surroundings, const py::object& progress) {
+  Context context;
+  read(context, context_options(), surroundings);
+  decltype(call(context)) report;
+  run(context, progress, [&] { report = call(context); });
+  return dict_of(report);
+}
+
 py::dict simplify_files(const std::vector<std::string>& inputs, const std::string& output,
                         const Texts& options, const Texts& surroundings,
                         const py::object& progress) {
-  Context context;
-  read(context, context_options(), surroundings);
   const SimplifyOptions wanted = simplify_options_of(options);
-  SimplifyReport report;
-  run(context, progress, [&] { report = simplify(context, inputs, output, wanted); });
-  return dict_of(report);
+  const auto call = [&](Context& context) { return simplify(context, inputs, output, wanted); };
+  return told_by(call, surroundings, progress);
 }
 
 py::dict convert_file(const std::string& input, const std::string& output, const Texts& options,
                       const Texts& surroundings, const py::object& progress) {
-  Context context;
-  read(context, context_options(), surroundings);
   ConvertOptions wanted;
   read(wanted, convert_options(), options);
-  ConvertReport report;
-  run(context, progress, [&] { report = convert(context, input, output, wanted); });
-  return dict_of(report);
+  const auto call = [&](Context& context) { return convert(context, input, output, wanted); };
+  return told_by(call, surroundings, progress);
 }
 
 py::dict compare_files(const std::string& original, const std::string& simplified,
                        const Texts& options, const Texts& surroundings,
                        const py::object& progress) {
-  Context context;
-  read(context, context_options(), surroundings);
   CompareOptions wanted;
   read(wanted, compare_options(), options);
-  CompareReport report;
-  run(context, progress, [&] { report = compare(context, original, simplified, wanted); });
-  return dict_of(report);
+  const auto call = [&](Context& context) {
+    return compare(context, original, simplified, wanted);
+  };
+  return told_by(call, surroundings, progress);
 }
 
 py::dict info_of_file(const std::string& input, const Texts& options, const Texts& surroundings,
                       const py::object& progress) {
-  Context context;
-  read(context, context_options(), surroundings);
   ConvertOptions wanted;
   read(wanted, convert_options(), options);
-  InfoReport report;
-  run(context, progress, [&] { report = info(context, input, wanted.from); });
-  return dict_of(report);
+  const auto call = [&](Context& context) { return info(context, input, wanted.from); };
+  return told_by(call, surroundings, progress);
 }
 
 // Simplification, whose batches are C-ordered arrays.
