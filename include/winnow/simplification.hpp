@@ -25,7 +25,7 @@ namespace winnow {
 //   simplification.finish();
 //
 // What is added is kept in memory while half of the budget lasts and then in scratch, as finding
-// the cell or the price for a face count takes several passes: 12 bytes a vertex (24 in double) and
+// the cell or the cost for a face count takes several passes: 12 bytes a vertex (24 in double) and
 // 13 a face, or 50 a triangle without vertices of its own (85 in double).
 //
 // The output has the same bytes as simplify() gives for a PLY of these vertices and faces, of

@@ -32,7 +32,7 @@ enum class Boundary {
 // What collapses may do to the topology: whether a surface is closed, its boundaries, its handles.
 enum class Topology {
   keep,  // it stays: the result may have more faces than were asked for
-  free   // handles and holes may close and parts may come apart, at a price: the count is met
+  free   // handles and holes may close and parts may come apart, at a cost: the count is met
 };
 
 // Options that change the result. options.hpp has them as a table.

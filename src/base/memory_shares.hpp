@@ -121,9 +121,9 @@ static_assert(fit(links, links));
 namespace refine {
 inline constexpr Share tiles{1, 2}, logs{1, 8}, mesh{1, 8}, lists{1, 8};
 static_assert(fit(tiles, logs, mesh, mesh, lists));
-inline constexpr Share attempt{1, 2};              // of logs: two attempts may be there at once
-inline constexpr Share edges{1, 2}, prices{1, 2};  // of an attempt
-inline constexpr Share boxes{1, 4};                // of lists, while faces are unfolded
+inline constexpr Share attempt{1, 2};             // of logs: two attempts may be there at once
+inline constexpr Share edges{1, 2}, costs{1, 2};  // of an attempt
+inline constexpr Share boxes{1, 4};               // of lists, while faces are unfolded
 inline constexpr Share incoming{1, 2}, sorting_incoming{1, 2};
 static_assert(fit(incoming, sorting_incoming));
 inline constexpr Share renumbering{1, 2}, sorting_vertices{1, 2};  // of lists, while reordering

@@ -3,33 +3,34 @@
 // A Cost has
 //
 // - Candidate best(v, after): the cheapest edge that `v` proposes and that comes after `after`;
-// - PricedCollapse place(v, partner): which end of that edge is kept, where it goes, what that
+// - EvaluatedCollapse place(v, partner): which end of that edge is kept, where it goes, what that
 //   costs now;
 // - void collapsing(now), told that before the collapse; or collapsing(now, star), its star moved
 //   there;
 // - void collapsed(edge, offers), told after it: makes offers anew for the vertices whose edges now
 //   cost otherwise, or makes their offers stale;
-// - double piece_price(mesh, piece): what it costs that a piece of the surface goes as a whole,
+// - double cost_of_piece(mesh, piece): what it costs that a piece of the surface goes as a whole,
 //   infinite where it may not;
 //
 // and may have
 //
-// - double change_price(star, edge, change): what it costs besides that a collapse changes the
+// - double cost_of_change(star, edge, change): what it costs besides that a collapse changes the
 //   surface, infinite where it may not; without it no surface changes;
-// - double turning_price(star, edge): the same for faces that turn too far; with change_price()
+// - double cost_of_turning(star, edge): the same for faces that turn too far; with cost_of_change()
 //   only;
 // - void faces_gone(faces, offers): told after collapsed() of faces that fell onto each other and
 //   went;
-// - std::optional<PricedCollapse> other_place(now): the same edge in another way at the same price,
+// - std::optional<EvaluatedCollapse> other_place(now): the same edge in another way at the same
+// cost,
 //   asked for where place() gave one that is not legal;
-// - double closer_price(now, star, price): what place() found, looked at more closely, `price` or
+// - double closer_cost(now, star, cost): what place() found, looked at more closely, `cost` or
 //   more, and infinity where it may not be; asked before every collapse, of one that is legal.
 #pragma once
 
+#include "decimate/cost_queue.hpp"
 #include "decimate/edge_star.hpp"
 #include "decimate/legality.hpp"
 #include "decimate/piece.hpp"
-#include "decimate/price_queue.hpp"
 #include "decimate/tile_mesh.hpp"
 
 #include <algorithm>
@@ -43,22 +44,22 @@
 
 namespace winnow {
 
-// Edges of one vertex are in the order of their prices, and of equal ones in that of the other end.
+// Edges of one vertex are in the order of their costs, and of equal ones in that of the other end.
 struct Candidate {
-  double price = std::numeric_limits<double>::infinity();
+  double cost = std::numeric_limits<double>::infinity();
   VertexNumber partner = no_number;
 
   [[nodiscard]] bool exists() const { return partner != no_number; }
   [[nodiscard]] bool before(const Candidate& other) const {
-    return price < other.price || (price == other.price && partner < other.partner);
+    return cost < other.cost || (cost == other.cost && partner < other.partner);
   }
   // Before every other.
   static Candidate none_yet() { return {-std::numeric_limits<double>::infinity(), 0}; }
 };
 
-struct PricedCollapse {
+struct EvaluatedCollapse {
   Collapse edge;
-  double price = 0;
+  double cost = 0;
 };
 
 // The candidate that every vertex offers.
@@ -71,13 +72,13 @@ class Offers {
         postponed_(vertices) {}
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
-    return PriceQueue::memory(vertices) + vertices * (sizeof(VertexNumber) + 1 + sizeof(Candidate));
+    return CostQueue::memory(vertices) + vertices * (sizeof(VertexNumber) + 1 + sizeof(Candidate));
   }
 
   void append(VertexNumber v, const Candidate& candidate) {
     if (!candidate.exists()) return;
     partner_[v] = candidate.partner;
-    queue_.append(v, candidate.price);
+    queue_.append(v, candidate.cost);
   }
   void order() { queue_.order(); }
 
@@ -87,8 +88,8 @@ class Offers {
     replace(v, candidate);
   }
 
-  // An edge that turned out to be dearer gets its turn at its price, at the latest when no other is
-  // left.
+  // An edge that turned out to be costlier gets its turn at its cost, at the latest when no other
+  // is left.
   void postpone(VertexNumber v, const Candidate& candidate) {
     if ((state_[v] & waiting) == 0) {
       postponed_[v] = candidate;
@@ -114,7 +115,7 @@ class Offers {
     }
   }
 
-  // The offer is made anew when its turn comes: prices mostly rise, so that it keeps its turn until
+  // The offer is made anew when its turn comes: costs mostly rise, so that it keeps its turn until
   // then. A vertex without an offer gets its turn at once.
   void make_stale(VertexNumber v) {
     state_[v] |= out_of_date;
@@ -123,7 +124,7 @@ class Offers {
   [[nodiscard]] bool stale(VertexNumber v) const { return (state_[v] & out_of_date) != 0; }
 
   [[nodiscard]] Candidate of(VertexNumber v) const {
-    return queue_.holds(v) ? Candidate{queue_.price(v), partner_[v]} : Candidate{};
+    return queue_.holds(v) ? Candidate{queue_.cost(v), partner_[v]} : Candidate{};
   }
 
   [[nodiscard]] bool holds(VertexNumber v) const { return queue_.holds(v); }
@@ -139,13 +140,13 @@ class Offers {
   void replace(VertexNumber v, const Candidate& candidate) {
     partner_[v] = candidate.partner;
     if (candidate.exists()) {
-      queue_.set(v, candidate.price);
+      queue_.set(v, candidate.cost);
     } else {
       queue_.remove(v);
     }
   }
 
-  PriceQueue queue_;
+  CostQueue queue_;
   std::vector<VertexNumber> partner_;
   std::vector<std::uint8_t> state_;
   std::vector<Candidate> postponed_;  // of those that are waiting
@@ -156,25 +157,25 @@ struct CollapseRules {
   double least_cosine = 0;        // of the angle by which one collapse may turn a face
   CoordinateRounding rounding{};  // of positions
   bool keep_pieces = false;       // no piece goes as a whole
-  // The topology may change and faces may turn by more, at a price.
+  // The topology may change and faces may turn by more, at a cost.
   bool free_topology = false;
 };
 
-// How far to go: down to so many faces, or up to this price, whichever comes first.
+// How far to go: down to so many faces, or up to this cost, whichever comes first.
 struct CollapseLimits {
   std::uint64_t faces = 0;
-  double price = std::numeric_limits<double>::infinity();
-  // So far without a queue, which is faster: not quite in the order of prices.
+  double cost = std::numeric_limits<double>::infinity();
+  // So far without a queue, which is faster: not quite in the order of costs.
   std::uint64_t sweeps_to = std::numeric_limits<std::uint64_t>::max();
-  double sweeps_price = std::numeric_limits<double>::infinity();
+  double sweeps_cost = std::numeric_limits<double>::infinity();
   // With so many faces left sweeps begin to be finer.
   std::uint64_t fine_from = 0;
 };
 
-// One collapse that was done. `price` is the highest so far: it never falls.
+// One collapse that was done. `cost` is the highest so far: it never falls.
 struct DoneCollapse {
   Collapse edge;
-  double price = 0;
+  double cost = 0;
   unsigned faces = 0;  // that it removed
   double error = 0;    // the largest so far that the cost knows of: Decimation::largest_error()
 };
@@ -182,7 +183,7 @@ struct DoneCollapse {
 template <typename Cost>
 class Collapser {
  public:
-  // `highest`: the highest price of what was collapsed before.
+  // `highest`: the highest cost of what was collapsed before.
   Collapser(TileMesh& mesh, Cost& cost, const CollapseRules& rules, double highest = 0)
       : mesh_(mesh),
         cost_(cost),
@@ -210,14 +211,14 @@ class Collapser {
         continue;
       }
       const Candidate candidate = offers_.of(v);
-      if (candidate.price > limits.price) return;
+      if (candidate.cost > limits.cost) return;
       if (candidate.partner == v) {
-        take_piece(v, candidate.price, done);
+        take_piece(v, candidate.cost, done);
         continue;
       }
-      PricedCollapse now = cost_.place(v, candidate.partner);
-      if (now.price > candidate.price) {
-        // The other end has become dearer since.
+      EvaluatedCollapse now = cost_.place(v, candidate.partner);
+      if (now.cost > candidate.cost) {
+        // The other end has become costlier since.
         offer_anew(v);
         continue;
       }
@@ -227,17 +228,17 @@ class Collapser {
         go_on(v, candidate);
         continue;
       }
-      double price = verdict.price;
-      if constexpr (requires { cost_.closer_price(now, star_, candidate.price); })
-        price = std::max(price, closer_price(now, candidate.price, verdict.changes));
-      if (price > candidate.price) {
-        if (std::isfinite(price)) offers_.postpone(v, {price, candidate.partner});
+      double cost = verdict.cost;
+      if constexpr (requires { cost_.closer_cost(now, star_, candidate.cost); })
+        cost = std::max(cost, closer_cost(now, candidate.cost, verdict.changes));
+      if (cost > candidate.cost) {
+        if (std::isfinite(cost)) offers_.postpone(v, {cost, candidate.partner});
         go_on(v, candidate);
         continue;
       }
       const Collapse& edge = now.edge;
       if (verdict.changes) add_change(mesh_, star_, change_, changes_);
-      unsigned gone = collapse(now, candidate.price);
+      unsigned gone = collapse(now, candidate.cost);
       offers_.set(edge.removed, {});
       cost_.collapsed(edge, offers_);
       if constexpr (changes_surfaces) {
@@ -253,8 +254,8 @@ class Collapser {
  private:
   static constexpr std::uint32_t turns_between = 1024;
   // The edge of star_. How many faces went.
-  unsigned collapse(const PricedCollapse& now, double price) {
-    highest_ = std::max(highest_, price);
+  unsigned collapse(const EvaluatedCollapse& now, double cost) {
+    highest_ = std::max(highest_, cost);
     if constexpr (requires { cost_.collapsing(now, star_); }) {
       cost_.collapsing(now, star_);
     } else {
@@ -279,19 +280,19 @@ class Collapser {
     // Nearly always some edge beside it is.
     if (rules_.keep_pieces || mesh_.has_neighbour(v, is_offered)) return;
     if (!piece_.find(mesh_, v, is_offered)) return;
-    const double price = cost_.piece_price(mesh_, piece_);
-    if (!std::isfinite(price)) return;
+    const double cost = cost_.cost_of_piece(mesh_, piece_);
+    if (!std::isfinite(cost)) return;
     const VertexNumber lowest = *std::min_element(piece_.vertices.begin(), piece_.vertices.end());
-    offers_.set(lowest, {price, lowest});
+    offers_.set(lowest, {cost, lowest});
   }
 
   // The last piece stays.
-  void take_piece(VertexNumber v, double price,
+  void take_piece(VertexNumber v, double cost,
                   const std::function<void(const DoneCollapse&)>& done) {
     piece_.find(mesh_, v);
     offers_.set(v, {});
     if (piece_.faces.size() >= mesh_.live_faces()) return;
-    highest_ = std::max(highest_, price);
+    highest_ = std::max(highest_, cost);
     const auto faces = static_cast<unsigned>(piece_.faces.size());
     done({{v, v, mesh_.position(v)}, highest_, faces, cost_.largest_error()});
     mesh_.remove(piece_.vertices, piece_.faces);
@@ -299,25 +300,25 @@ class Collapser {
 
   static constexpr bool changes_surfaces =
       requires(Cost cost, const EdgeStar& star, const Collapse& edge, const SurfaceChange& change) {
-    cost.change_price(star, edge, change);
+    cost.cost_of_change(star, edge, change);
   };
 
-  // `price`: no less, for what it changes.
+  // `cost`: no less, for what it changes.
   struct Verdict {
     bool allowed = false;
     bool changes = false;  // the surface: change_
-    double price = 0;
+    double cost = 0;
   };
 
   // Whether the collapse is legal; in the other way that the cost knows, if not in this.
-  Verdict judge(PricedCollapse& now) {
+  Verdict judge(EvaluatedCollapse& now) {
     star_.find(mesh_, now.edge.kept, now.edge.removed);
     Verdict verdict;
     if (!legality_.keeps_surface(star_)) {
       if constexpr (changes_surfaces) {
         if (!rules_.free_topology || !legality_.find_change(star_, change_)) return {};
-        verdict = {true, true, now.price + cost_.change_price(star_, now.edge, change_)};
-        if (!std::isfinite(verdict.price)) return {};
+        verdict = {true, true, now.cost + cost_.cost_of_change(star_, now.edge, change_)};
+        if (!std::isfinite(verdict.cost)) return {};
       } else {
         return {};
       }
@@ -326,7 +327,7 @@ class Collapser {
     if (legality_.keeps_faces(star_, now.edge)) return verdict;
     if constexpr (requires { cost_.other_place(now); }) {
       if (const auto other = cost_.other_place(now)) {
-        const PricedCollapse first = std::exchange(now, *other);
+        const EvaluatedCollapse first = std::exchange(now, *other);
         if (legality_.keeps_faces(star_, now.edge)) return verdict;
         now = first;
         if (rules_.free_topology) star_.move(mesh_, now.edge.position, rules_.least_cosine);
@@ -334,19 +335,19 @@ class Collapser {
     }
     if constexpr (changes_surfaces) {
       if (rules_.free_topology) {
-        verdict.price = std::max(verdict.price, now.price) + cost_.turning_price(star_, now.edge);
-        verdict.allowed = std::isfinite(verdict.price);
+        verdict.cost = std::max(verdict.cost, now.cost) + cost_.cost_of_turning(star_, now.edge);
+        verdict.allowed = std::isfinite(verdict.cost);
         return verdict;
       }
     }
     return {};
   }
 
-  double closer_price(const PricedCollapse& now, double price, [[maybe_unused]] bool changes) {
+  double closer_cost(const EvaluatedCollapse& now, double cost, [[maybe_unused]] bool changes) {
     if constexpr (changes_surfaces) {
-      return cost_.closer_price(now, star_, price, changes ? &change_ : nullptr);
+      return cost_.closer_cost(now, star_, cost, changes ? &change_ : nullptr);
     } else {
-      return cost_.closer_price(now, star_, price);
+      return cost_.closer_cost(now, star_, cost);
     }
   }
 

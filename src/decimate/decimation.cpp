@@ -27,7 +27,7 @@ CollapseRules rules_of(const DecimationSettings& settings) {
   return {settings.least_cosine, rounding, settings.keep_pieces, settings.free_topology};
 }
 
-// By a cost that knows the mesh alone: made when it is needed, by make(mesh); or by
+// By a cost function that knows the mesh alone: made when it is needed, by make(mesh); or by
 // make(mesh, swept) where sweeps have been at the mesh, those of make.sweeps(mesh, rules).
 template <typename MakeCost>
 class MemorylessDecimation final : public Decimation {
@@ -45,7 +45,7 @@ class MemorylessDecimation final : public Decimation {
         std::optional<Swept> swept =
             sweep(make_.sweeps(mesh_, rules_of(settings_)), limits, done, turn);
         if (!swept) return;
-        const double highest = swept->highest_price;
+        const double highest = swept->highest_cost;
         mesh_.link();
         return choose(make_(mesh_, std::move(*swept)), highest, limits, done, turn);
       }
@@ -74,7 +74,7 @@ class MemorylessDecimation final : public Decimation {
     if (ready) return std::nullopt;
     return std::move(sweeps).hand_on();
   }
-  // In the order of prices.
+  // In the order of costs.
   template <typename Cost>
   void choose(Cost cost, double highest, const CollapseLimits& limits,
               const std::function<void(const DoneCollapse&)>& done,
@@ -125,7 +125,7 @@ struct MakeQuadricCost {
   }
 };
 
-// By a cost that remembers.
+// By a cost function that remembers.
 template <typename Cost>
 class AccumulatingDecimation final : public Decimation {
  public:

@@ -109,7 +109,7 @@ double boundary_height(const FanView& fan);
 
 // What is flat costs less than all that has a shape, at any scale: only its own order is left,
 // short edges first.
-inline double flat_price(const FanView& fan, std::size_t into) {
+inline double flat_cost(const FanView& fan, std::size_t into) {
   return 0x1p-700 * dot(fan.seen[into], fan.seen[into]);
 }
 

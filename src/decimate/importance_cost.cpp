@@ -39,18 +39,18 @@ double turning_error(const FanView& fan, std::size_t into) {
   return error;
 }
 
-ImportancePrice::ImportancePrice(const FanView& fan)
+ImportanceOfRemoval::ImportanceOfRemoval(const FanView& fan)
     : fan_(fan), importance_(visual_importance(shape_of(fan))) {
   if (fan.closed) return;
   const double height = boundary_height(fan);
   boundary_ = weight_of_boundary_square * height * height;
 }
 
-double ImportancePrice::of_piece(const PieceLoss& loss) {
+double ImportanceOfRemoval::of_piece(const PieceLoss& loss) {
   return std::numbers::pi * loss.area + weight_of_boundary_square * std::sqrt(loss.boundary);
 }
 
-double ImportancePrice::operator()(std::size_t into) const {
+double ImportanceOfRemoval::operator()(std::size_t into) const {
   return importance_ * turning_error(fan_, into) + boundary_;
 }
 

@@ -1,4 +1,4 @@
-// How much area the removal of a vertex turns, and by how much, dearer where the vertex is
+// How much area the removal of a vertex turns, and by how much, costlier where the vertex is
 // important: the cost of M. Hussain, Y. Okada and K. Niijima, "Efficient and feature-preserving
 // triangular mesh decimation" (2004), called MELOD. A vertex is removed into a neighbour, which
 // stays where it is.
@@ -30,9 +30,9 @@ double visual_importance(const FanShape& shape);
 double turning_error(const FanView& fan, std::size_t into);
 
 // Of the vertex of a fan.
-class ImportancePrice {
+class ImportanceOfRemoval {
  public:
-  explicit ImportancePrice(const FanView& fan);
+  explicit ImportanceOfRemoval(const FanView& fan);
   double operator()(std::size_t into) const;
   // All of the area turns over.
   static double of_piece(const PieceLoss& loss);
@@ -43,6 +43,6 @@ class ImportancePrice {
   double boundary_ = 0;
 };
 
-using ImportanceCost = RemovalCost<ImportancePrice>;
+using ImportanceCost = RemovalCost<ImportanceOfRemoval>;
 
 }  // namespace winnow

@@ -17,8 +17,8 @@
 namespace winnow {
 
 // What collapsing an edge costs and where it goes to.
-struct PricedEdge {
-  double price = std::numeric_limits<double>::infinity();
+struct EvaluatedEdge {
+  double cost = std::numeric_limits<double>::infinity();
   Point position{};
   VertexNumber high = no_number;
   bool flat_low = false, flat_high = false;  // nothing is lost at this end but rounding
@@ -30,15 +30,15 @@ class Proposals {
   explicit Proposals(VertexNumber vertices) : of_(vertices), counts_(classes) {}
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
-    return vertices * (sizeof(PricedEdge) + sizeof(VertexNumber));
+    return vertices * (sizeof(EvaluatedEdge) + sizeof(VertexNumber));
   }
 
   void clear(VertexNumber v) { of_[v] = {}; }
-  // Prices are not below 0. Of equally cheap ones the first stays.
-  void add(VertexNumber low, const PricedEdge& edge) {
-    if (edge.price < of_[low].price) of_[low] = edge;
+  // Costs are not below 0. Of equally cheap ones the first stays.
+  void add(VertexNumber low, const EvaluatedEdge& edge) {
+    if (edge.cost < of_[low].cost) of_[low] = edge;
   }
-  [[nodiscard]] const PricedEdge& of(VertexNumber v) const { return of_[v]; }
+  [[nodiscard]] const EvaluatedEdge& of(VertexNumber v) const { return of_[v]; }
 
   // How many of these vertices propose one.
   std::size_t count(std::span<const VertexNumber> vertices) {
@@ -46,7 +46,7 @@ class Proposals {
     std::size_t count = 0;
     for (const VertexNumber v : vertices) {
       if (!proposes(v)) continue;
-      ++counts_[class_of(of_[v].price)];
+      ++counts_[class_of(of_[v].cost)];
       ++count;
     }
     return count;
@@ -65,7 +65,7 @@ class Proposals {
     sorted_.resize(count);
     for (const VertexNumber v : vertices) {
       if (!proposes(v)) continue;
-      const std::uint32_t its = class_of(of_[v].price);
+      const std::uint32_t its = class_of(of_[v].cost);
       if (its < end) sorted_[counts_[its]++] = v;
     }
     if (end == classes) return {sorted_, std::numeric_limits<double>::infinity()};
@@ -73,16 +73,16 @@ class Proposals {
   }
 
  private:
-  // The bits of a price without the lowest: what is in a class differs by less than a sixteenth.
+  // The bits of a cost without the lowest: what is in a class differs by less than a sixteenth.
   static constexpr unsigned class_bits = 48;
   static constexpr std::size_t classes = std::size_t{1} << (63 - class_bits);  // no sign
 
-  [[nodiscard]] bool proposes(VertexNumber v) const { return std::isfinite(of_[v].price); }
-  static std::uint32_t class_of(double price) {
-    return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(price + 0.0) >> class_bits);
+  [[nodiscard]] bool proposes(VertexNumber v) const { return std::isfinite(of_[v].cost); }
+  static std::uint32_t class_of(double cost) {
+    return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(cost + 0.0) >> class_bits);
   }
 
-  std::vector<PricedEdge> of_;
+  std::vector<EvaluatedEdge> of_;
   std::vector<std::uint32_t> counts_;
   std::vector<VertexNumber> sorted_;
 };

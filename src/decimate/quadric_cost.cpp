@@ -34,7 +34,7 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& 
       planes_(mesh.vertex_count()),
       farthest_(std::move(witnesses)),
       at_boundary_(mesh.vertex_count(), 0),
-      price_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))),
+      evaluate_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))),
       largest_square_(largest_square) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_boundary_[v] = !mesh.all_edges_even(v);
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
@@ -92,20 +92,20 @@ void QuadricCost::take_boundaries(const Collapse& edge, const EdgeStar& star) {
   }
 }
 
-PricedCollapse QuadricCost::place(VertexNumber low, VertexNumber high) {
+EvaluatedCollapse QuadricCost::place(VertexNumber low, VertexNumber high) {
   set_low(batch_, mesh_.position(low), planes_[low]);
   set_high(batch_, 0, mesh_.position(high), planes_[high], mesh_.hub(high));
-  price_edges_(batch_, 1, single_);
-  if (mesh_.hub(high)) return {{high, low, mesh_.position(high)}, batch_.price[0]};
-  return {{low, high, position_of(batch_, 0)}, batch_.price[0]};
+  evaluate_edges_(batch_, 1, single_);
+  if (mesh_.hub(high)) return {{high, low, mesh_.position(high)}, batch_.cost[0]};
+  return {{low, high, position_of(batch_, 0)}, batch_.cost[0]};
 }
 
-std::optional<PricedCollapse> QuadricCost::other_place(const PricedCollapse& now) const {
+std::optional<EvaluatedCollapse> QuadricCost::other_place(const EvaluatedCollapse& now) const {
   if (batch_.flat_low[0] == 0 || batch_.flat_high[0] == 0) return std::nullopt;
   const Point& high = mesh_.position(now.edge.removed);
   const bool at_high = now.edge.position == high;
-  return PricedCollapse{
-      {now.edge.kept, now.edge.removed, at_high ? mesh_.position(now.edge.kept) : high}, now.price};
+  return EvaluatedCollapse{
+      {now.edge.kept, now.edge.removed, at_high ? mesh_.position(now.edge.kept) : high}, now.cost};
 }
 
 Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
@@ -119,22 +119,22 @@ Candidate QuadricCost::best(VertexNumber v, const Candidate& after) {
       const VertexNumber high = ends[first + i];
       set_high(batch_, i, mesh_.position(high), planes_[high], mesh_.hub(high));
     }
-    price_edges_(batch_, count, single_);
+    evaluate_edges_(batch_, count, single_);
     for (std::size_t i = 0; i < count; ++i) {
-      const Candidate candidate{batch_.price[i], ends[first + i]};
+      const Candidate candidate{batch_.cost[i], ends[first + i]};
       if (after.before(candidate) && candidate.before(cheapest)) cheapest = candidate;
     }
   }
   return cheapest;
 }
 
-double QuadricCost::closer_price(const PricedCollapse& now, const EdgeStar& star, double price,
-                                 const SurfaceChange* change) {
+double QuadricCost::closer_cost(const EvaluatedCollapse& now, const EdgeStar& star, double cost,
+                                const SurfaceChange* change) {
   // As place() has found it.
   const bool flat = batch_.flat_low[0] + batch_.flat_high[0] != 0;
-  if (!bound_) return farthest_.price(now.edge, star, price, flat);
-  // Measured whole, so that a repeated collapse, whose price is not known, remembers the same.
-  const double closer = std::max(price, farthest_.price(now.edge, star, 0, flat));
+  if (!bound_) return farthest_.cost(now.edge, star, cost, flat);
+  // Measured whole, so that a repeated collapse, whose cost is not known, remembers the same.
+  const double closer = std::max(cost, farthest_.cost(now.edge, star, 0, flat));
   const double far = bound_->farthest();
   const bool near = farthest_.square() <= far * far;
   return near && bound_->allows(now.edge, star, change) ? closer
@@ -151,21 +151,21 @@ double QuadricCost::largest_error() const {
   return bound_ ? bound_->largest_error() : std::sqrt(largest_square_);
 }
 
-double QuadricCost::piece_price(const TileMesh& mesh, const Piece& piece) const {
+double QuadricCost::cost_of_piece(const TileMesh& mesh, const Piece& piece) const {
   if (bound_ && !bound_->allows(piece)) return std::numeric_limits<double>::infinity();
   const PieceLoss loss = loss_of(mesh, piece);
   return std::max(piece_weight * (loss.surface + boundary_line_weight * loss.boundary),
-                  WitnessPoints::price_of(piece_reach * piece_reach * loss.farthest));
+                  WitnessPoints::cost_of(piece_reach * piece_reach * loss.farthest));
 }
 
-double QuadricCost::change_price(const EdgeStar& star, const Collapse& edge,
-                                 const SurfaceChange& change) {
+double QuadricCost::cost_of_change(const EdgeStar& star, const Collapse& edge,
+                                   const SurfaceChange& change) {
   if (bound_ && !bound_->allows(star, change)) return std::numeric_limits<double>::infinity();
   const PieceLoss loss = loss_of(mesh_, star, edge, change);
   return loss.surface + boundary_line_weight * loss.boundary;
 }
 
-double QuadricCost::turning_price(const EdgeStar& star, const Collapse& edge) const {
+double QuadricCost::cost_of_turning(const EdgeStar& star, const Collapse& edge) const {
   if (bound_) return std::numeric_limits<double>::infinity();
   return loss_by_turning(mesh_, star, edge).surface;
 }
@@ -187,13 +187,13 @@ void QuadricCost::faces_gone(std::span<const FaceVertices> faces, Offers& offers
   }
 }
 
-void QuadricCost::collapsing(const PricedCollapse& now, const EdgeStar& star) {
+void QuadricCost::collapsing(const EvaluatedCollapse& now, const EdgeStar& star) {
   const VertexNumber kept = now.edge.kept;
   const VertexNumber removed = now.edge.removed;
   farthest_.collapsing(now.edge);
   if (bound_) bound_->collapsing(now.edge);
   const double weight = weight_of(planes_[kept]) + weight_of(planes_[removed]);
-  if (weight > 0) largest_square_ = std::max(largest_square_, now.price / weight);
+  if (weight > 0) largest_square_ = std::max(largest_square_, now.cost / weight);
   into_hub_ = mesh_.hub(kept);
   handed_over_.clear();
   const auto faces = star.faces();
@@ -256,7 +256,7 @@ void QuadricCost::repeat(const Collapse& edge, EdgeStar& star, const SurfaceChan
   star.move(mesh_, edge.position, -1);
   const bool hub = mesh_.hub(edge.kept);
   (void)place(hub ? edge.removed : edge.kept, hub ? edge.kept : edge.removed);
-  (void)closer_price({edge, 0}, star, 0, change);
+  (void)closer_cost({edge, 0}, star, 0, change);
   collapsing({edge, 0}, star);
   mesh_.collapse(edge);
   collapsed(edge);

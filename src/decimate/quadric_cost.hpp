@@ -38,22 +38,22 @@ class QuadricCost {
   }
 
   [[nodiscard]] Candidate best(VertexNumber v, const Candidate& after);
-  [[nodiscard]] PricedCollapse place(VertexNumber low, VertexNumber high);
+  [[nodiscard]] EvaluatedCollapse place(VertexNumber low, VertexNumber high);
   // The same at the other end, where nothing is lost there either. Asked only of what place() gave
   // last.
-  [[nodiscard]] std::optional<PricedCollapse> other_place(const PricedCollapse& now) const;
+  [[nodiscard]] std::optional<EvaluatedCollapse> other_place(const EvaluatedCollapse& now) const;
   // `change`: null where the surface stays what it is.
-  [[nodiscard]] double closer_price(const PricedCollapse& now, const EdgeStar& star, double price,
-                                    const SurfaceChange* change = nullptr);
+  [[nodiscard]] double closer_cost(const EvaluatedCollapse& now, const EdgeStar& star, double cost,
+                                   const SurfaceChange* change = nullptr);
   // As if all points of the piece went to its middle. Planes do not know how far a flat piece
   // reaches.
-  [[nodiscard]] double piece_price(const TileMesh& mesh, const Piece& piece) const;
-  [[nodiscard]] double change_price(const EdgeStar& star, const Collapse& edge,
-                                    const SurfaceChange& change);
-  [[nodiscard]] double turning_price(const EdgeStar& star, const Collapse& edge) const;
+  [[nodiscard]] double cost_of_piece(const TileMesh& mesh, const Piece& piece) const;
+  [[nodiscard]] double cost_of_change(const EdgeStar& star, const Collapse& edge,
+                                      const SurfaceChange& change);
+  [[nodiscard]] double cost_of_turning(const EdgeStar& star, const Collapse& edge) const;
   void faces_gone(std::span<const FaceVertices> faces, Offers& offers);
   void faces_gone(std::span<const FaceVertices> faces);
-  void collapsing(const PricedCollapse& now, const EdgeStar& star);
+  void collapsing(const EvaluatedCollapse& now, const EdgeStar& star);
   void collapsed(const Collapse& edge, Offers& offers);
   void collapsed(const Collapse& edge);
   // A collapse of an earlier run, whose star this is: what collapsing() and collapsed() do but for
@@ -82,7 +82,7 @@ class QuadricCost {
   WitnessPoints farthest_;
   std::vector<std::uint8_t> at_boundary_;  // may be; a vertex that is not is at none
   std::optional<ErrorBound> bound_;
-  EdgeKernel price_edges_;
+  EdgeKernel evaluate_edges_;
   EdgeBatch batch_{};
   double largest_square_ = 0;
   // Of the collapse that is being made.

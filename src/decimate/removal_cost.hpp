@@ -13,9 +13,9 @@
 
 namespace winnow {
 
-// Price(view)(i): what the removal of a fan's vertex into its neighbour i costs, by the fan alone;
-// 0 where nothing is lost. Price::of_piece(loss): what it costs that a piece goes.
-template <typename Price>
+// Removal(view)(i): what the removal of a fan's vertex into its neighbour i costs, by the fan
+// alone; 0 where nothing is lost. Removal::of_piece(loss): what it costs that a piece goes.
+template <typename Removal>
 class RemovalCost {
  public:
   // `rounding`: of positions (base/rounding.hpp). `free_topology`: vertices whose faces are no fan
@@ -27,34 +27,34 @@ class RemovalCost {
     Candidate cheapest;
     if (!fan_.find(mesh_, v) && !(free_ && fan_.find_loose(mesh_, v))) return cheapest;
     const FanView view = fan_.view();
-    const Price price(view);
+    const Removal cost(view);
     // A vertex at a boundary goes along that.
     const std::size_t step = view.closed ? 1 : view.seen.size() - 1;
     for (std::size_t i = 0; i < view.seen.size(); i += step) {
       const VertexNumber w = fan_.neighbours()[i];
       if (mesh_.closed(w)) continue;
-      const double lost = price(i);
-      const Candidate candidate{lost > 0 ? lost : flat_price(view, i), w};
+      const double lost = cost(i);
+      const Candidate candidate{lost > 0 ? lost : flat_cost(view, i), w};
       if (after.before(candidate) && candidate.before(cheapest)) cheapest = candidate;
     }
     return cheapest;
   }
 
-  // No dearer than offered: whatever changes a fan makes its vertex offer anew.
-  [[nodiscard]] PricedCollapse place(VertexNumber v, VertexNumber partner) const {
+  // No costlier than offered: whatever changes a fan makes its vertex offer anew.
+  [[nodiscard]] EvaluatedCollapse place(VertexNumber v, VertexNumber partner) const {
     return {{partner, v, mesh_.position(partner)}, 0};
   }
 
-  [[nodiscard]] double piece_price(const TileMesh& mesh, const Piece& piece) const {
-    return Price::of_piece(loss_of(mesh, piece));
+  [[nodiscard]] double cost_of_piece(const TileMesh& mesh, const Piece& piece) const {
+    return Removal::of_piece(loss_of(mesh, piece));
   }
 
-  [[nodiscard]] double change_price(const EdgeStar& star, const Collapse& edge,
-                                    const SurfaceChange& change) const {
-    return Price::of_piece(loss_of(mesh_, star, edge, change));
+  [[nodiscard]] double cost_of_change(const EdgeStar& star, const Collapse& edge,
+                                      const SurfaceChange& change) const {
+    return Removal::of_piece(loss_of(mesh_, star, edge, change));
   }
-  [[nodiscard]] double turning_price(const EdgeStar& star, const Collapse& edge) const {
-    return Price::of_piece(loss_by_turning(mesh_, star, edge));
+  [[nodiscard]] double cost_of_turning(const EdgeStar& star, const Collapse& edge) const {
+    return Removal::of_piece(loss_by_turning(mesh_, star, edge));
   }
   void faces_gone(std::span<const FaceVertices> faces, Offers& offers) const {
     for (const FaceVertices& face : faces) {
@@ -62,7 +62,7 @@ class RemovalCost {
     }
   }
 
-  void collapsing(const PricedCollapse& now) {
+  void collapsing(const EvaluatedCollapse& now) {
     const auto ring = mesh_.neighbours(now.edge.removed);
     ring_.assign(ring.begin(), ring.end());
   }

@@ -15,11 +15,12 @@ namespace winnow {
 namespace {
 
 constexpr std::uint32_t turns_between = 1024;
-// Of the proposed edges those that a sweep looks at: with more the order of prices is lost, with
+// Of the proposed edges those that a sweep looks at: with more the order of costs is lost, with
 // fewer there are more sweeps (bench/RESULTS.md).
 constexpr double share_of_sweep = 0.6;
 constexpr double share_of_fine_sweep = 0.4;
-// Beside the dearest that a sweep looks at, how dear an edge may be that turns out to be dearer.
+// Beside the costliest that a sweep looks at, how costly an edge may be that turns out to be
+// costlier.
 constexpr double closer_bound = 0.25;
 // A sweep is the last that collapses no more than one in so many of these.
 constexpr std::size_t worth_a_sweep = 8;
@@ -30,7 +31,7 @@ Sweeps::Sweeps(TileMesh& mesh, bool single, const CollapseRules& rules)
     : mesh_(mesh),
       single_(single),
       rules_(rules),
-      price_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))),
+      evaluate_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))),
       legality_(mesh, rules.least_cosine),
       star_(rules.rounding),
       witnesses_(mesh, rules.rounding.relative) {}
@@ -42,11 +43,11 @@ bool Sweeps::run(const CollapseLimits& limits, const std::function<void(const Do
   if (left <= least) return left <= limits.faces;
   if (!begin()) return false;
   std::uint32_t turns = 0;
-  const double dearest = std::min(limits.price, limits.sweeps_price);
-  const auto is_done = [&] { return left <= least || highest_ > dearest; };
+  const double costliest = std::min(limits.cost, limits.sweeps_cost);
+  const auto is_done = [&] { return left <= least || highest_ > costliest; };
   for (bool stalled = false; !is_done() && !stalled;) {
     sum_planes();
-    price_edges();
+    evaluate_edges();
     const double part = left > limits.fine_from ? share_of_sweep : share_of_fine_sweep;
     const auto share =
         static_cast<std::uint64_t>(part * static_cast<double>(proposals_.count(vertices_)));
@@ -57,7 +58,7 @@ bool Sweeps::run(const CollapseLimits& limits, const std::function<void(const Do
       if (turns++ % turns_between == 0 && turn) turn();
       if (is_done()) break;
       if (!take(low, bound)) continue;
-      const unsigned faces = collapse(edge_, price_);
+      const unsigned faces = collapse(edge_, cost_);
       left -= faces;
       done({edge_, highest_, faces, std::sqrt(largest_square_)});
       ++made;
@@ -66,7 +67,7 @@ bool Sweeps::run(const CollapseLimits& limits, const std::function<void(const Do
     stalled = made <= cheapest.size() / worth_a_sweep;
   }
   mesh_.replace_faces(faces_);
-  return left <= limits.faces || highest_ > limits.price;
+  return left <= limits.faces || highest_ > limits.cost;
 }
 
 // False where there is a hub.
@@ -122,7 +123,7 @@ void Sweeps::find_single_neighbours(VertexNumber v) {
   keep_single(met_);
 }
 
-void Sweeps::price_edges() {
+void Sweeps::evaluate_edges() {
   for (const VertexNumber low : vertices_) {
     proposals_.clear(low);
     // An edge is told by the face in which it leads from its lower end to the higher.
@@ -136,7 +137,7 @@ void Sweeps::price_edges() {
       if (std::none_of(corners.begin(), corners.end(), leads)) add_edge(low, high);
     }
   }
-  price_batch();
+  evaluate_batch();
 }
 
 // Which edges are told is a coin toss, so there is no branch on it.
@@ -144,17 +145,17 @@ void Sweeps::add_edge(VertexNumber low, VertexNumber high) {
   lows_[in_batch_] = low;
   highs_[in_batch_] = high;
   in_batch_ += static_cast<std::size_t>((low < high) & !mesh_.locked(high));
-  if (in_batch_ == EdgeBatch::capacity) price_batch();
+  if (in_batch_ == EdgeBatch::capacity) evaluate_batch();
 }
 
-void Sweeps::price_batch() {
+void Sweeps::evaluate_batch() {
   for (std::size_t i = 0; i < in_batch_; ++i) {
     set_low(batch_, i, mesh_.position(lows_[i]), planes_[lows_[i]]);
     set_high(batch_, i, mesh_.position(highs_[i]), planes_[highs_[i]], false);
   }
-  price_edges_(batch_, in_batch_, single_);
+  evaluate_edges_(batch_, in_batch_, single_);
   for (std::size_t i = 0; i < in_batch_; ++i) {
-    proposals_.add(lows_[i], {batch_.price[i], position_of(batch_, i), highs_[i],
+    proposals_.add(lows_[i], {batch_.cost[i], position_of(batch_, i), highs_[i],
                               batch_.flat_low[i] != 0, batch_.flat_high[i] != 0});
   }
   in_batch_ = 0;
@@ -203,7 +204,7 @@ bool Sweeps::is_open(VertexNumber end) {
   return !met_.empty();
 }
 
-// Whether a vertex of the star is not where it was when prices were asked for.
+// Whether a vertex of the star is not where it was when costs were asked for.
 bool Sweeps::has_moved_beside() const {
   return std::any_of(star_.faces().begin(), star_.faces().end(), [this](const StarFace& face) {
     return state_[face.w] == moved || state_[face.x] == moved;
@@ -212,7 +213,7 @@ bool Sweeps::has_moved_beside() const {
 
 // Whether the edge that `low` proposes may be collapsed: then it is edge_.
 bool Sweeps::take(VertexNumber low, double bound) {
-  PricedEdge proposed = proposals_.of(low);
+  EvaluatedEdge proposed = proposals_.of(low);
   const VertexNumber high = proposed.high;
   if ((state_[low] != untouched) | (state_[high] != untouched)) return false;
   if (corners_.degree(low) + corners_.degree(high) > most_faces_beside_hubs) return false;
@@ -221,9 +222,9 @@ bool Sweeps::take(VertexNumber low, double bound) {
   if (has_moved_beside()) {
     proposals_.clear(low);
     add_edge(low, high);
-    price_batch();
+    evaluate_batch();
     proposed = proposals_.of(low);
-    if (!(proposed.price < bound)) return false;
+    if (!(proposed.cost < bound)) return false;
   }
   const bool flat = proposed.flat_low || proposed.flat_high;
   edge_ = {low, high, proposed.position};
@@ -234,17 +235,17 @@ bool Sweeps::take(VertexNumber low, double bound) {
     edge_.position = edge_.position == other ? mesh_.position(low) : other;
     if (!legality_.keeps_faces(star_, edge_)) return false;
   }
-  price_ = proposed.price;
-  const double closer = witnesses_.price(edge_, star_, price_, flat);
-  return !(closer > price_) || closer < closer_bound * bound;
+  cost_ = proposed.cost;
+  const double closer = witnesses_.cost(edge_, star_, cost_, flat);
+  return !(closer > cost_) || closer < closer_bound * bound;
 }
 
-unsigned Sweeps::collapse(const Collapse& edge, double price) {
+unsigned Sweeps::collapse(const Collapse& edge, double cost) {
   const auto [kept, removed, position] = edge;
   witnesses_.collapsing(edge);
-  highest_ = std::max(highest_, price);
+  highest_ = std::max(highest_, cost);
   const double weight = weight_of(planes_[kept]) + weight_of(planes_[removed]);
-  if (weight > 0) largest_square_ = std::max(largest_square_, price / weight);
+  if (weight > 0) largest_square_ = std::max(largest_square_, cost / weight);
   state_[kept] = position == mesh_.position(kept) ? kept_in_place : moved;
   state_[removed] = gone;
   into_[removed] = kept;

@@ -1,5 +1,5 @@
 // Collapsing edges without a queue: most collapses come early, and their exact order hardly
-// matters. In a sweep all edges get their prices at once, and of the cheapest those are collapsed
+// matters. In a sweep all edges get their costs at once, and of the cheapest those are collapsed
 // that are at no vertex of one before. By the quadrics of quadric_cost.hpp, summed up anew before
 // each sweep.
 #pragma once
@@ -22,11 +22,11 @@
 
 namespace winnow {
 
-// `highest_price`: of what was collapsed.
+// `highest_cost`: of what was collapsed.
 struct Swept {
   WitnessPoints witnesses;
   double largest_square = 0;  // of the distance of a vertex from its planes, in the mean
-  double highest_price = 0;
+  double highest_cost = 0;
 };
 
 class Sweeps {
@@ -57,22 +57,22 @@ class Sweeps {
 
   bool begin();
   void sum_planes();
-  void price_edges();
+  void evaluate_edges();
   void add_edge(VertexNumber low, VertexNumber high);
-  void price_batch();
+  void evaluate_batch();
   void find_single_neighbours(VertexNumber v);
   [[nodiscard]] bool is_open(VertexNumber end);
   [[nodiscard]] bool keeps_surface();
   void gather_star(VertexNumber low, VertexNumber high);
   [[nodiscard]] bool has_moved_beside() const;
   [[nodiscard]] bool take(VertexNumber low, double bound);
-  unsigned collapse(const Collapse& edge, double price);
+  unsigned collapse(const Collapse& edge, double cost);
   void rewrite_faces();
 
   TileMesh& mesh_;
   bool single_;
   CollapseRules rules_;
-  EdgeKernel price_edges_;
+  EdgeKernel evaluate_edges_;
   Legality legality_;
   EdgeStar star_;
   WitnessPoints witnesses_;
@@ -88,8 +88,8 @@ class Sweeps {
   std::array<VertexNumber, EdgeBatch::capacity> lows_{}, highs_{};
   std::size_t in_batch_ = 0;
   std::vector<VertexNumber> met_;
-  Collapse edge_;     // that take() took
-  double price_ = 0;  // of it
+  Collapse edge_;    // that take() took
+  double cost_ = 0;  // of it
   double highest_ = 0;
   double largest_square_ = 0;
 };

@@ -27,7 +27,8 @@ double share_of_angle(const FanShape& shape) {
   return std::max(sharpest, 1 - shape.sine());
 }
 
-VolumePrice::VolumePrice(const FanView& fan) : fan_(fan), share_(share_of_angle(shape_of(fan))) {
+VolumeOfRemoval::VolumeOfRemoval(const FanView& fan)
+    : fan_(fan), share_(share_of_angle(shape_of(fan))) {
   if (fan.closed) return;
   // A triangle's mean distance from its side is a third of its height.
   const double height = boundary_height(fan);
@@ -35,12 +36,12 @@ VolumePrice::VolumePrice(const FanView& fan) : fan_(fan), share_(share_of_angle(
   boundary_ = weight_of_boundary_area * area * height / 3;
 }
 
-double VolumePrice::of_piece(const PieceLoss& loss) {
+double VolumeOfRemoval::of_piece(const PieceLoss& loss) {
   const double boundary = weight_of_boundary_area * std::pow(loss.boundary, 0.75);
   return std::sqrt(loss.area * loss.surface) + boundary;
 }
 
-double VolumePrice::operator()(std::size_t into) const {
+double VolumeOfRemoval::operator()(std::size_t into) const {
   return (swept_volume(fan_, into) + boundary_) / share_;
 }
 

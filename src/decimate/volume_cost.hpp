@@ -1,5 +1,5 @@
-// The volume that the removal of a vertex takes away or adds, dearer where the vertex is sharp: the
-// cost of S. Guha, "Mesh simplification via a volume cost measure". A vertex is removed into a
+// The volume that the removal of a vertex takes away or adds, costlier where the vertex is sharp:
+// the cost of S. Guha, "Mesh simplification via a volume cost measure". A vertex is removed into a
 // neighbour, which stays where it is.
 //
 // What differs from the paper, by measurement (bench/RESULTS.md):
@@ -30,9 +30,9 @@ double swept_volume(const FanView& fan, std::size_t into);
 double share_of_angle(const FanShape& shape);
 
 // Of the vertex of a fan.
-class VolumePrice {
+class VolumeOfRemoval {
  public:
-  explicit VolumePrice(const FanView& fan);
+  explicit VolumeOfRemoval(const FanView& fan);
   double operator()(std::size_t into) const;
   // The area times its distance from the middle of the piece, as if that were swept.
   static double of_piece(const PieceLoss& loss);
@@ -43,6 +43,6 @@ class VolumePrice {
   double boundary_ = 0;
 };
 
-using VolumeCost = RemovalCost<VolumePrice>;
+using VolumeCost = RemovalCost<VolumeOfRemoval>;
 
 }  // namespace winnow

@@ -10,7 +10,7 @@ namespace winnow {
 
 namespace {
 
-// The planes' price is an area times the square of a distance. A point counts as a square as large
+// The planes' cost is an area times the square of a distance. A point counts as a square as large
 // as its distance: next to nothing where the surface is as near as it is elsewhere, much where the
 // distance comes near the length of the edges. With less than this, tips are lost; with more, the
 // error in the mean grows (bench/RESULTS.md).
@@ -26,7 +26,7 @@ double square_between(const Point& a, const Point& b) {
 
 }  // namespace
 
-double WitnessPoints::price_of(double square) {
+double WitnessPoints::cost_of(double square) {
   return weight * square * square;
 }
 
@@ -37,10 +37,10 @@ WitnessPoints::WitnessPoints(const TileMesh& mesh, double rounding)
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) point_[v] = mesh.position(v);
 }
 
-double WitnessPoints::price(const Collapse& edge, const EdgeStar& star, double price, bool flat) {
+double WitnessPoints::cost(const Collapse& edge, const EdgeStar& star, double cost, bool flat) {
   const Point& to = edge.position;
   // As soon as both are this near, no more needs to be known.
-  const double near = std::max(std::sqrt(price / weight), rounding_square_ * dot(to, to));
+  const double near = std::max(std::sqrt(cost / weight), rounding_square_ * dot(to, to));
   // What was collapsed into an end lies beside its faces, mostly.
   using Faces = std::span<const StarFace>;
   const auto square_left = [&](const Point& point, Faces own, Faces others) {
@@ -63,7 +63,7 @@ double WitnessPoints::price(const Collapse& edge, const EdgeStar& star, double p
   square_ = std::max(kept_square, removed_square);
   const bool first = flat ? to == mesh_.position(edge.kept) : kept_square >= removed_square;
   next_ = point_[mesh_.hub(edge.kept) || first ? edge.kept : edge.removed];
-  return square_ <= near ? price : price_of(square_);
+  return square_ <= near ? cost : cost_of(square_);
 }
 
 }  // namespace winnow

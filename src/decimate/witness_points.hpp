@@ -19,7 +19,7 @@ class WitnessPoints {
   WitnessPoints(const TileMesh& mesh, double rounding);
 
   // Of a point that is off by so much; `square`: of the distance.
-  static double price_of(double square);
+  static double cost_of(double square);
 
   // The point that a vertex keeps, seen from it.
   [[nodiscard]] Point of(VertexNumber v) const { return point_[v] - mesh_.position(v); }
@@ -28,17 +28,17 @@ class WitnessPoints {
   static constexpr std::uint64_t memory(std::uint64_t vertices) { return vertices * sizeof(Point); }
 
   // What it costs that the points of both ends would be so far from the faces left around the
-  // collapsed edge: a multiple of the fourth power of the larger distance; `price` where that is
+  // collapsed edge: a multiple of the fourth power of the larger distance; `cost` where that is
   // not above it. `star`: the edge's. A hub keeps its own point, which is not looked at. `flat`:
   // the collapse goes to an end where nothing is lost. Then the ends themselves are looked at,
   // since the points of flat parts may lie beside faces that others have taken over.
-  double price(const Collapse& edge, const EdgeStar& star, double price, bool flat);
+  double cost(const Collapse& edge, const EdgeStar& star, double cost, bool flat);
 
-  // The square of the larger distance of those that price() was asked about last; no more than
+  // The square of the larger distance of those that cost() was asked about last; no more than
   // rounding where it was not measured.
   [[nodiscard]] double square() const { return square_; }
 
-  // To be told of the collapse that price() was asked about last, before it is done.
+  // To be told of the collapse that cost() was asked about last, before it is done.
   void collapsing(const Collapse& edge) { point_[edge.kept] = next_; }
 
  private:

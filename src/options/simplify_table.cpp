@@ -177,7 +177,7 @@ std::vector<Option<Options>> table() {
       {"detail", "D", refinement,
        "Cluster to D times the target first (default 6); 'full' skips clustering", detail()},
       {"boundary", "HOW", refinement,
-       "Open borders: 'weigh' moves them at a price (default), 'keep' fixes their vertices",
+       "Open boundaries: 'weigh' moves them at a cost (default), 'keep' fixes their vertices",
        choice<Options>(&Options::boundary,
                        std::vector<std::pair<const char*, Boundary>>{{"weigh", Boundary::weigh},
                                                                      {"keep", Boundary::keep}})},

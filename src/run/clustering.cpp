@@ -128,7 +128,7 @@ Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& opti
   settings_.double_positions = writes_doubles(options.encoding, reader.facts().double_positions);
   if (reader.facts().mixed_positions && !welds(options)) {
     job.note(
-        "some inputs have doubles and some floats, so borders between them may not be joined; "
+        "some inputs have doubles and some floats, so boundaries between them may not be joined; "
         "`weld` DISTANCE joins what is near");
   }
   settings_.for_refinement = cost_of(options) != Refine::none;
@@ -277,7 +277,7 @@ CellCounts Clustering::sample(std::uint64_t target) {
 ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t target,
                                    double tolerated) {
   const auto wanted = static_cast<double>(target);
-  // What is refined afterwards may miss, so the old price of a few runs is the limit there.
+  // What is refined afterwards may miss, so the old cost of a few runs is the limit there.
   const std::uint64_t runs = settings_.for_refinement ? most_runs_refined : most_runs;
   CellSearch search(sample, wanted);
   for (report_.cluster_passes = 1;; ++report_.cluster_passes) {

@@ -12,7 +12,7 @@ namespace winnow {
 namespace {
 
 // Of a mesh of one tile so many times the wanted faces, and this part of all, are left to be chosen
-// in the order of prices.
+// in the order of costs.
 constexpr double sweeps_beside_wanted = 1.3;
 constexpr double sweeps_beside_faces = 0.02;
 
@@ -71,8 +71,8 @@ CollapsedMesh collapse_nothing(const Tiles& tiles) {
                         [](std::size_t, Decimation&, CarriedValues&) { return TileCollapses{}; });
 }
 
-CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double dearest) {
-  CollapseLimits limits{tiles.settings().faces, dearest};
+CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double costliest) {
+  CollapseLimits limits{tiles.settings().faces, costliest};
   // Later rounds watch the order of collapses: few are left.
   if (round == 1 && tiles.settings().in_sweeps()) {
     limits.sweeps_to = left_by_sweeps(tiles);

@@ -18,9 +18,9 @@ struct CollapsedMesh {
 // Nothing goes but vertices without a face; the others get their normals.
 CollapsedMesh collapse_nothing(const Tiles& tiles);
 
-// Each tile collapses what it can, in the order of prices up to the dearest: down to the count
+// Each tile collapses what it can, in the order of costs up to the costliest: down to the count
 // where it is the only one.
-CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double dearest);
+CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double costliest);
 
 // The collapses that were chosen are repeated.
 CollapsedMesh collapse_chosen(const Tiles& tiles, const ChosenCollapses& chosen);

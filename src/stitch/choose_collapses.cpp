@@ -1,7 +1,7 @@
 #include "stitch/choose_collapses.hpp"
 
 #include "base/memory_shares.hpp"
-#include "stitch/price_estimate.hpp"
+#include "stitch/cost_estimate.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -11,7 +11,7 @@ namespace winnow {
 
 namespace {
 
-constexpr double no_limit = KnownPrices::no_limit;
+constexpr double no_limit = KnownCosts::no_limit;
 
 // The first round leaves so many times the faces that are wanted, the later rounds the rest: their
 // borders keep faces that are denser than others by no more than this.
@@ -25,33 +25,33 @@ constexpr std::uint64_t last_round = 4;
 // No tile goes below this part of its share of the wanted faces in the first round: what flat tiles
 // can give beyond is left to the later rounds.
 constexpr double deepest = 1.0 / 4;
-// How much dearer than the dearest collapse of the last round those of the next may be, before it
-// is tried again: with more, and then without a limit.
+// How much costlier than the costliest collapse of the last round those of the next may be, before
+// it is tried again: with more, and then without a limit.
 constexpr double first_headroom = 2;
-// The same beside the price that the tiles of the first round will be cut at, as it is estimated.
+// The same beside the cost that the tiles of the first round will be cut at, as it is estimated.
 constexpr double headroom_of_estimate = 2;
 constexpr double more_headroom = 64;
-// Where the count is missed, a collapse may be twice as far off as the dearest of a result that met
-// it. With as far off, four faces in a hundred more are left, hardly nearer to the surface; with
-// eight times as far off, shapes begin to go (bench/RESULTS.md).
+// Where the count is missed, a collapse may be twice as far off as the costliest of a result that
+// met it. With as far off, four faces in a hundred more are left, hardly nearer to the surface;
+// with eight times as far off, shapes begin to go (bench/RESULTS.md).
 double headroom_when_blocked(Refine cost) {
   // A swept volume grows with the distance, the others with its square.
   return cost == Refine::volume ? 2 : 4;
 }
 // In later rounds few collapses are left, of which the order matters: what costs no more than this
-// part of the dearest collapse of the last round is collapsed in sweeps.
-constexpr double sweeps_beside_dearest = 0.25;
+// part of the costliest collapse of the last round is collapsed in sweeps.
+constexpr double sweeps_beside_costliest = 0.25;
 
 }  // namespace
 
-CollapseChooser::CollapseChooser(const Tiles& tiles, std::uint64_t round, KnownPrices& prices,
+CollapseChooser::CollapseChooser(const Tiles& tiles, std::uint64_t round, KnownCosts& costs,
                                  const CheckpointDirectory* checkpoint)
     : tiles_(tiles),
       settings_(tiles.settings()),
       round_(round),
-      prices_(prices),
+      costs_(costs),
       checkpoint_(checkpoint),
-      sweeps_price_(round == 1 ? no_limit : sweeps_beside_dearest * prices.dearest) {}
+      sweeps_cost_(round == 1 ? no_limit : sweeps_beside_costliest * costs.costliest) {}
 
 std::uint64_t CollapseChooser::faces_to_try() const {
   const bool deep = round_ == 1 && tiles_.count() > 1;
@@ -69,49 +69,49 @@ ChosenCollapses CollapseChooser::cheapest() {
   const bool first = round_ == 1;
   double more = more_headroom;
   TryLimits limits{first ? deepest : 0,
-                   first || prices_.dearest == 0 ? no_limit : first_headroom * prices_.dearest};
-  limits.price = std::min(limits.price, prices_.dearest_allowed);
+                   first || costs_.costliest == 0 ? no_limit : first_headroom * costs_.costliest};
+  limits.cost = std::min(limits.cost, costs_.highest_cost_allowed);
   Tried tried = try_all(limits);
   for (;;) {
     const CollapseLog& log = *tried.log;
     const std::uint64_t wanted = wanted_now(tried.frozen);
-    if (log.removed() < wanted && limits.price < prices_.dearest_allowed) {
-      limits.price =
-          std::min(limits.price * std::exchange(more, no_limit), prices_.dearest_allowed);
+    if (log.removed() < wanted && limits.cost < costs_.highest_cost_allowed) {
+      limits.cost =
+          std::min(limits.cost * std::exchange(more, no_limit), costs_.highest_cost_allowed);
       tried = try_all(limits);
       continue;
     }
-    if (log.removed() < wanted && !tried.complete_to(limits.price)) {
+    if (log.removed() < wanted && !tried.complete_to(limits.cost)) {
       limits.share = 0;
       tried = try_all(limits, &tried);
       continue;
     }
-    if (log.removed() < wanted) find_dearest_allowed();
-    const double dearest = log.price_of(std::min(wanted, log.removed()));
-    prices_.dearest = std::min(dearest, prices_.dearest_allowed);
-    if (tried.complete_to(prices_.dearest)) {
+    if (log.removed() < wanted) find_highest_cost_allowed();
+    const double costliest = log.cost_of(std::min(wanted, log.removed()));
+    costs_.costliest = std::min(costliest, costs_.highest_cost_allowed);
+    if (tried.complete_to(costs_.costliest)) {
       std::vector<std::uint64_t> counts =
-          prices_.dearest < dearest ? log.up_to(prices_.dearest) : log.cut(wanted);
+          costs_.costliest < costliest ? log.up_to(costs_.costliest) : log.cut(wanted);
       return {std::move(tried.log), std::move(counts)};
     }
-    // Some tiles have more to give at this price than they were let: as those that are flat, beside
+    // Some tiles have more to give at this cost than they were let: as those that are flat, beside
     // a statue.
-    limits = {0, prices_.dearest};
+    limits = {0, costs_.costliest};
     tried = try_all(limits, &tried);
   }
 }
 
-bool CollapseChooser::find_dearest_allowed() {
+bool CollapseChooser::find_highest_cost_allowed() {
   DecimationSettings nothing_kept = settings_.decimation;
   nothing_kept.free_topology = true;
   nothing_kept.keep_boundaries = nothing_kept.keep_pieces = false;
-  if (prices_.dearest_allowed < no_limit || settings_.faces == 0 || settings_.decimation.error ||
-      nothing_kept == settings_.decimation)
+  if (costs_.highest_cost_allowed < no_limit || settings_.faces == 0 ||
+      settings_.decimation.error || nothing_kept == settings_.decimation)
     return false;
   const Tried tried = try_all({0, no_limit}, nothing_kept, TriedTiles(nullptr, round_, 0), nullptr);
   const std::uint64_t wanted = wanted_now(tried.frozen);
-  prices_.dearest_allowed = headroom_when_blocked(settings_.decimation.cost) *
-                            tried.log->price_of(std::min(wanted, tried.log->removed()));
+  costs_.highest_cost_allowed = headroom_when_blocked(settings_.decimation.cost) *
+                                tried.log->cost_of(std::min(wanted, tried.log->removed()));
   return true;
 }
 
@@ -132,8 +132,8 @@ double CollapseChooser::left_by_tiles() const {
   return spare * static_cast<double>(settings_.faces) / static_cast<double>(tiles_.faces());
 }
 
-bool CollapseChooser::Tried::complete_to(double price) const {
-  return std::all_of(reached.begin(), reached.end(), [price](double to) { return to >= price; });
+bool CollapseChooser::Tried::complete_to(double cost) const {
+  return std::all_of(reached.begin(), reached.end(), [cost](double to) { return to >= cost; });
 }
 
 CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most, const Tried* before) {
@@ -148,28 +148,28 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
   // Two attempts may be there at once.
   all.log =
       std::make_unique<CollapseLog>(tiles_.job(), share::refine::attempt(tiles_.memory().logs));
-  // Only where tiles go beyond all prices: what they do up to a price does not hang on it.
+  // Only where tiles go beyond all costs: what they do up to a cost does not hang on it.
   const double left = left_by_tiles();
-  PriceEstimate estimate(1 - left);
+  CostEstimate estimate(1 - left);
   const bool estimates = most.share > 0 && left < 1;
   std::size_t known = 0;
   const auto take = [&](const TriedTile& tried) {
-    all.log->append(tried.edges, tried.prices);
+    all.log->append(tried.edges, tried.costs);
     all.frozen += tried.frozen;
     all.reached.push_back(tried.reached);
   };
   for (TriedTile tried; known < tiles_.count() && kept.next(tried); ++known) {
     take(tried);
-    progress.advance(tried.prices.empty() ? 0 : tried.prices.back().removed);
+    progress.advance(tried.costs.empty() ? 0 : tried.costs.back().removed);
   }
   tiles_before_ += known;
   tiles_.for_each<TriedTile>(
       known,
       [&](std::size_t number, TriedTile& tried) {
         tried.clear();
-        if (before != nullptr && before->reached[number] >= most.price) {
+        if (before != nullptr && before->reached[number] >= most.cost) {
           tried.edges = before->log->edges(number, before->log->entries(number));
-          tried.prices = before->log->prices(number);
+          tried.costs = before->log->costs(number);
           tried.reached = before->reached[number];
           return;
         }
@@ -178,17 +178,16 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
                       false);
         tried.frozen = tile.frozen;
         const std::unique_ptr<Decimation> decimation = Decimation::make(mesh, tile.state, settings);
-        CollapseLimits limits{0, most.price};
+        CollapseLimits limits{0, most.cost};
         const auto own = static_cast<double>(tile.own_faces);
         const auto others = static_cast<double>(mesh.face_count() - tile.own_faces + tried.frozen);
-        if (settings_.in_sweeps() && sweeps_price_ > 0) {
+        if (settings_.in_sweeps() && sweeps_cost_ > 0) {
           limits.sweeps_to = 0;
-          limits.sweeps_price = sweeps_price_;
+          limits.sweeps_cost = sweeps_cost_;
           limits.fine_from = static_cast<std::uint64_t>(
               RefineSettings::fine_beside_wanted * left / spare * own + others);
         }
-        if (estimates)
-          limits.price = std::min(limits.price, headroom_of_estimate * estimate.price());
+        if (estimates) limits.cost = std::min(limits.cost, headroom_of_estimate * estimate.cost());
         const double share =
             most.share * static_cast<double>(settings_.faces) / static_cast<double>(tiles_.faces());
         if (share > worth_a_limit) limits.faces = static_cast<std::uint64_t>(share * own + others);
@@ -199,15 +198,15 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
             [&](const DoneCollapse& done) {
               removed += done.faces;
               tried.edges.push_back(done.edge);
-              tried.prices.push_back({done.price, removed, done.error});
+              tried.costs.push_back({done.cost, removed, done.error});
               told.add(done.faces);
             },
             [&progress] { progress.check_cancelled(); });
-        if (limits.price < most.price) tried.reached = limits.price;
+        if (limits.cost < most.cost) tried.reached = limits.cost;
         if (limits.faces > 0 && mesh.live_faces() <= limits.faces)
           tried.reached =
-              std::min(tried.reached, tried.prices.empty() ? 0 : tried.prices.back().price);
-        if (estimates) estimate.add(tried.prices, tile.own_faces - tried.frozen);
+              std::min(tried.reached, tried.costs.empty() ? 0 : tried.costs.back().cost);
+        if (estimates) estimate.add(tried.costs, tile.own_faces - tried.frozen);
       },
       [&](std::size_t, const TriedTile& tried) {
         take(tried);

@@ -1,4 +1,4 @@
-// Which collapses a round makes: the cheapest of all tiles, at one price for all of them.
+// Which collapses a round makes: the cheapest of all tiles, at one cost for all of them.
 #pragma once
 
 #include "stitch/collapse_log.hpp"
@@ -12,12 +12,12 @@
 
 namespace winnow {
 
-// What rounds learn of prices.
-struct KnownPrices {
+// What rounds learn of costs.
+struct KnownCosts {
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-  double dearest = 0;  // collapse of the last round
-  double dearest_allowed = no_limit;
+  double costliest = 0;  // collapse of the last round
+  double highest_cost_allowed = no_limit;
 };
 
 // The first of a log's collapses in each tile.
@@ -29,8 +29,8 @@ struct ChosenCollapses {
 // Of one round.
 class CollapseChooser {
  public:
-  // Goes on with `prices`. `checkpoint`: tiles that were tried are kept there, unless it is null.
-  CollapseChooser(const Tiles& tiles, std::uint64_t round, KnownPrices& prices,
+  // Goes on with `costs`. `checkpoint`: tiles that were tried are kept there, unless it is null.
+  CollapseChooser(const Tiles& tiles, std::uint64_t round, KnownCosts& costs,
                   const CheckpointDirectory* checkpoint);
 
   // What the round is going to remove, for its progress: the first of many tiles tries more than it
@@ -42,10 +42,10 @@ class CollapseChooser {
   // Those that bring the mesh down to the wanted count, or as far as this round should go.
   ChosenCollapses cheapest();
 
-  // Sets how dear a collapse may be where the count cannot be met: as dear as the dearest would be
-  // that met it if nothing were kept. What is left then would cost more than the detail that the
-  // count has no room for. False where it is known, or nothing is kept.
-  bool find_dearest_allowed();
+  // Sets how costly a collapse may be where the count cannot be met: as costly as the costliest
+  // would be that met it if nothing were kept. What is left then would cost more than the detail
+  // that the count has no room for. False where it is known, or nothing is kept.
+  bool find_highest_cost_allowed();
 
   // That a checkpoint held.
   [[nodiscard]] std::uint64_t tiles_before() const { return tiles_before_; }
@@ -56,12 +56,12 @@ class CollapseChooser {
     std::uint64_t frozen = 0;     // faces that cannot change because of the borders between tiles
     std::vector<double> reached;  // of each tile: all that costs no more was tried
 
-    [[nodiscard]] bool complete_to(double price) const;
+    [[nodiscard]] bool complete_to(double cost) const;
   };
 
-  // How far to try: no tile below this part of its share of the wanted faces, and up to this price.
+  // How far to try: no tile below this part of its share of the wanted faces, and up to this cost.
   struct TryLimits {
-    double share, price;
+    double share, cost;
   };
 
   // Collapses what can be collapsed and writes it down; nothing is changed. `before`: another
@@ -75,9 +75,9 @@ class CollapseChooser {
   const Tiles& tiles_;
   const RefineSettings& settings_;
   std::uint64_t round_;
-  KnownPrices& prices_;
+  KnownCosts& costs_;
   const CheckpointDirectory* checkpoint_;
-  double sweeps_price_;
+  double sweeps_cost_;
   unsigned attempts_ = 0;
   std::uint64_t tiles_before_ = 0;
 };

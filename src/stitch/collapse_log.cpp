@@ -11,29 +11,29 @@
 namespace winnow {
 
 CollapseLog::CollapseLog(Job& job, std::uint64_t memory)
-    : edges_(job, share::refine::edges(memory)), prices_(job, share::refine::prices(memory)) {}
+    : edges_(job, share::refine::edges(memory)), costs_(job, share::refine::costs(memory)) {}
 
-void CollapseLog::append(const std::vector<Collapse>& edges, const std::vector<Price>& prices) {
+void CollapseLog::append(const std::vector<Collapse>& edges, const std::vector<Cost>& costs) {
   append_records<Collapse>(edges_, edges);
-  append_records<Price>(prices_, prices);
-  first_.push_back(first_.back() + prices.size());
+  append_records<Cost>(costs_, costs);
+  first_.push_back(first_.back() + costs.size());
 }
 
 void CollapseLog::finish() {
   edges_.finish();
-  prices_.finish();
+  costs_.finish();
 }
 
-CollapseLog::Price CollapseLog::at(std::uint64_t entry) const {
-  return read_record<Price>(prices_, entry);
+CollapseLog::Cost CollapseLog::at(std::uint64_t entry) const {
+  return read_record<Cost>(costs_, entry);
 }
 
-std::uint64_t CollapseLog::count(std::size_t tile, double price, bool with_equal,
+std::uint64_t CollapseLog::count(std::size_t tile, double cost, bool with_equal,
                                  Range among) const {
   const std::uint64_t first = first_[tile];
   const auto counts = [&](std::uint64_t entry) {
-    const double found = at(entry).price;
-    return found < price || (with_equal && found == price);
+    const double found = at(entry).cost;
+    return found < cost || (with_equal && found == cost);
   };
   return first_not_before(first + among.least, first + among.most, counts) - first;
 }
@@ -48,11 +48,11 @@ std::uint64_t CollapseLog::removed() const {
   return sum;
 }
 
-double CollapseLog::price_of(std::uint64_t faces) const {
+double CollapseLog::cost_of(std::uint64_t faces) const {
   // Numbers not below 0 are in the order of their bits.
   std::uint64_t low = 0;
   std::uint64_t high = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
-  // Collapses of each tile that such prices reach: as they close in, there is less to look at.
+  // Collapses of each tile that such costs reach: as they close in, there is less to look at.
   std::vector<std::uint64_t> least(tiles());
   std::vector<std::uint64_t> most = all();
   std::vector<std::uint64_t> counts(tiles());
@@ -75,15 +75,15 @@ double CollapseLog::price_of(std::uint64_t faces) const {
 }
 
 std::vector<std::uint64_t> CollapseLog::cut(std::uint64_t faces) const {
-  const double price = price_of(faces);
+  const double cost = cost_of(faces);
   std::vector<std::uint64_t> counts(tiles());
   std::uint64_t sum = 0;
   for (std::size_t tile = 0; tile < tiles(); ++tile) {
-    counts[tile] = count(tile, price, false);
+    counts[tile] = count(tile, cost, false);
     sum += removed_by(tile, counts[tile]);
   }
   for (std::size_t tile = 0; tile < tiles(); ++tile) {
-    const std::uint64_t end = count(tile, price, true);
+    const std::uint64_t end = count(tile, cost, true);
     while (sum < faces && counts[tile] < end) {
       const std::uint64_t before = removed_by(tile, counts[tile]);
       sum += removed_by(tile, ++counts[tile]) - before;
@@ -92,9 +92,9 @@ std::vector<std::uint64_t> CollapseLog::cut(std::uint64_t faces) const {
   return counts;
 }
 
-std::vector<std::uint64_t> CollapseLog::up_to(double price) const {
+std::vector<std::uint64_t> CollapseLog::up_to(double cost) const {
   std::vector<std::uint64_t> counts;
-  for (std::size_t tile = 0; tile < tiles(); ++tile) counts.push_back(count(tile, price, true));
+  for (std::size_t tile = 0; tile < tiles(); ++tile) counts.push_back(count(tile, cost, true));
   return counts;
 }
 
@@ -112,8 +112,8 @@ std::vector<Collapse> CollapseLog::edges(std::size_t tile, std::uint64_t count) 
   return read_records<Collapse>(edges_, first_[tile], count);
 }
 
-std::vector<CollapseLog::Price> CollapseLog::prices(std::size_t tile) const {
-  return read_records<Price>(prices_, first_[tile], entries(tile));
+std::vector<CollapseLog::Cost> CollapseLog::costs(std::size_t tile) const {
+  return read_records<Cost>(costs_, first_[tile], entries(tile));
 }
 
 }  // namespace winnow

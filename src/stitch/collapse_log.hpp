@@ -1,4 +1,4 @@
-// What every tile has collapsed, and how dear: one price for all tiles is found from it.
+// What every tile has collapsed, and how costly: one cost for all tiles is found from it.
 #pragma once
 
 #include "decimate/collapser.hpp"
@@ -14,19 +14,19 @@ namespace winnow {
 // Filled tile by tile, by one thread; after finish() read by any number.
 class CollapseLog {
  public:
-  struct Price {
-    double price = 0;           // never falls within a tile
+  struct Cost {
+    double cost = 0;            // never falls within a tile
     std::uint64_t removed = 0;  // faces, by this collapse and all before it
     double error = 0;           // the largest of this collapse and all before it
   };
 
   // Bytes a collapse.
-  static constexpr std::uint64_t entry_size = sizeof(Collapse) + sizeof(Price);
+  static constexpr std::uint64_t entry_size = sizeof(Collapse) + sizeof(Cost);
 
   CollapseLog(Job& job, std::uint64_t memory);
 
   // Of the next tile.
-  void append(const std::vector<Collapse>& edges, const std::vector<Price>& prices);
+  void append(const std::vector<Collapse>& edges, const std::vector<Cost>& costs);
   void finish();
 
   // The fewest collapses, the cheapest of all tiles, that remove so many faces: how many of each
@@ -34,7 +34,7 @@ class CollapseLog {
   [[nodiscard]] std::vector<std::uint64_t> cut(std::uint64_t faces) const;
 
   // All collapses that cost no more than this: how many of each tile.
-  [[nodiscard]] std::vector<std::uint64_t> up_to(double price) const;
+  [[nodiscard]] std::vector<std::uint64_t> up_to(double cost) const;
 
   // How many collapses of a tile there are.
   [[nodiscard]] std::uint64_t entries(std::size_t tile) const {
@@ -44,8 +44,8 @@ class CollapseLog {
   // All collapses of each tile.
   [[nodiscard]] std::vector<std::uint64_t> all() const;
 
-  // The price that such a cut reaches.
-  [[nodiscard]] double price_of(std::uint64_t faces) const;
+  // The cost that such a cut reaches.
+  [[nodiscard]] double cost_of(std::uint64_t faces) const;
 
   // Faces that all collapses remove.
   [[nodiscard]] std::uint64_t removed() const;
@@ -54,23 +54,23 @@ class CollapseLog {
   [[nodiscard]] double error(std::size_t tile, std::uint64_t count) const;
 
   [[nodiscard]] std::vector<Collapse> edges(std::size_t tile, std::uint64_t count) const;
-  [[nodiscard]] std::vector<Price> prices(std::size_t tile) const;
+  [[nodiscard]] std::vector<Cost> costs(std::size_t tile) const;
 
  private:
   [[nodiscard]] std::size_t tiles() const { return first_.size() - 1; }
-  [[nodiscard]] Price at(std::uint64_t entry) const;
-  // How many collapses of a tile are below the price, or not above it; known to be in that range.
+  [[nodiscard]] Cost at(std::uint64_t entry) const;
+  // How many collapses of a tile are below the cost, or not above it; known to be in that range.
   struct Range {
     std::uint64_t least, most;
   };
-  [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal,
+  [[nodiscard]] std::uint64_t count(std::size_t tile, double cost, bool with_equal,
                                     Range among) const;
-  [[nodiscard]] std::uint64_t count(std::size_t tile, double price, bool with_equal) const {
-    return count(tile, price, with_equal, {0, entries(tile)});
+  [[nodiscard]] std::uint64_t count(std::size_t tile, double cost, bool with_equal) const {
+    return count(tile, cost, with_equal, {0, entries(tile)});
   }
   [[nodiscard]] std::uint64_t removed_by(std::size_t tile, std::uint64_t count) const;
 
-  Spool edges_, prices_;
+  Spool edges_, costs_;
   std::vector<std::uint64_t> first_{0};  // entry of each tile; behind the last how many there are
 };
 

@@ -92,15 +92,16 @@ class Refiner {
 
   CollapsedMesh collapse(const Tiles& tiles) {
     RefineReport& report = state_.report;
-    CollapseChooser chooser(tiles, report.rounds, state_.prices, checkpoint_);
+    CollapseChooser chooser(tiles, report.rounds, state_.costs, checkpoint_);
     job_.progress.begin("refine", chooser.faces_to_try(), "faces");
     if (tiles.faces() <= settings_.faces) return collapse_nothing(tiles);
     const bool all = settings_.faces == 0;
     if (tiles.count() == 1 || (all && checkpoint_ == nullptr)) {
-      CollapsedMesh collapsed = collapse_all(tiles, report.rounds, state_.prices.dearest_allowed);
-      if (collapsed.whole.face_count <= settings_.faces || !chooser.find_dearest_allowed())
+      CollapsedMesh collapsed =
+          collapse_all(tiles, report.rounds, state_.costs.highest_cost_allowed);
+      if (collapsed.whole.face_count <= settings_.faces || !chooser.find_highest_cost_allowed())
         return collapsed;
-      return collapse_all(tiles, report.rounds, state_.prices.dearest_allowed);
+      return collapse_all(tiles, report.rounds, state_.costs.highest_cost_allowed);
     }
     const ChosenCollapses chosen = all ? chooser.all() : chooser.cheapest();
     if (report.rounds == report.rounds_before + 1) report.tiles_before += chooser.tiles_before();

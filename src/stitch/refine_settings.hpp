@@ -20,7 +20,7 @@ struct RefineSettings {
 
   // Whoever asks for an error gets the surface on which it was watched.
   [[nodiscard]] bool unfolds() const { return !decimation.error; }
-  // An error is watched in the order of prices.
+  // An error is watched in the order of costs.
   [[nodiscard]] bool in_sweeps() const { return !decimation.error; }
   // With so many times the wanted faces left sweeps begin to be finer.
   static constexpr double fine_beside_wanted = 2;

@@ -47,8 +47,8 @@ void save_rounds(Manifest& manifest, const RoundsState& state) {
   manifest.set("refine.stage", state.stage);
   manifest.set("refine.collapses", state.collapses);
   manifest.set("refine.idle", std::uint64_t{state.idle});
-  manifest.set("refine.dearest", state.prices.dearest);
-  manifest.set("refine.dearest_allowed", state.prices.dearest_allowed);
+  manifest.set("refine.costliest", state.costs.costliest);
+  manifest.set("refine.highest_cost_allowed", state.costs.highest_cost_allowed);
   manifest.set("refine.done", std::uint64_t{state.done});
 }
 
@@ -84,8 +84,8 @@ RoundsState load_rounds(const Manifest& manifest) {
   state.stage = manifest.number("refine.stage");
   state.collapses = manifest.number("refine.collapses");
   state.idle = static_cast<unsigned>(manifest.number("refine.idle"));
-  state.prices.dearest = manifest.real("refine.dearest");
-  state.prices.dearest_allowed = manifest.real("refine.dearest_allowed");
+  state.costs.costliest = manifest.real("refine.costliest");
+  state.costs.highest_cost_allowed = manifest.real("refine.highest_cost_allowed");
   state.done = manifest.number("refine.done") != 0;
   return state;
 }

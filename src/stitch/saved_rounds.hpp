@@ -9,7 +9,7 @@ namespace winnow {
 
 struct RoundsState {
   RefineReport report;
-  KnownPrices prices;
+  KnownCosts costs;
   unsigned idle = 0;  // rounds that hardly helped
   bool done = false;  // there is no other round
   std::size_t level = 0;

@@ -30,14 +30,14 @@ bool TriedTiles::next(TriedTile& tile) {
   if (rest % CollapseLog::entry_size != 0 || rest / CollapseLog::entry_size != head.edges)
     return false;
   tile.edges.resize(head.edges);
-  tile.prices.resize(head.edges);
+  tile.costs.resize(head.edges);
   tile.frozen = head.frozen;
   tile.reached = head.reached;
   if (head.edges == 0) return true;
   const std::byte* edges = record_.data() + sizeof head;
   std::memcpy(tile.edges.data(), edges, head.edges * sizeof(Collapse));
-  std::memcpy(tile.prices.data(), edges + head.edges * sizeof(Collapse),
-              head.edges * sizeof(CollapseLog::Price));
+  std::memcpy(tile.costs.data(), edges + head.edges * sizeof(Collapse),
+              head.edges * sizeof(CollapseLog::Cost));
   return true;
 }
 
@@ -45,7 +45,7 @@ void TriedTiles::append(const TriedTile& tile) {
   if (journal_ == nullptr) return;
   const Head head{tile.edges.size(), tile.frozen, tile.reached};
   journal_->append({std::as_bytes(std::span(&head, 1)), std::as_bytes(std::span(tile.edges)),
-                    std::as_bytes(std::span(tile.prices))});
+                    std::as_bytes(std::span(tile.costs))});
 }
 
 }  // namespace winnow

@@ -15,7 +15,7 @@ namespace winnow {
 
 struct TriedTile {
   std::vector<Collapse> edges;
-  std::vector<CollapseLog::Price> prices;  // one an edge
+  std::vector<CollapseLog::Cost> costs;  // one an edge
   std::uint64_t frozen = 0;  // faces that cannot change because of the borders between tiles
   double reached = std::numeric_limits<double>::infinity();  // all that costs no more is in it
 

@@ -57,7 +57,7 @@ double degrees_between(const Point& a, const Point& b) {
 
 }  // namespace
 
-TEST_CASE("prices never fall, faces add up, and no face turns beyond the bound", "[long]") {
+TEST_CASE("costs never fall, faces add up, and no face turns beyond the bound", "[long]") {
   for (const std::string& path : {whale(), mountains()}) {
     const PlainMesh plain = plain_mesh(path);
     for (DecimationSettings settings : both_costs()) {
@@ -76,8 +76,8 @@ TEST_CASE("prices never fall, faces add up, and no face turns beyond the bound",
         double farthest = 0;
         bool thin = false;
         for (const DoneCollapse& done : out.done) {
-          REQUIRE(done.price >= last);
-          last = done.price;
+          REQUIRE(done.cost >= last);
+          last = done.cost;
           std::vector<std::pair<FaceNumber, Point>> normals;
           for (const VertexNumber end : {done.edge.kept, done.edge.removed}) {
             replayed.for_each_face(end, [&](FaceNumber f) {
@@ -124,22 +124,22 @@ TEST_CASE("the unit of length changes nothing", "[long]") {
     for (const double unit : {1000.0, 1e-9, 1e12}) {
       const Decimated rounded = decimated(whole_tile(scaled(plain, unit)), settings, limits);
       CHECK(rounded.mesh.live_faces() == metres.mesh.live_faces());
-      CHECK(rounded.done.back().price / (unit * unit * unit * unit) ==
-            Approx(metres.done.back().price).epsilon(0.01));
+      CHECK(rounded.done.back().cost / (unit * unit * unit * unit) ==
+            Approx(metres.done.back().cost).epsilon(0.01));
     }
   }
 }
 
-TEST_CASE("a collapse goes no dearer than its limits") {
+TEST_CASE("a collapse goes no costlier than its limits") {
   const PlainMesh plain = plain_mesh(mountains());
   const DecimationSettings settings;
   const Decimated all = decimated(whole_tile(plain), settings, {plain.faces.size() / 10, 1e300});
-  const double middle = all.done[all.done.size() / 2].price;
+  const double middle = all.done[all.done.size() / 2].cost;
   const Decimated half = decimated(whole_tile(plain), settings, {0, middle});
   std::size_t right = 0;
-  while (right < all.done.size() && all.done[right].price <= middle) ++right;
+  while (right < all.done.size() && all.done[right].cost <= middle) ++right;
   CHECK(half.done.size() == right);
-  CHECK(half.done.back().price <= middle);
+  CHECK(half.done.back().cost <= middle);
 }
 
 TEST_CASE("with an error no vertex is farther from its planes than that, in the mean") {

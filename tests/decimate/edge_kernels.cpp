@@ -38,7 +38,7 @@ Quadric quadric_of(const VertexPlanes& p) {
 
 }  // namespace
 
-TEST_CASE("edges have the same prices and places by every instruction set") {
+TEST_CASE("edges have the same costs and places by every instruction set") {
   Random random(31);
   const auto kernels = runnable(WINNOW_KERNELS(edge_kernel));
   for (int round = 0; round < 3000; ++round) {
@@ -61,7 +61,7 @@ TEST_CASE("edges have the same prices and places by every instruction set") {
     for (const auto& [name, kernel] : kernels) {
       EdgeBatch other = before;
       kernel(other, count, single);
-      CHECK(std::memcmp(other.price, given->price, count * sizeof(double)) == 0);
+      CHECK(std::memcmp(other.cost, given->cost, count * sizeof(double)) == 0);
       for (std::size_t axis = 0; axis < 3; ++axis)
         CHECK(std::memcmp(other.position[axis], given->position[axis], count * sizeof(double)) ==
               0);
@@ -90,11 +90,11 @@ TEST_CASE("an edge goes to the lowest point of its planes, at the error there") 
       continue;
     }
     // A short edge goes first, but length never counts more than what is lost.
-    const auto price = [&](const Point& at) {
+    const auto cost = [&](const Point& at) {
       const double lost = at_low.at(at - low) + at_high.at(at - high);
       return lost + std::min(lost, 1e-6 * weight * dot(high - low, high - low));
     };
-    CHECK(batch.price[0] == Approx(price(place)).margin(1e-14));
+    CHECK(batch.cost[0] == Approx(cost(place)).margin(1e-14));
     if (weight == 0) continue;
     // No point around is lower by more than what the pull to the middle gives up.
     const Point middle = 0.5 * (low + high);
@@ -129,8 +129,8 @@ VertexPlanes plane(const Point& normal, double weight = 1) {
   return planes;
 }
 
-EdgeBatch priced(const Point& low, const VertexPlanes& low_planes, const Point& high,
-                 const VertexPlanes& high_planes, bool single, bool stays = false) {
+EdgeBatch evaluated(const Point& low, const VertexPlanes& low_planes, const Point& high,
+                    const VertexPlanes& high_planes, bool single, bool stays = false) {
   EdgeBatch batch{};
   set_low(batch, low, low_planes);
   set_high(batch, 0, high, high_planes, stays);
@@ -148,45 +148,45 @@ TEST_CASE("a collapse without error takes that end of the edge, to the bit") {
   add(corner, plane({1, 0, 0}));
   const Point low{0.1, 0.3, 0.7};
   const Point high{0.2, 0.3, 0.7};
-  const EdgeBatch to_corner = priced(low, crease, high, corner, true);
+  const EdgeBatch to_corner = evaluated(low, crease, high, corner, true);
   CHECK(position_of(to_corner, 0) == high);
-  const EdgeBatch back = priced(high, corner, low, crease, true);
+  const EdgeBatch back = evaluated(high, corner, low, crease, true);
   CHECK(position_of(back, 0) == high);
 }
 
 TEST_CASE("flat edges cost less than all that has a shape, whatever their size") {
   for (const double size : {1e-12, 1.0, 1e12}) {
-    const EdgeBatch flat = priced({0, 0, 0}, plane({0, 0, 1}, size * size), {size, 0, 0},
-                                  plane({0, 0, 1}, size * size), true);
-    const EdgeBatch shaped = priced({0, 0, 0}, plane({0, 0, 1}, 1e-30), {1e-15, 0, 5e-16},
-                                    plane({0, 0.01, 1}, 1e-30), true);
-    CHECK(flat.price[0] > 0);
-    CHECK(flat.price[0] < shaped.price[0]);
+    const EdgeBatch flat = evaluated({0, 0, 0}, plane({0, 0, 1}, size * size), {size, 0, 0},
+                                     plane({0, 0, 1}, size * size), true);
+    const EdgeBatch shaped = evaluated({0, 0, 0}, plane({0, 0, 1}, 1e-30), {1e-15, 0, 5e-16},
+                                       plane({0, 0.01, 1}, 1e-30), true);
+    CHECK(flat.cost[0] > 0);
+    CHECK(flat.cost[0] < shaped.cost[0]);
   }
 }
 
 TEST_CASE("of flat edges the shorter one goes first") {
   const VertexPlanes flat = plane({0, 0, 1});
-  CHECK(priced({0, 0, 0}, flat, {1, 0, 0}, flat, true).price[0] <
-        priced({0, 0, 0}, flat, {2, 0, 0}, flat, true).price[0]);
-  CHECK(priced({0, 0, 0}, {}, {1, 0, 0}, {}, true).price[0] <
-        priced({0, 0, 0}, {}, {2, 0, 0}, {}, true).price[0]);
+  CHECK(evaluated({0, 0, 0}, flat, {1, 0, 0}, flat, true).cost[0] <
+        evaluated({0, 0, 0}, flat, {2, 0, 0}, flat, true).cost[0]);
+  CHECK(evaluated({0, 0, 0}, {}, {1, 0, 0}, {}, true).cost[0] <
+        evaluated({0, 0, 0}, {}, {2, 0, 0}, {}, true).cost[0]);
 }
 
 TEST_CASE("rounding of an axis far off does not make another axis flat") {
   // A step of 1 in height, five million away: floats are off by a half there, but not in height.
   const Point low{5e6, 5e6, 10};
   const Point high{5e6 + 30, 5e6, 11};
-  const EdgeBatch batch = priced(low, plane({0, 0, 1}), high, plane({0, 0, 1}), true);
+  const EdgeBatch batch = evaluated(low, plane({0, 0, 1}), high, plane({0, 0, 1}), true);
   CHECK(batch.flat_low[0] + batch.flat_high[0] == 0);
 }
 
 TEST_CASE("an end that stays takes the collapse, at the error there") {
   const Point low{0, 0, 0};
   const Point high{1, 0, 0.5};
-  const EdgeBatch batch = priced(low, plane({0, 0, 1}), high, plane({0, 1, 0}), false, true);
+  const EdgeBatch batch = evaluated(low, plane({0, 0, 1}), high, plane({0, 1, 0}), false, true);
   CHECK(position_of(batch, 0) == high);
-  CHECK(batch.price[0] == Approx(0.25).epsilon(1e-4));
+  CHECK(batch.cost[0] == Approx(0.25).epsilon(1e-4));
 }
 
 }  // namespace winnow

@@ -1,4 +1,4 @@
-// What a vertex offers when edges turn out dearer than they seemed.
+// What a vertex offers when edges turn out costlier than they seemed.
 #include "decimate/collapser.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,9 +7,9 @@ namespace winnow {
 
 namespace {
 
-void check_offer(const Offers& offers, double price, VertexNumber partner) {
+void check_offer(const Offers& offers, double cost, VertexNumber partner) {
   CHECK_FALSE(offers.stale(0));
-  CHECK(offers.of(0).price == price);
+  CHECK(offers.of(0).cost == cost);
   CHECK(offers.of(0).partner == partner);
 }
 

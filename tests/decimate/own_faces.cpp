@@ -23,7 +23,7 @@ TEMPLATE_TEST_CASE("a vertex with its faces alone offers what it offers in the m
     const Candidate by_itself = cost_alone.best(v, Candidate::none_yet());
     REQUIRE(in_mesh.exists());
     REQUIRE(by_itself.partner == in_mesh.partner);
-    REQUIRE(by_itself.price == in_mesh.price);
+    REQUIRE(by_itself.cost == in_mesh.cost);
   }
 }
 

@@ -63,7 +63,7 @@ TEST_CASE("the smallest pieces go first and the last one stays") {
     // Those that are left are the large ones, far out.
     for (const Triangle& face : live_triangles(mesh)) CHECK(face[0][0] > 2.5 * std::exp2(6 - left));
     for (std::size_t i = 1; i < out.log.size(); ++i)
-      REQUIRE(out.log[i].price >= out.log[i - 1].price);
+      REQUIRE(out.log[i].cost >= out.log[i - 1].cost);
   }
   TileMesh mesh = tile_of(balls(3));
   run(mesh, doubles(cost), 0);

@@ -22,15 +22,15 @@ TEST_CASE("vertices propose their cheapest edges, the cheapest come first") {
       proposals.clear(v);
       const std::uint64_t edges = random.below(4);
       for (std::uint64_t i = 0; i < edges; ++i) {
-        PricedEdge edge;
-        edge.price = random.below(10) == 0 ? 0 : std::pow(10, random.real(-250, 250));
+        EvaluatedEdge edge;
+        edge.cost = random.below(10) == 0 ? 0 : std::pow(10, random.real(-250, 250));
         edge.high = v + 1;
         proposals.add(v, edge);
-        least[v] = std::min(least[v], edge.price);
+        least[v] = std::min(least[v], edge.cost);
       }
-      REQUIRE(proposals.of(v).price == least[v]);
+      REQUIRE(proposals.of(v).cost == least[v]);
     }
-    const auto finite = [](double price) { return std::isfinite(price); };
+    const auto finite = [](double cost) { return std::isfinite(cost); };
     const std::size_t proposed = proposals.count(vertices);
     REQUIRE(proposed ==
             static_cast<std::size_t>(std::count_if(least.begin(), least.end(), finite)));
@@ -43,7 +43,7 @@ TEST_CASE("vertices propose their cheapest edges, the cheapest come first") {
       REQUIRE(least[low] >= highest / 1.0626);
       highest = std::max(highest, least[low]);
     }
-    const auto cheaper = [bound = bound](double price) { return price < bound; };
+    const auto cheaper = [bound = bound](double cost) { return cost < bound; };
     CHECK(cheapest.size() ==
           static_cast<std::size_t>(std::count_if(least.begin(), least.end(), cheaper)));
   }

@@ -29,7 +29,7 @@ TEST_CASE("a ball of many faces becomes a ball of few") {
   CHECK(edges.size() == 1);
   CHECK(edges.at(2) == faces * 3 / 2);
   CHECK(volume(mesh) == Approx(before).epsilon(0.15));
-  for (std::size_t i = 1; i < log.size(); ++i) REQUIRE(log[i].price >= log[i - 1].price);
+  for (std::size_t i = 1; i < log.size(); ++i) REQUIRE(log[i].cost >= log[i - 1].cost);
 }
 
 TEST_CASE("a cube of many faces keeps its corners") {

@@ -29,23 +29,22 @@ SweepsRun run_sweeps(const std::vector<Triangle>& triangles, const CollapseLimit
 
 bool same(const DoneCollapse& a, const DoneCollapse& b) {
   return a.edge.kept == b.edge.kept && a.edge.removed == b.edge.removed &&
-         a.edge.position == b.edge.position && a.price == b.price;
+         a.edge.position == b.edge.position && a.cost == b.cost;
 }
 
 }  // namespace
 
-TEST_CASE("what sweeps do up to a price or a count does not hang on it") {
+TEST_CASE("what sweeps do up to a cost or a count does not hang on it") {
   const auto triangles = test::ball(30, 0.2);
   const SweepsRun all = run_sweeps(triangles, {0, no_limit, 0});
-  for (std::size_t i = 1; i < all.log.size(); ++i)
-    REQUIRE(all.log[i].price >= all.log[i - 1].price);
-  const double price = all.log[all.log.size() / 2].price;
+  for (std::size_t i = 1; i < all.log.size(); ++i) REQUIRE(all.log[i].cost >= all.log[i - 1].cost);
+  const double cost = all.log[all.log.size() / 2].cost;
   const CollapseLimits limits =
-      GENERATE_COPY(CollapseLimits{0, price, 0}, CollapseLimits{700, no_limit, 0});
+      GENERATE_COPY(CollapseLimits{0, cost, 0}, CollapseLimits{700, no_limit, 0});
   const SweepsRun part = run_sweeps(triangles, limits);
   REQUIRE(part.log.size() < all.log.size());
   for (std::size_t i = 0; i < part.log.size(); ++i) REQUIRE(same(part.log[i], all.log[i]));
-  CHECK((part.log.back().price >= price || part.mesh.live_faces() == 700));
+  CHECK((part.log.back().cost >= cost || part.mesh.live_faces() == 700));
 }
 
 TEST_CASE("the count is met after sweeps, and what is closed stays closed") {

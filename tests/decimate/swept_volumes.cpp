@@ -50,28 +50,28 @@ TEST_CASE("a flat vertex takes the half space, a circular cone what its angle sa
   }
 }
 
-TEST_CASE("the sharper a vertex, the dearer the same volume") {
+TEST_CASE("the sharper a vertex, the costlier the same volume") {
   double last = 0;
   for (const double height : {0.01, 0.1, 1.0, 10.0, 100.0, 1e6}) {
     const auto seen = pyramid(8, height);
     const FanView fan{seen, true};
-    const double dearer = VolumePrice(fan)(0) / swept_volume(fan, 0);
-    CHECK(dearer > last);
-    CHECK(std::isfinite(dearer));
-    last = dearer;
+    const double costlier = VolumeOfRemoval(fan)(0) / swept_volume(fan, 0);
+    CHECK(costlier > last);
+    CHECK(std::isfinite(costlier));
+    last = costlier;
   }
 }
 
 TEST_CASE("a boundary costs by the area that it loses, to its neighbours alike") {
   const std::vector<Point> corner{{1, 0, 0}, {0.5, 0.5, 0}, {0, 1, 0}};
   const std::vector<Point> straight{{1, 0, 0}, {0.5, 0.5, 0}, {-1, 0, 0}};
-  CHECK(VolumePrice({straight, false})(0) == 0);
-  const double one = VolumePrice({corner, false})(0);
+  CHECK(VolumeOfRemoval({straight, false})(0) == 0);
+  const double one = VolumeOfRemoval({corner, false})(0);
   CHECK(one > 0);
-  CHECK(VolumePrice({corner, false})(2) == one);
+  CHECK(VolumeOfRemoval({corner, false})(2) == one);
   std::vector<Point> large;
   for (const Point& p : corner) large.push_back(2.0 * p);
-  CHECK(VolumePrice({large, false})(0) == 8 * one);
+  CHECK(VolumeOfRemoval({large, false})(0) == 8 * one);
 }
 
 }  // namespace winnow

@@ -25,8 +25,8 @@ double importance(const std::vector<Point>& seen) {
   return visual_importance(shape_of({seen, true}));
 }
 
-double price(const std::vector<Point>& seen) {
-  return ImportancePrice({seen, true})(0);
+double cost(const std::vector<Point>& seen) {
+  return ImportanceOfRemoval({seen, true})(0);
 }
 
 }  // namespace
@@ -44,26 +44,26 @@ TEST_CASE("a circular cone is as important as it is steep, and more where it is 
   }
 }
 
-TEST_CASE("the unit of length does not count for the importance, and squared for the price") {
+TEST_CASE("the unit of length does not count for the importance, and squared for the cost") {
   std::vector<Point> large;
   const auto small = pyramid(5, 0.3);
   for (const Point& p : small) large.push_back(1024.0 * p);
   CHECK(importance(large) == importance(small));
-  CHECK(price(large) == 1024.0 * 1024.0 * price(small));
+  CHECK(cost(large) == 1024.0 * 1024.0 * cost(small));
 }
 
 TEST_CASE("the same height costs the same, however large the faces are") {
-  const double one = price(pyramid(6, 1e-3));
+  const double one = cost(pyramid(6, 1e-3));
   CHECK(one > 0);
-  CHECK(price(pyramid(6, 1e-3, 10)) == Approx(one).epsilon(1e-4));
-  CHECK(price(pyramid(6, 1e-3, 100)) == Approx(one).epsilon(1e-4));
-  CHECK(price(pyramid(6, 2e-3, 100)) == Approx(4 * one).epsilon(1e-4));
+  CHECK(cost(pyramid(6, 1e-3, 10)) == Approx(one).epsilon(1e-4));
+  CHECK(cost(pyramid(6, 1e-3, 100)) == Approx(one).epsilon(1e-4));
+  CHECK(cost(pyramid(6, 2e-3, 100)) == Approx(4 * one).epsilon(1e-4));
 }
 
 TEST_CASE("a needle costs no less than a dent of the same height") {
   for (const double radius : {0.3, 0.1, 0.01}) {
     CAPTURE(radius);
-    CHECK(price(pyramid(6, 1, radius)) > price(pyramid(6, 1, 10)));
+    CHECK(cost(pyramid(6, 1, radius)) > cost(pyramid(6, 1, 10)));
   }
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("a boundary costs the square of its height, straight ones nothing") {
   };
   const auto cost = [&](double height) {
     const auto seen = boundary(height);
-    return ImportancePrice({seen, false})(0);
+    return ImportanceOfRemoval({seen, false})(0);
   };
   CHECK(cost(0) == 0);
   CHECK(cost(0.25) > 0);

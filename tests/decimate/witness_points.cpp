@@ -57,7 +57,7 @@ TEST_CASE("a vertex that leaves no gap costs nothing more") {
   WitnessPoints points(mesh, rounding_of_double);
   EdgeStar star(rounding_of_double);
   star.find(mesh, 1, 0);
-  CHECK(points.price({1, 0, {1, 0, 0}}, star, 1e-9, false) == 1e-9);
+  CHECK(points.cost({1, 0, {1, 0, 0}}, star, 1e-9, false) == 1e-9);
 }
 
 TEST_CASE("a needle worn down in steps costs as much as one cut off at once") {
@@ -75,7 +75,7 @@ TEST_CASE("a needle worn down in steps costs as much as one cut off at once") {
       const Collapse edge{0, v, {0, 0, z}};
       EdgeStar star(rounding_of_double);
       star.find(mesh, edge.kept, edge.removed);
-      highest = std::max(highest, points.price(edge, star, 0, false));
+      highest = std::max(highest, points.cost(edge, star, 0, false));
       points.collapsing(edge);
       mesh.collapse(edge);
     }
@@ -83,7 +83,7 @@ TEST_CASE("a needle worn down in steps costs as much as one cut off at once") {
   }
 }
 
-TEST_CASE("the price is that of the farther of both points, and never below the given one") {
+TEST_CASE("the cost is that of the farther of both points, and never below the given one") {
   test::Random random(5);
   for (int round = 0; round < 200; ++round) {
     TileMesh mesh = needle(3, 5, random.real(0, 3));
@@ -110,9 +110,9 @@ TEST_CASE("the price is that of the farther of both points, and never below the 
     const double right = 8 * fourth(farthest);
     EdgeStar star(rounding_of_double);
     star.find(mesh, kept, removed);
-    CHECK(points.price(edge, star, 0, false) == Approx(right));
-    CHECK(points.price(edge, star, 2 * right + 1, false) == 2 * right + 1);
-    CHECK(points.price(edge, star, right / 2, false) == Approx(right));
+    CHECK(points.cost(edge, star, 0, false) == Approx(right));
+    CHECK(points.cost(edge, star, 2 * right + 1, false) == 2 * right + 1);
+    CHECK(points.cost(edge, star, right / 2, false) == Approx(right));
   }
 }
 

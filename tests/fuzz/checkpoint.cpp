@@ -43,7 +43,7 @@ class Place {
 void read_tiles(const CheckpointDirectory& directory) {
   TriedTiles tiles(&directory, 1, 0);
   for (TriedTile tile; tiles.next(tile);)
-    expect(tile.edges.size() == tile.prices.size(), "an edge has its price");
+    expect(tile.edges.size() == tile.costs.size(), "an edge has its cost");
 }
 
 void read_text(const std::string& text) {

@@ -55,7 +55,7 @@ TEST_CASE("a text is known by its statements, whatever stands before them") {
     if (before.find('#') == std::string::npos) CHECK(format_of_file(before + ply) == "PLY ASCII");
   }
   for (const std::string before :
-       {"$ made by a program\n", "; v 1\n", "Dear reader,\n\nhere it is:\n", "vertices follow\n",
+       {"$ made by a program\n", "; v 1\n", "Costly reader,\n\nhere it is:\n", "vertices follow\n",
         "// a comment\n", "!\n\"\n"}) {
     CAPTURE(before);
     CHECK(format_of_file(before + obj) == "OBJ");

@@ -87,7 +87,7 @@ TEST_CASE("a sieve that cannot become few faces keeps its shape and says so", "[
   CHECK(free.report.lost.handles > 0);
   CHECK(free.report.lost.pieces == 0);
   CHECK(free.defects.duplicates + free.defects.degenerate + free.defects.boundary_edges == 0);
-  // Stopped while collapses were at most twice as far off as the dearest of these.
+  // Stopped while collapses were at most twice as far off as the costliest of these.
   CHECK(out.compared.symmetric.rms < 2 * free.compared.symmetric.rms);
 }
 

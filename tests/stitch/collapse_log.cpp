@@ -1,4 +1,4 @@
-// One price for all tiles: the cut is that of one sorted list, ties by tile.
+// One cost for all tiles: the cut is that of one sorted list, ties by tile.
 #include "stitch/collapse_log.hpp"
 
 #include "support/job.hpp"
@@ -16,14 +16,14 @@ using namespace test;
 namespace {
 
 struct Entry {
-  double price;
+  double cost;
   std::size_t tile, number;
   std::uint64_t faces;  // that it alone removes
 };
 
 struct Logs {
   std::vector<std::vector<Collapse>> edges;
-  std::vector<std::vector<CollapseLog::Price>> prices;
+  std::vector<std::vector<CollapseLog::Cost>> costs;
   std::vector<Entry> sorted;
   std::uint64_t removed = 0;
 };
@@ -32,24 +32,24 @@ Logs random_logs(Random& random, std::size_t tiles, std::size_t most, std::uint6
   Logs logs;
   for (std::size_t tile = 0; tile < tiles; ++tile) {
     std::vector<Collapse> edges(random.below(most + 1));
-    std::vector<CollapseLog::Price> prices;
-    double price = 0;
+    std::vector<CollapseLog::Cost> costs;
+    double cost = 0;
     std::uint64_t removed = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       edges[i].kept = static_cast<VertexNumber>(random.below(1000));
       edges[i].removed = static_cast<VertexNumber>(1000 + i);
-      price += static_cast<double>(random.below(kinds)) / 16;
+      cost += static_cast<double>(random.below(kinds)) / 16;
       const std::uint64_t faces = random.between(1, 3);
       removed += faces;
-      prices.push_back({price, removed});
-      logs.sorted.push_back({price, tile, i, faces});
+      costs.push_back({cost, removed});
+      logs.sorted.push_back({cost, tile, i, faces});
     }
     logs.removed += removed;
     logs.edges.push_back(std::move(edges));
-    logs.prices.push_back(std::move(prices));
+    logs.costs.push_back(std::move(costs));
   }
   std::sort(logs.sorted.begin(), logs.sorted.end(), [](const Entry& a, const Entry& b) {
-    return std::tuple(a.price, a.tile, a.number) < std::tuple(b.price, b.tile, b.number);
+    return std::tuple(a.cost, a.tile, a.number) < std::tuple(b.cost, b.tile, b.number);
   });
   return logs;
 }
@@ -67,22 +67,22 @@ TEST_CASE("a cut takes the cheapest collapses of all tiles and no more") {
         for (const std::uint64_t memory : {std::uint64_t{1} << 24, std::uint64_t{0}}) {
           CAPTURE(kinds, tiles, most, memory);
           CollapseLog log(test.job, memory);
-          for (std::size_t t = 0; t < tiles; ++t) log.append(logs.edges[t], logs.prices[t]);
+          for (std::size_t t = 0; t < tiles; ++t) log.append(logs.edges[t], logs.costs[t]);
           log.finish();
           REQUIRE(log.removed() == logs.removed);
           for (int round = 0; round < 20; ++round) {
             const std::uint64_t wanted = round == 0 ? 0 : random.below(logs.removed + 3);
             std::vector<std::uint64_t> right(tiles, 0);
             std::uint64_t sum = 0;
-            double price = 0;
+            double cost = 0;
             for (const Entry& entry : logs.sorted) {
               if (sum >= wanted) break;
               sum += entry.faces;
-              price = entry.price;
+              cost = entry.cost;
               ++right[entry.tile];
             }
             REQUIRE(log.cut(wanted) == right);
-            if (sum >= wanted) REQUIRE(log.price_of(wanted) == price);
+            if (sum >= wanted) REQUIRE(log.cost_of(wanted) == cost);
           }
           for (std::size_t t = 0; t < tiles; ++t) {
             const std::uint64_t count = random.below(logs.edges[t].size() + 1);

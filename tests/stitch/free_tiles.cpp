@@ -1,5 +1,5 @@
 // Rings everywhere, in many tiles and across their borders: pieces, handles and holes go by one
-// price, whatever the threads and the memory.
+// cost, whatever the threads and the memory.
 #include "support/refining.hpp"
 #include "support/surfaces.hpp"
 

@@ -100,7 +100,7 @@ void round_to_floats(EdgeBatch& batch, std::size_t end) {
 }
 
 // An end where nothing is lost takes the collapse, to the bit.
-void price(EdgeBatch& batch, std::size_t end) {
+void cost(EdgeBatch& batch, std::size_t end) {
   for (std::size_t i = 0; i < end; ++i) {
     const double lx = batch.low[0][i], ly = batch.low[1][i], lz = batch.low[2][i];
     const double hx = batch.high[0][i], hy = batch.high[1][i], hz = batch.high[2][i];
@@ -142,7 +142,7 @@ void price(EdgeBatch& batch, std::size_t end) {
     const double length = edge_length_share * weight * square;
     const double shaped = lost + (length < lost ? length : lost);
     const bool flat = low_flat | high_flat;
-    batch.price[i] = flat ? flat_share * (weight + length_beside_weight * square) * square : shaped;
+    batch.cost[i] = flat ? flat_share * (weight + length_beside_weight * square) * square : shaped;
   }
 }
 
@@ -153,13 +153,13 @@ void WINNOW_JOIN(edge_kernel_, WINNOW_KERNEL)(EdgeBatch& batch, std::size_t coun
     // One by itself needs no lanes.
     place(batch, 1, single ? rounding_of_floats : rounding_of_doubles);
     if (single) round_to_floats(batch, 1);
-    price(batch, 1);
+    cost(batch, 1);
     return;
   }
   const std::size_t end = (count + edge_kernel_lanes - 1) / edge_kernel_lanes * edge_kernel_lanes;
   place(batch, end, single ? rounding_of_floats : rounding_of_doubles);
   if (single) round_to_floats(batch, end);
-  price(batch, end);
+  cost(batch, end);
 }
 
 }  // namespace winnow

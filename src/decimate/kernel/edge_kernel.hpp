@@ -22,7 +22,7 @@ struct EdgeBatch {
   double to_high[capacity];  // 1 where the edge may only be collapsed into its high end; else 0
 
   // Results.
-  double price[capacity];
+  double cost[capacity];
   double position[3][capacity];
   double at_low[capacity], at_high[capacity];      // what is lost at the ends
   double flat_low[capacity], flat_high[capacity];  // 1 where that is nothing but rounding

@@ -2,7 +2,7 @@
 try() { local code=0; "$WINNOW" simplify "$1" -o small.ply --cell 1 2>&1 || code=$?; echo "=> $code"; }
 printf 'OFF BINARY\n\1\2\3\0\0\0' >binary.off
 printf '# a comment\n' >empty.obj
-printf 'Dear reader,\n' >letter.stl
+printf 'Costly reader,\n' >letter.stl
 printf '' >nothing.ply
 head -c 60 /dev/zero >short.stl
 printf 'v 0 0 0\n' | gzip -n | gzip -n >twice.obj.gz

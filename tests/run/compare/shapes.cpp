@@ -183,8 +183,8 @@ TEST_CASE("what is wrong with the simplified mesh is counted") {
   CHECK(report.topology.degenerate == 2);
   CHECK(report.topology.components == 3);
   CHECK(report.simplified.bad_faces.degenerate == 1);
-  // The doubled face has two sides inside, with three faces, and one on the border, with two; the
-  // two lone faces have three borders each.
+  // The doubled face has two sides inside, with three faces, and one on the boundary, with two; the
+  // two lone faces have three boundary edges each.
   CHECK(report.topology.non_manifold_edges == 2);
   CHECK(report.topology.boundary_edges == 8 - 1 + 6);
 }

@@ -1,4 +1,4 @@
-// Open borders: all vertices stay where that is asked for, and hold their line where not.
+// Open boundaries: all vertices stay where that is asked for, and hold their line where not.
 #include "support/refined_file.hpp"
 
 #include <algorithm>
@@ -16,18 +16,18 @@ std::set<Point> border_of(const PlainMesh& mesh) {
   for (const auto& face : mesh.faces) {
     for (std::size_t i = 0; i < 3; ++i) ++edges[std::minmax(face[i], face[(i + 1) % 3])];
   }
-  std::set<Point> border;
+  std::set<Point> boundary;
   for (const auto& [edge, faces] : edges) {
     if (faces != 1) continue;
-    border.insert(mesh.vertices[edge.first].position);
-    border.insert(mesh.vertices[edge.second].position);
+    boundary.insert(mesh.vertices[edge.first].position);
+    boundary.insert(mesh.vertices[edge.second].position);
   }
-  return border;
+  return boundary;
 }
 
 }  // namespace
 
-TEST_CASE("a border that is kept keeps every vertex") {
+TEST_CASE("a boundary that is kept keeps every vertex") {
   TestJob test;
   const std::set<Point> before = border_of(plain(welded(test.job, mountains())));
   CHECK(before.size() == 800);  // of 201 times 201 samples
@@ -45,7 +45,7 @@ TEST_CASE("a border that is kept keeps every vertex") {
   CHECK((border_of(refine_file(directory, mountains(), options).mesh) == before));
 }
 
-TEST_CASE("a border that is not kept loses vertices but hardly moves") {
+TEST_CASE("a boundary that is not kept loses vertices but hardly moves") {
   TestJob test;
   const PlainMesh original = plain(welded(test.job, mountains()));
   const Directory directory;

@@ -1,4 +1,4 @@
-// Vertices by the price of what they propose: the cheapest first, and of equally cheap ones the
+// Vertices by the cost of what they propose: the cheapest first, and of equally cheap ones the
 // lowest number.
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace winnow {
 
-// A heap of four children a node that knows where each vertex stands, so that a price can change.
+// A heap of four children a node that knows where each vertex stands, so that a cost can change.
 // Which of two offers is less is a coin toss, so both are one whole number, compared without
 // branches.
-class PriceQueue {
+class CostQueue {
  public:
   struct Offer {
-    double price = 0;
+    double cost = 0;
     VertexNumber vertex = no_number;
   };
 
-  explicit PriceQueue(VertexNumber vertices) : place_(vertices, no_number) {
+  explicit CostQueue(VertexNumber vertices) : place_(vertices, no_number) {
     heap_.reserve(vertices);
   }
 
@@ -31,14 +31,14 @@ class PriceQueue {
   }
 
   [[nodiscard]] bool empty() const { return heap_.empty(); }
-  [[nodiscard]] Offer top() const { return {price_of(heap_.front()), vertex_of(heap_.front())}; }
+  [[nodiscard]] Offer top() const { return {cost_of(heap_.front()), vertex_of(heap_.front())}; }
   [[nodiscard]] bool holds(VertexNumber v) const { return place_[v] != no_number; }
-  [[nodiscard]] double price(VertexNumber v) const { return price_of(heap_[place_[v]]); }
+  [[nodiscard]] double cost(VertexNumber v) const { return cost_of(heap_[place_[v]]); }
 
   // Many vertices at once; then order() once.
-  void append(VertexNumber v, double price) {
+  void append(VertexNumber v, double cost) {
     place_[v] = static_cast<std::uint32_t>(heap_.size());
-    heap_.push_back(key_of(price, v));
+    heap_.push_back(key_of(cost, v));
   }
   void order() {
     for (std::size_t i = heap_.size() / children + 1; i-- > 0;) {
@@ -46,8 +46,8 @@ class PriceQueue {
     }
   }
 
-  void set(VertexNumber v, double price) {
-    const Key key = key_of(price, v);
+  void set(VertexNumber v, double cost) {
+    const Key key = key_of(cost, v);
     if (!holds(v)) {
       heap_.emplace_back();
       rise(heap_.size() - 1, key);
@@ -76,13 +76,13 @@ class PriceQueue {
   static constexpr std::size_t children = 4;
   __extension__ using Key = unsigned __int128;
 
-  // Whole numbers in the order of the prices, above those of the vertices.
-  static Key key_of(double price, VertexNumber v) {
-    const auto bits = std::bit_cast<std::uint64_t>(price + 0.0);  // not -0, which equals 0
+  // Whole numbers in the order of the costs, above those of the vertices.
+  static Key key_of(double cost, VertexNumber v) {
+    const auto bits = std::bit_cast<std::uint64_t>(cost + 0.0);  // not -0, which equals 0
     const std::uint64_t order = bits ^ (bits >> 63 != 0 ? ~std::uint64_t{0} : sign);
     return Key{order} << 64 | v;
   }
-  static double price_of(Key key) {
+  static double cost_of(Key key) {
     const auto order = static_cast<std::uint64_t>(key >> 64);
     return std::bit_cast<double>(order ^ (order >> 63 != 0 ? sign : ~std::uint64_t{0}));
   }

@@ -1,4 +1,4 @@
-// What the common price of all tiles will be, by those that are known: tiles need not be tried much
+// What the common cost of all tiles will be, by those that are known: tiles need not be tried much
 // further than that.
 #pragma once
 
@@ -14,17 +14,17 @@
 namespace winnow {
 
 // For many threads at once. What it says hangs on which tiles were ready first.
-class PriceEstimate {
+class CostEstimate {
  public:
   // `removed`: which part of the faces that can change a cut removes.
-  explicit PriceEstimate(double removed) : wanted_(removed), faces_(classes) {}
+  explicit CostEstimate(double removed) : wanted_(removed), faces_(classes) {}
 
   // Of a tile: faces that can change.
-  void add(const std::vector<CollapseLog::Price>& prices, std::uint64_t faces) {
+  void add(const std::vector<CollapseLog::Cost>& costs, std::uint64_t faces) {
     const std::scoped_lock lock(mutex_);
     std::uint64_t before = 0;
-    for (const CollapseLog::Price& entry : prices) {
-      faces_[class_of(entry.price)] += entry.removed - before;
+    for (const CollapseLog::Cost& entry : costs) {
+      faces_[class_of(entry.cost)] += entry.removed - before;
       before = entry.removed;
     }
     all_ += faces;
@@ -32,7 +32,7 @@ class PriceEstimate {
   }
 
   // No less than what the cut through the known tiles costs; infinite where too few are known.
-  [[nodiscard]] double price() const {
+  [[nodiscard]] double cost() const {
     const std::scoped_lock lock(mutex_);
     auto left = static_cast<std::int64_t>(wanted_ * static_cast<double>(all_));
     for (std::size_t i = 0; i + 1 < classes && tiles_ >= fewest_tiles; ++i) {
@@ -44,11 +44,11 @@ class PriceEstimate {
 
  private:
   static constexpr std::uint64_t fewest_tiles = 6;
-  // Prices of a class differ by less than a sixteenth.
+  // Costs of a class differ by less than a sixteenth.
   static constexpr unsigned class_bits = 48;
   static constexpr std::size_t classes = std::size_t{1} << (63 - class_bits);
-  static std::size_t class_of(double price) {
-    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(price + 0.0) >> class_bits);
+  static std::size_t class_of(double cost) {
+    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(cost + 0.0) >> class_bits);
   }
 
   double wanted_;
