@@ -51,6 +51,19 @@ inline double double_of(std::int64_t bits) {
   return __builtin_bit_cast(double, bits);
 }
 
+// The whole number nearest to a value below 2^51 in size. Of what is larger, some number: the faces
+// that have it are found to be far, and it is not looked at.
+inline std::int64_t nearest_whole(double value) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(bits_of(value + rounder)) -
+                                   static_cast<std::uint64_t>(rounder_bits));
+}
+
+// The same for a value from 0 to 2^52.
+inline std::int64_t nearest_whole_from_zero(double value) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(bits_of(value + whole)) -
+                                   static_cast<std::uint64_t>(whole_bits));
+}
+
 inline std::int32_t rounded(float value) {
   return static_cast<std::int32_t>(value + (value < 0 ? -0.5F : 0.5F));
 }
@@ -214,13 +227,13 @@ void add_up(std::size_t from, std::size_t n, CornerSums& out) {
                      wc * fraction_of(out.place[2][1][i]);
     const double z = wa * fraction_of(out.place[0][2][i]) + wb * fraction_of(out.place[1][2][i]) +
                      wc * fraction_of(out.place[2][2][i]);
-    out.total_weight[i] = bits_of(w + whole) - whole_bits;
-    out.total_position[0][i] = bits_of(x + whole) - whole_bits;
-    out.total_position[1][i] = bits_of(y + whole) - whole_bits;
-    out.total_position[2][i] = bits_of(z + whole) - whole_bits;
-    out.total_normal[0][i] = bits_of(w * out.normal[0][i] + rounder) - rounder_bits;
-    out.total_normal[1][i] = bits_of(w * out.normal[1][i] + rounder) - rounder_bits;
-    out.total_normal[2][i] = bits_of(w * out.normal[2][i] + rounder) - rounder_bits;
+    out.total_weight[i] = nearest_whole_from_zero(w);
+    out.total_position[0][i] = nearest_whole_from_zero(x);
+    out.total_position[1][i] = nearest_whole_from_zero(y);
+    out.total_position[2][i] = nearest_whole_from_zero(z);
+    out.total_normal[0][i] = nearest_whole(w * out.normal[0][i]);
+    out.total_normal[1][i] = nearest_whole(w * out.normal[1][i]);
+    out.total_normal[2][i] = nearest_whole(w * out.normal[2][i]);
   }
 }
 
@@ -267,11 +280,11 @@ void add_up_planes(std::size_t from, std::size_t n, CornerSums& out) {
     const double wc = out.weight[2][i];
     const double w = wa + wb + wc;
     for (std::size_t k = 0; k < 5; ++k)
-      out.total_squares[k][i] = bits_of(w * out.squares[k][i] + rounder) - rounder_bits;
+      out.total_squares[k][i] = nearest_whole(w * out.squares[k][i]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double sum =
           wa * out.moment[0][axis][i] + wb * out.moment[1][axis][i] + wc * out.moment[2][axis][i];
-      out.total_moment[axis][i] = bits_of(sum + rounder) - rounder_bits;
+      out.total_moment[axis][i] = nearest_whole(sum);
     }
   }
 }
@@ -296,9 +309,9 @@ void multiply_sides(std::size_t from, std::size_t n, CornerSums& out) {
     const double vx = side_steps(out.place[2][0][i]) - ax;
     const double vy = side_steps(out.place[2][1][i]) - ay;
     const double vz = side_steps(out.place[2][2][i]) - az;
-    out.doubled_area[0][i] = bits_of(uy * vz - uz * vy + rounder) - rounder_bits;
-    out.doubled_area[1][i] = bits_of(uz * vx - ux * vz + rounder) - rounder_bits;
-    out.doubled_area[2][i] = bits_of(ux * vy - uy * vx + rounder) - rounder_bits;
+    out.doubled_area[0][i] = nearest_whole(uy * vz - uz * vy);
+    out.doubled_area[1][i] = nearest_whole(uz * vx - ux * vz);
+    out.doubled_area[2][i] = nearest_whole(ux * vy - uy * vx);
   }
 }
 
