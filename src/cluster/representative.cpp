@@ -19,24 +19,6 @@ constexpr double pull = 5e-3;
 // What a boundary has to be off, in cells: more than its sums are rounded by.
 constexpr double least_step = 0x1p-12;
 
-// Solves the symmetric positive definite system m x = b by Cholesky's method.
-std::array<double, 3> solve(double xx, double xy, double xz, double yy, double yz, double zz,
-                            const std::array<double, 3>& b) {
-  const double l00 = std::sqrt(xx);
-  const double l10 = xy / l00;
-  const double l20 = xz / l00;
-  const double l11 = std::sqrt(yy - l10 * l10);
-  const double l21 = (yz - l20 * l10) / l11;
-  const double l22 = std::sqrt(zz - l20 * l20 - l21 * l21);
-  const double y0 = b[0] / l00;
-  const double y1 = (b[1] - l10 * y0) / l11;
-  const double y2 = (b[2] - l20 * y0 - l21 * y1) / l22;
-  const double x2 = y2 / l22;
-  const double x1 = (y1 - l21 * x2) / l11;
-  const double x0 = (y0 - l10 * x1 - l20 * x2) / l00;
-  return {x0, x1, x2};
-}
-
 // The number of type Real nearest to `coordinate` that is in the part of its cell by Grid's own
 // formula. There is one: the coordinates of the corners in it are of that type. A few steps reach
 // it; far from the origin, where the lattice is finer than a float, they are steps of the float.
@@ -92,28 +74,25 @@ std::array<double, 3> WholeCell::mean_place() const {
 }
 
 // Garland and Heckbert's quadric of the planes n·x = d, each with its corner's weight: minimises
-// the mean of (n·x - d)^2 plus pull * |x - mean|^2, by x = mean + t with (A + pull) t = b - A mean.
+// the mean of (n·x - d)^2 plus pull * |x - mean|^2.
 std::array<double, 3> WholeCell::quadric_place(const std::array<double, 3>& mean) const {
   const double scale = static_cast<double>(weight_) * normal_scale;
-  std::array<double, 5> a{};
-  for (std::size_t i = 0; i < 5; ++i) a[i] = static_cast<double>(squares_[i]) / scale;
-  const auto [xx, xy, xz, yy, yz] = a;
+  Quadric planes;  // seen from the cell's middle
+  planes.xx = static_cast<double>(squares_[0]) / scale;
+  planes.xy = static_cast<double>(squares_[1]) / scale;
+  planes.xz = static_cast<double>(squares_[2]) / scale;
+  planes.yy = static_cast<double>(squares_[3]) / scale;
+  planes.yz = static_cast<double>(squares_[4]) / scale;
   // The squares of a unit normal add up to one; corners without a normal leave a little less.
-  const double zz = std::max(0.0, 1 - xx - yy);
-  const std::array<double, 3> m{mean[0] - 0.5, mean[1] - 0.5,
-                                mean[2] - 0.5};  // from the cell's middle
-  const std::array<double, 3> rest{
-      static_cast<double>(moment_[0]) / scale - (xx * m[0] + xy * m[1] + xz * m[2]),
-      static_cast<double>(moment_[1]) / scale - (xy * m[0] + yy * m[1] + yz * m[2]),
-      static_cast<double>(moment_[2]) / scale - (xz * m[0] + yz * m[1] + zz * m[2])};
-  const std::array<double, 3> step = solve(xx + pull, xy, xz, yy + pull, yz, zz + pull, rest);
-  std::array<double, 3> place{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    place[axis] = mean[axis] + step[axis];
-    // Rounded sums of planes that hardly differ can leave nothing to solve.
-    if (!std::isfinite(place[axis])) return mean;
+  planes.zz = std::max(0.0, 1 - planes.xx - planes.yy);
+  const Point middle{0.5, 0.5, 0.5};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    planes.b[axis] = static_cast<double>(moment_[axis]) / scale;
+  Point place = middle + lowest_point(planes, pull, mean - middle);
+  // Rounded sums of planes that hardly differ can leave nothing to solve.
+  if (!finite(place)) return mean;
+  for (std::size_t axis = 0; axis < 3; ++axis)
     place[axis] = std::clamp(place[axis], part_.low[axis], part_.low[axis] + part_.size);
-  }
   return place;
 }
 
