@@ -55,7 +55,7 @@ std::uint64_t parts_counted(const std::vector<HashedFace>& faces, std::uint64_t 
 }  // namespace
 
 TEST_CASE("connected parts are counted whatever the memory, the order and what is known before",
-          "[slow]") {
+          "[slow][long]") {
   std::mt19937 random(1);
   constexpr std::size_t points = 200'003;
   std::vector<HashedFace> strips;  // of very different lengths, apart from each other

@@ -76,7 +76,7 @@ std::vector<std::string> example_files() {
 
 }  // namespace
 
-TEST_CASE("faces and positions do not depend on how the bytes come", "[slow]") {
+TEST_CASE("faces and positions do not depend on how the bytes come", "[slow][long]") {
   const test::Directory directory;
   const std::string path = directory.file("mesh");
   int number = 0;

@@ -36,7 +36,7 @@ bool meets(const Triangle& t, const Box& box) {
 
 }  // namespace
 
-TEST_CASE("a reference mesh gives the faces near a place, whatever its memory") {
+TEST_CASE("a reference mesh gives the faces near a place, whatever its memory", "[long]") {
   const Directory directory;
   const std::string scan = directory.file("scan.ply");
   // More than one group of groups of blocks.

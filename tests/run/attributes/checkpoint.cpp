@@ -41,7 +41,7 @@ TEST_CASE("a run with attributes goes on to the same bytes", "[faults]") {
 }
 
 TEST_CASE("a run with named attributes and an error to reach goes on to the same bytes",
-          "[faults]") {
+          "[faults][long]") {
   SimplifyOptions options;
   options.target = Target::error(Distance::of_diagonal(0.001));
   options.attributes = {"colors", "stamp"};

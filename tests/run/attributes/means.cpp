@@ -42,7 +42,7 @@ double largest_difference(const AttributedMesh& mesh, const std::string& name,
 
 }  // namespace
 
-TEST_CASE("a constant attribute stays what it is") {
+TEST_CASE("a constant attribute stays what it is", "[long]") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
   const auto constant = [](const std::string& name, NumberType type, double value) {
@@ -67,7 +67,7 @@ TEST_CASE("a constant attribute stays what it is") {
   }
 }
 
-TEST_CASE("a linear attribute stays near its line") {
+TEST_CASE("a linear attribute stays near its line", "[long]") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
   const auto line = [](const Point& p) { return 3 * p[0] - 2 * p[1] + p[2]; };
@@ -136,7 +136,7 @@ TEST_CASE("numbers that are none are counted and left out of means") {
   }
 }
 
-TEST_CASE("attributes change no vertex and no face") {
+TEST_CASE("attributes change no vertex and no face", "[long]") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
   const AttributedMesh plain = generated(directory.path(), 80'000);

@@ -8,7 +8,7 @@
 
 namespace winnow::test {
 
-TEST_CASE("a run to several counts goes on in any of them", "[faults]") {
+TEST_CASE("a run to several counts goes on in any of them", "[faults][long]") {
   const Directory directory;
   const std::string input = directory.file("in.ply");
   const std::string output = directory.file("level-{faces}.ply");

@@ -137,7 +137,7 @@ TEST_CASE("a run over faces that jump is cancelled in every stage", "[faults]") 
                     {"sort corners", "look up corners", "cluster", "check", "write"});
 }
 
-TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads]") {
+TEST_CASE("a run that refines is cancelled in every stage", "[faults][threads][long]") {
   const Directory directory;
   // Several tiles, so that there is a log to be cut, and a second round.
   const std::string ply = directory.file("scan.ply");

@@ -93,7 +93,7 @@ SimplifyOptions by(const char* how) {
 
 }  // namespace
 
-TEST_CASE("a scan moved by whole cells keeps its faces, and all digits of its vertices") {
+TEST_CASE("a scan moved by whole cells keeps its faces, and all digits of its vertices", "[long]") {
   const Directory directory;
   const Polygons scan = fine_scan(directory, 40'000);
   const std::string near = write_doubles(directory, "near.ply", scan);
@@ -114,7 +114,8 @@ TEST_CASE("a scan moved by whole cells keeps its faces, and all digits of its ve
   }
 }
 
-TEST_CASE("a vertex at the origin of georeferenced coordinates changes next to nothing", "[slow]") {
+TEST_CASE("a vertex at the origin of georeferenced coordinates changes next to nothing",
+          "[slow][long]") {
   const Directory directory;
   Polygons scan = moved(fine_scan(directory, 300'000), far);
   const std::string clean = write_doubles(directory, "clean.ply", scan);
@@ -140,7 +141,7 @@ TEST_CASE("a vertex at the origin of georeferenced coordinates changes next to n
             .epsilon(0.1));
 }
 
-TEST_CASE("a scan moved by anything is simplified with the same error") {
+TEST_CASE("a scan moved by anything is simplified with the same error", "[long]") {
   const Directory directory;
   const Polygons scan = fine_scan(directory, 40'000);
   const std::string near = write_doubles(directory, "near.ply", scan);

@@ -33,7 +33,7 @@ struct Place {
 
 }  // namespace
 
-TEST_CASE("each of several counts is met, and the finest is what it is alone") {
+TEST_CASE("each of several counts is met, and the finest is what it is alone", "[long]") {
   Place place;
   for (const Refine cost : {Refine::quadric, Refine::volume, Refine::importance}) {
     SimplifyOptions options =
@@ -66,7 +66,7 @@ TEST_CASE("each of several counts is met, and the finest is what it is alone") {
   }
 }
 
-TEST_CASE("a level is as near to the surface as a result of a run of its own") {
+TEST_CASE("a level is as near to the surface as a result of a run of its own", "[long]") {
   Place place;
   SimplifyOptions options =
       to_levels({Target::ratio(0.3), Target::ratio(0.1), Target::ratio(0.03), Target::ratio(0.01)});
@@ -81,7 +81,7 @@ TEST_CASE("a level is as near to the surface as a result of a run of its own") {
   }
 }
 
-TEST_CASE("each of several errors bounds the distance, and each level has fewer faces") {
+TEST_CASE("each of several errors bounds the distance, and each level has fewer faces", "[long]") {
   Place place;
   SimplifyOptions options = to_levels({Target::error(Distance::of_diagonal(0.0005)),
                                        Target::error(Distance::of_diagonal(0.002)),
