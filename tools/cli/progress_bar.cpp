@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -183,6 +184,15 @@ struct ProgressBar::State {
     shown = true;
   }
 
+  // The last line of a run that was done.
+  void finish() const {
+    if (!json) return;
+    const nlohmann::ordered_json line{{"stage", "done"}, {"done", 1},
+                                      {"total", 1},      {"unit", "run"},
+                                      {"share", 1.0},    {"seconds", since(run_begin)}};
+    std::cerr << line.dump() + "\n" << std::flush;
+  }
+
   void wipe() {
     if (shown && terminal) std::cerr << "\r\x1b[K" << std::flush;
     shown = false;
@@ -201,6 +211,7 @@ ProgressBar::ProgressBar(Context& context, const CommonOptions& options)
 
 ProgressBar::~ProgressBar() {
   state_->wipe();
+  if (std::uncaught_exceptions() == 0) state_->finish();
 }
 
 }  // namespace winnow::cli
