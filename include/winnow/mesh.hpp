@@ -125,14 +125,14 @@ struct Mesh {
 // meaning; what chooses a format or compresses it is a usage error.
 //
 // A face with an index of no vertex, or with a corner that is not finite, is a bad one, as in a
-// file: it is counted and left out, and with `strict` it is an error. `report`: where it goes, if
-// anywhere.
+// file: it is counted and left out, and with `strict` it is an error. `report` and `map`: where
+// they go, if anywhere; the map does not count in the budget.
 //
 // Throws Error: usage (options; arrays of other types, or that share memory in a wrong way),
 // bad_input (sizes that do not fit, nothing to simplify), resources, cancelled, failed. The message
 // names the array: positions, faces or attributes.
 WINNOW_API Mesh simplify(Context& context, const MeshView& mesh, const SimplifyOptions& options,
-                         SimplifyReport* report = nullptr);
+                         SimplifyReport* report = nullptr, VertexMap* map = nullptr);
 
 // The same for several targets (SimplifyOptions::coarser) in one run: the finest mesh first.
 WINNOW_API std::vector<Mesh> simplify_levels(Context& context, const MeshView& mesh,
@@ -146,6 +146,6 @@ WINNOW_API std::vector<Mesh> simplify_levels(Context& context, const std::string
 WINNOW_API SimplifyReport simplify(Context& context, const MeshView& mesh,
                                    const std::string& output, const SimplifyOptions& options);
 WINNOW_API Mesh simplify(Context& context, const std::string& input, const SimplifyOptions& options,
-                         SimplifyReport* report = nullptr);
+                         SimplifyReport* report = nullptr, VertexMap* map = nullptr);
 
 }  // namespace winnow

@@ -92,6 +92,12 @@ struct SimplifyOptions {
   Format to = Format::automatic;
   Encoding encoding;  // how the output is written
 
+  // A file for the VertexMap (below), as an array of NumPy (.npy): a header that tells the count,
+  // and a little-endian int64 a vertex. Compressed where the name ends in .gz or .zst. Only with
+  // one target, and not for an output whose vertices are not numbered as the map says: STL, and a
+  // GLB of Compression::meshopt. A pipe is copied to scratch. Default: none.
+  std::string map;
+
   // Replace an existing output file. Without it an existing file is a usage error.
   bool force = false;
 };
@@ -141,6 +147,16 @@ void for_each_field(Plan& plan, Field&& field) {
   field("scratch_expected", plan.scratch_expected);
   field("seconds_expected", plan.seconds_expected);
 }
+
+// For each vertex of the input, in its order, the number of the output vertex that it became a part
+// of; -1 where that part of the surface went, or no good face has the vertex. Vertices of several
+// inputs follow each other. In an input without vertices of its own (STL) each face has three, its
+// corners. Every vertex of the output has one of the input at least.
+//
+// With cells alone a vertex went to the one of its cell. Equal positions went the same way, and so
+// did near ones that `weld` joined. A vertex that was collapsed went to what the other end of its
+// edge became.
+using VertexMap = std::vector<std::int64_t>;
 
 // Reads `input`, clusters its vertices on a grid, collapses edges of what comes out until it has
 // the faces asked for, writes one mesh to `output`.

@@ -53,6 +53,8 @@ inline constexpr Share reading_simplified{1, 8}, reading_original{1, 4};
 namespace left {
 inline constexpr Share added_mesh{1, 4};    // that a program makes; it is read as a file afterwards
 inline constexpr Share checking{1, 2};      // the result
+inline constexpr Share map{1, 16};          // where the input's vertices went
+inline constexpr Share used{1, 4};          // bits for vertices, while it is made
 inline constexpr Share packing{1, 2};       // blocks of the output
 inline constexpr Share damage{1, 2};        // tiles that are looked at, and as much for sorting
 inline constexpr Share crowded_part{1, 2};  // records of one part that are more than expected
@@ -134,9 +136,12 @@ inline constexpr Share joined{1, 2};  // of lists, while vertices are joined
 // What comes out of a round: the mesh, and faces on their way to it.
 namespace round {
 inline constexpr Share mesh{3, 4};
-inline constexpr Share inner_faces{1, 8}, seam_faces{1, 32}, hub_faces{1, 32}, named{1, 32},
+inline constexpr Share inner_faces{3, 32}, seam_faces{1, 32}, hub_faces{1, 32}, named{1, 32},
     sorted_hub_faces{1, 32};
-static_assert(fit(mesh, inner_faces, seam_faces, hub_faces, named, sorted_hub_faces));
+// Where vertices went: in the round, and before and after that.
+inline constexpr Share map{1, 96};
+static_assert(fit(mesh, inner_faces, seam_faces, hub_faces, named, sorted_hub_faces, map, map,
+                  map));
 inline constexpr Share hub_normals{1, 32};  // when the faces have their numbers
 }  // namespace round
 

@@ -30,6 +30,7 @@ class MovingReader final : public NearWeldedReader {
     moved_ = find_moved(job, *reader_, grid_, distance, memory);
   }
 
+  MeshReader& unwelded() override { return *reader_; }
   [[nodiscard]] std::uint64_t merged() const override { return moved_.size(); }
   [[nodiscard]] std::uint64_t collapsed() const override { return collapsed_; }
 
@@ -45,10 +46,9 @@ class MovingReader final : public NearWeldedReader {
         const Point p = finder.find({view.axis[0][i], view.axis[1][i], view.axis[2][i]});
         for (std::size_t axis = 0; axis < 3; ++axis) welded[axis][i] = p[axis];
       }
-      sink({{welded[0].data(), welded[1].data(), welded[2].data()},
-            view.count,
-            view.first,
-            view.corner});
+      PositionView moved = view;
+      moved.axis = {welded[0].data(), welded[1].data(), welded[2].data()};
+      sink(moved);
     });
   }
 

@@ -17,6 +17,7 @@ namespace winnow {
 // `cropped`, and is counted. Faces are not counted before they are read.
 class NearWeldedReader : public MeshReader {
  public:
+  virtual MeshReader& unwelded() = 0;                         // the same mesh as it was
   [[nodiscard]] virtual std::uint64_t merged() const = 0;     // positions that moved to another
   [[nodiscard]] virtual std::uint64_t collapsed() const = 0;  // faces of the last pass
 };

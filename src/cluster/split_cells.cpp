@@ -38,6 +38,15 @@ bool SplitCells::split_further(CellKey name) {
   return true;
 }
 
+CellKey SplitCells::name_at(const Grid& grid, const Point& position) const {
+  std::array<std::uint32_t, 3> place{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    place[axis] = static_cast<std::uint32_t>(grid.rounded_place(position[axis], axis) *
+                                             static_cast<double>(1U << bits_));
+  }
+  return morton_key(part_at(place, depth_of(step_at(place))));
+}
+
 PackedCell SplitCells::cell_of(CellKey name) const {
   const std::array<std::uint32_t, 3> cell = morton_cell(name >> (3 * bits_));
   return pack_cell(cell[0], cell[1], cell[2]);

@@ -36,6 +36,8 @@ class SplitCells {
   // finest.
   bool split_further(CellKey name);
 
+  // The name of what has this position, a cell or a part of one.
+  [[nodiscard]] CellKey name_at(const Grid& grid, const Point& position) const;
   // The cell of a name.
   [[nodiscard]] PackedCell cell_of(CellKey name) const;
   // The name of a cell that is not split.

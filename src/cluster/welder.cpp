@@ -229,7 +229,7 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const MostPos
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(ErrorKind::failed, "the input has " + grouped(mesh.vertices->size()) +
                                        " different positions, more than one mesh can number; "
-                                       "winnow simplify `detail` 6 clusters them");
+                                       "`detail` 6 clusters them");
   }
   mesh.cells = mesh.vertices->size();
 }
@@ -315,6 +315,7 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
   static_cast<StoredMesh&>(mesh) = {
       job, {0, attributes.attributes.size()}, {memory.vertices, memory.faces}};
   const Grid grid = lattice_over(most.box);
+  if (settings.lattice != nullptr) *settings.lattice = grid;
   // A third of what the lists would take, on a surface.
   VertexNumbers numbers(job, reader.facts().vertices.value_or(0),
                         share::weld::numbers(memory.lists));

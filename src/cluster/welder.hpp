@@ -16,8 +16,9 @@ struct WeldMemory {
 
 struct WeldSettings {
   CarriedAttributes attributes;
-  bool single = false;     // positions are going to be rounded to float
-  double* area = nullptr;  // where given: of the good faces
+  bool single = false;      // positions are going to be rounded to float
+  double* area = nullptr;   // where given: of the good faces
+  Grid* lattice = nullptr;  // where given: that of the vertices' keys
 };
 
 // Vertices in the order of their keys on a lattice over the box of most, those beside it as if at

@@ -1,5 +1,6 @@
 #include "mesh/saved_mesh.hpp"
 
+#include "base/memory_shares.hpp"
 #include "io/spool_records.hpp"
 
 #include <string>
@@ -13,6 +14,7 @@ constexpr const char* vertices_part = ".vertices";
 constexpr const char* faces_part = ".faces";
 constexpr const char* state_part = ".state";
 constexpr const char* attributes_part = ".attributes";
+constexpr const char* map_part = ".map";
 
 std::string stage_after(std::uint64_t rounds) {
   return "stage-" + std::to_string(rounds);
@@ -59,7 +61,7 @@ void save_mesh(CheckpointDirectory& checkpoint, const StoredMesh& whole, std::ui
   Manifest& manifest = checkpoint.manifest();
   if (manifest.has(stage_key)) {
     const std::string before = manifest.text(stage_key);
-    checkpoint.forget(before + state_part);
+    for (const char* part : {state_part, map_part}) checkpoint.forget(before + part);
     if (!is_level(manifest, before)) {
       checkpoint.forget(before + attributes_part);
       if (!keep_first || before != stage_after(0)) {
@@ -72,6 +74,7 @@ void save_mesh(CheckpointDirectory& checkpoint, const StoredMesh& whole, std::ui
   checkpoint.save(stage + faces_part, *whole.faces);
   if (whole.state != nullptr) checkpoint.save(stage + state_part, *whole.state);
   if (whole.attributes != nullptr) checkpoint.save(stage + attributes_part, *whole.attributes);
+  if (whole.map != nullptr) checkpoint.save(stage + map_part, *whole.map);
   manifest.set(stage_key, stage);
   manifest.set("mesh.state_bytes", std::uint64_t{whole.layout.state});
   manifest.set("mesh.attributes", std::uint64_t{whole.layout.attributes});
@@ -108,7 +111,12 @@ StoredMesh load_level(Job& job, const CheckpointDirectory& checkpoint, std::size
 
 StoredMesh load_mesh(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {
   const Manifest& manifest = checkpoint.manifest();
-  return load_stage(job, checkpoint, manifest.text(stage_key), layout_in(manifest), memory);
+  const std::string stage = manifest.text(stage_key);
+  StoredMesh mesh = load_stage(job, checkpoint, stage, layout_in(manifest), memory);
+  if (checkpoint.has(stage + map_part))
+    mesh.map =
+        std::make_unique<Spool>(checkpoint.load(stage + map_part, share::round::map(memory)));
+  return mesh;
 }
 
 StoredMesh load_reference(Job& job, const CheckpointDirectory& checkpoint, std::uint64_t memory) {

@@ -53,6 +53,9 @@ struct StoredMesh {
   std::unique_ptr<Spool> faces;
   std::uint64_t face_count = 0;
   std::optional<CoordinateRounding> rounding{};  // of the input's positions; only where welded
+  // Only where asked for: where the vertices of the mesh that the first round began with went, a
+  // Destination each; null where that is this one.
+  std::unique_ptr<Spool> map{};
 
   // In the order of vertices. They are finished before the first face is looked for.
   void append_vertices(std::span<const IndexedVertex> more, std::span<const std::byte> states,

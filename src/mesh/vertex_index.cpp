@@ -102,6 +102,17 @@ std::uint64_t VertexIndex::Reader::find(CellKey key, const Point& position) {
   return is_it() ? number : absent;
 }
 
+std::uint64_t VertexIndex::Reader::number_of(CellKey key) {
+  Found& recent = recent_[quick_hash(key) >> (64 - recent_bits)];
+  if (recent.vertex.key == key) return recent.number;
+  const std::uint64_t number = lower_bound(key);
+  if (number == index_.size()) return absent;
+  const IndexedVertex vertex = at(number);
+  if (vertex.key != key) return absent;
+  recent = {number, vertex};
+  return number;
+}
+
 VertexIndex::Reader::Found VertexIndex::Reader::search(CellKey key) {
   // The block is the last whose first key is not above `key`. Keys behind the last block's first
   // are above every range.

@@ -56,6 +56,8 @@ class VertexIndex {
     // there is none.
     std::uint64_t find(CellKey key, const Point& position);
     static constexpr std::uint64_t absent = UINT64_MAX;
+    // The number of the vertex with this key, in an index with one vertex a key; or `absent`.
+    std::uint64_t number_of(CellKey key);
     IndexedVertex at(std::uint64_t number) { return blocks_.at<IndexedVertex>(number); }
     Point position(std::uint64_t number) {
       Point position;

@@ -221,7 +221,11 @@ std::vector<Option<Options>> table() {
        attributes()},
       {"nodata", "VALUE", result_group,
        "Leave this number out of means: it says that there is no value",
-       number<Options>(&Options::nodata, "a number like -9999")}};
+       number<Options>(&Options::nodata, "a number like -9999")},
+      {"map", "FILE", result_group,
+       "Write where each vertex of the input went: a NumPy array of int64, numbers of vertices of "
+       "the output, -1 for none",
+       text<Options>(&Options::map)}};
   add_output_options(options);
   return options;
 }

@@ -25,10 +25,9 @@ class CroppedReader final : public MeshReader {
         for (std::size_t axis = 0; axis < 3; ++axis)
           inside[axis][i] = beyond(p) ? std::numeric_limits<double>::quiet_NaN() : p[axis];
       }
-      sink({{inside[0].data(), inside[1].data(), inside[2].data()},
-            view.count,
-            view.first,
-            view.corner});
+      PositionView moved = view;
+      moved.axis = {inside[0].data(), inside[1].data(), inside[2].data()};
+      sink(moved);
     });
   }
 

@@ -34,7 +34,7 @@ struct FaceBatch {
   // The numbers of the corners' vertices, [corner][face], where the format has vertices; good for
   // as long as the batch is handed on.
   std::array<const std::uint32_t*, 3> index{};
-  std::uint64_t first_vertex = 0;  // what they count from: vertices of inputs before this one
+  std::uint64_t first_vertex = 0;  // what vertex() counts from: vertices of inputs before this one
   // The low 32 bits of the faces' numbers, where the reader changed their order; else null, and
   // they count from `first`. Valid as long as `index`.
   const std::uint32_t* numbers = nullptr;
@@ -56,6 +56,11 @@ struct FaceBatch {
     return numbers != nullptr ? numbers[face] : static_cast<std::uint32_t>(first + face);
   }
 
+  // A corner's vertex over the whole input. Without vertices each corner is one.
+  [[nodiscard]] std::uint64_t vertex(std::size_t corner, std::size_t face) const {
+    return first_vertex + (index[0] != nullptr ? index[corner][face] : 3 * (first + face) + corner);
+  }
+
   [[nodiscard]] double attribute(std::size_t number, std::size_t corner, std::size_t face) const {
     return attributes[(3 * number + corner) * capacity + face];
   }
@@ -75,6 +80,13 @@ struct PositionView {
   std::uint64_t first =
       0;                // number of the first vertex; where there are only faces, of the first face
   unsigned corner = 0;  // where there are only faces, which of their corners; else 0
+  bool only_faces = false;
+  std::uint64_t first_vertex = 0;  // what vertex() counts from, as in a FaceBatch
+
+  // A position's vertex over the whole input, as FaceBatch::vertex() numbers them.
+  [[nodiscard]] std::uint64_t vertex(std::size_t i) const {
+    return first_vertex + (only_faces ? 3 * (first + i) + corner : first + i);
+  }
 };
 
 }  // namespace winnow

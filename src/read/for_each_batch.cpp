@@ -112,16 +112,18 @@ void for_each_position_batch_in_order(
     Job& job, MeshReader& reader,
     const std::function<void(const PositionView&, BatchBytes&)>& encode, const BytesTaker& take) {
   reader.begin_positions(PassCorners::all);
-  watch_the_file(reader, [&] {
-    run_ordered_pass(
-        job, [&](RawBatch& batch) { return reader.next_positions(batch); },
-        [&](const RawBatch& batch, FaceBatch& slice, BatchBytes& bytes) {
-          reader.decode_positions(batch, slice,
-                                  [&](const PositionView& view) { encode(view, bytes); });
-        },
-        take);
-    return false;
-  });
+  do {
+    watch_the_file(reader, [&] {
+      run_ordered_pass(
+          job, [&](RawBatch& batch) { return reader.next_positions(batch); },
+          [&](const RawBatch& batch, FaceBatch& slice, BatchBytes& bytes) {
+            reader.decode_positions(batch, slice,
+                                    [&](const PositionView& view) { encode(view, bytes); });
+          },
+          take);
+      return false;
+    });
+  } while (reader.next_part());
 }
 
 }  // namespace winnow

@@ -95,6 +95,7 @@ class JoinedReader final : public MeshReader {
     reader_->decode_positions(batch, slice, [&](const PositionView& view) {
       PositionView numbered = view;
       numbered.first += before_;
+      numbered.first_vertex = vertices_before_ - (view.only_faces ? 3 : 1) * before_;
       sink(numbered);
     });
   }
@@ -109,7 +110,8 @@ class JoinedReader final : public MeshReader {
     std::array<std::uint32_t, FaceBatch::capacity> numbers{};
     reader_->decode_faces(batch, slice, [&](const FaceBatch& /*slice*/) {
       slice.first += before_;
-      slice.first_vertex = vertices_before_;
+      // Where there are only faces, their vertices are counted by `first`.
+      slice.first_vertex = vertices_before_ - (slice.index[0] == nullptr ? 3 * before_ : 0);
       if (slice.numbers != nullptr) {
         std::transform(
             slice.numbers, slice.numbers + slice.count, numbers.begin(),
@@ -139,7 +141,7 @@ class JoinedReader final : public MeshReader {
     if (reader_->next_part()) return true;
     if (current_ + 1 == names_.size()) return false;
     const std::uint64_t before = before_ + seen_;
-    const std::uint64_t vertices = vertices_before_ + reader_->facts().vertices.value_or(0);
+    const std::uint64_t vertices = vertices_before_ + reader_->facts().vertices.value_or(3 * seen_);
     begin(current_ + 1);
     before_ = before;
     vertices_before_ = vertices;

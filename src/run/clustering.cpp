@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "cluster/area_sum.hpp"
 #include "cluster/open_cells.hpp"
+#include "cluster/vertex_finders.hpp"
 #include "cluster/welder.hpp"
 #include "measure/result_surface.hpp"
 #include "options/level_targets.hpp"
@@ -156,6 +157,16 @@ Clustered Clustering::run() {
   return out;
 }
 
+std::unique_ptr<Spool> Clustering::map(MeshReader& unwelded, const Clustered& clustered) {
+  const std::uint64_t vertices =
+      reader_.facts().vertices.value_or(3 * clustered.report.input.faces);
+  const MakeFinder finder = lattice_ ? welded_finder(clustered.mesh, *lattice_)
+                                     : clustered_finder(clustered.mesh, settings_.grid,
+                                                        cells_ ? &*cells_ : nullptr, shift_);
+  return map_of_input(job_, unwelded, reader_, vertices, finder,
+                      share::left::map(job_.budget.left()));
+}
+
 ClusteredMesh Clustering::as_asked() {
   if (cost_of(options_) == Refine::none) report_.clustered = {true, clustering_alone};
   if (options_.target.of_cells()) {
@@ -233,7 +244,9 @@ std::optional<SafeMesh> Clustering::safely(const Box& box, ClusteredMesh coarse)
       without_damage(job_, reader_, settings_, plan_.cluster, box, available_, std::move(coarse),
                      std::move(open_cells_));
   if (safe) {
-    report_.split_cells = safe->split_cells;
+    report_.split_cells = safe->cells.size();
+    cells_.emplace(std::move(safe->cells));
+    shift_ = safe->shift;
   } else {
     job_.note("much of the surface is thinner than cells of " + shortest(settings_.grid.cell) +
               " or full of holes, so all faces were refined");
@@ -243,6 +256,7 @@ std::optional<SafeMesh> Clustering::safely(const Box& box, ClusteredMesh coarse)
 
 ClusteredMesh Clustering::welded(const std::string& reason) {
   report_.clustered = {false, reason};
+  cells_.reset();
   settings_.grid = {};
   const WeldMemory memory{plan_.cluster.table,
                           plan_.cluster.vertices,
@@ -251,7 +265,7 @@ ClusteredMesh Clustering::welded(const std::string& reason) {
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
   ClusterCounts counts;
   const WeldSettings settings{settings_.attributes, !settings_.double_positions,
-                              &report_.area.input};
+                              &report_.area.input, &lattice_.emplace()};
   ClusteredMesh mesh = weld(job_, reader_, settings, memory, available_, counts);
   take_counts(counts);
   note_pairs(job_, mesh);

@@ -30,6 +30,7 @@ struct Clustered {
   bool double_positions = false;        // likewise
   std::vector<Attribute> attributes{};  // that vertices carry
   SimplifyReport report{};              // of the input, its attributes and the cells
+  std::unique_ptr<Spool> map{};  // of each vertex of the input a Destination; only if asked for
 };
 
 // Faces that are asked for, of so many in the input; nothing where a cell or an error says how
@@ -55,6 +56,10 @@ class Clustering {
 
   // The mesh that is written, or, if it is going to be refined, what that starts from. Once.
   Clustered run();
+
+  // Where the vertices of the input went, which became this; `unwelded`: the reader before anything
+  // was welded.
+  std::unique_ptr<Spool> map(MeshReader& unwelded, const Clustered& clustered);
 
  private:
   ClusteredMesh as_asked();
@@ -85,6 +90,9 @@ class Clustering {
   double error_ = 0;
   std::vector<LevelGoal> goals_;
   std::unique_ptr<Spool> open_cells_;  // of the last pass; null where boundaries may move
+  std::optional<Grid> lattice_;        // of welded vertices
+  std::optional<SplitCells> cells_;    // of clustered ones, where some were split
+  unsigned shift_ = 0;                 // see SafeMesh
 };
 
 }  // namespace winnow

@@ -9,6 +9,7 @@
 #include "base/viridis.hpp"
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
+#include "io/same_place.hpp"
 #include "measure/distance_sums.hpp"
 #include "measure/face_intake.hpp"
 #include "measure/face_store.hpp"
@@ -56,13 +57,6 @@ constexpr std::uint64_t bytes_a_chunk_face = sizeof(NumberedFace) + SurfaceTree:
 std::uint64_t bytes_a_simplified_face() {
   return sizeof(NumberedFace) + SurfaceTree::bytes_a_face + WeldedMesh::bytes_a_sealed_face +
          NearestPoints::bytes_a_face;
-}
-
-bool same_place(const std::string& one, const std::string& other) {
-  if (one.empty() || other.empty()) return false;
-  std::error_code ignored;
-  return one == other || std::filesystem::weakly_canonical(one, ignored) ==
-                             std::filesystem::weakly_canonical(other, ignored);
 }
 
 // What no ending tells is written all the same.

@@ -30,13 +30,13 @@ Input::Input(Job& job, const MeshView& mesh) : job_(job), mesh_(&mesh), memory_(
   check_view(mesh);
 }
 
-std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options,
+std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options, Access access,
                                           const AttributeRequest& wish,
                                           const ReaderMemory& memory) {
   std::unique_ptr<MeshReader> reader =
       mesh_ != nullptr ? open_view(job_, *mesh_, memory, wish)
       : source_ != nullptr
-          ? open_reader(job_, std::move(source_), options.from, access_for(options), memory, wish)
+          ? open_reader(job_, std::move(source_), options.from, access, memory, wish)
           : join_files(job_, names_, options.from, memory, wish);
   if (!options.crop) return reader;
   Box box;
@@ -45,11 +45,11 @@ std::unique_ptr<MeshReader> Input::reader(const SimplifyOptions& options,
   return crop_to(box, std::move(reader));
 }
 
-InputProbe Input::probe(const SimplifyOptions& options, const AttributeRequest& wish) {
-  InputProbe probe = mesh_ != nullptr ? look_at_view(*mesh_, wish)
-                     : source_ != nullptr
-                         ? probe_input(job_, *source_, options.from, access_for(options), wish)
-                         : look_at_files(job_, names_, options.from, wish);
+InputProbe Input::probe(const SimplifyOptions& options, Access access,
+                        const AttributeRequest& wish) {
+  InputProbe probe = mesh_ != nullptr     ? look_at_view(*mesh_, wish)
+                     : source_ != nullptr ? probe_input(job_, *source_, options.from, access, wish)
+                                          : look_at_files(job_, names_, options.from, wish);
   if (options.crop) probe.facts.faces.reset();
   return probe;
 }

@@ -31,10 +31,10 @@ class Input {
 
   // What would be read, from the first bytes; to be called before reader(). Throws Error(usage)
   // where `wish` names what the input lacks.
-  InputProbe probe(const SimplifyOptions& options, const AttributeRequest& wish);
+  InputProbe probe(const SimplifyOptions& options, Access access, const AttributeRequest& wish);
   // To be called once.
-  std::unique_ptr<MeshReader> reader(const SimplifyOptions& options, const AttributeRequest& wish,
-                                     const ReaderMemory& memory);
+  std::unique_ptr<MeshReader> reader(const SimplifyOptions& options, Access access,
+                                     const AttributeRequest& wish, const ReaderMemory& memory);
 
  private:
   Job& job_;

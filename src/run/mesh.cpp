@@ -1,6 +1,9 @@
+#include <winnow/error.hpp>
 #include <winnow/mesh.hpp>
 
 #include "io/arena.hpp"
+#include "run/map_sink.hpp"
+#include "run/mesh_sink.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
 
@@ -15,31 +18,37 @@ namespace {
 
 template <typename Source>
 SimplifyReport simplify_between(Job& job, const Source& source, const SimplifyOptions& options,
-                                const std::function<MeshSinks()>& open_sinks) {
+                                VertexMap* map, const std::function<MeshSinks()>& open_sinks) {
   return in_arena(job, [&] {
     const Stopwatch watch;
     expect_plan(job, options);
-    return simplify_input(job, Input(job, source), open_sinks(), options, watch);
+    const MeshSinks sinks = open_sinks();
+    std::unique_ptr<MapSink> map_sink = open_map(job, options, sinks);
+    if (map != nullptr) map_sink = std::make_unique<MapArray>(*map);
+    return simplify_input(job, Input(job, source), sinks, map_sink.get(), options, watch);
   });
 }
 
 template <typename Source>
 std::vector<Mesh> simplified_meshes(Context& context, const Source& source,
-                                    const SimplifyOptions& options, SimplifyReport* report) {
+                                    const SimplifyOptions& options, SimplifyReport* report,
+                                    VertexMap* map = nullptr) {
   check(options);
+  if (map != nullptr && !options.map.empty())
+    throw Error(ErrorKind::usage, "`map` names a file, but the map is wanted in memory");
   Job job(context);
   std::vector<Mesh> results(1 + options.coarser.size());
-  SimplifyReport told =
-      simplify_between(job, source, options, [&] { return sinks_into(job, results, options); });
+  SimplifyReport told = simplify_between(job, source, options, map,
+                                         [&] { return sinks_into(job, results, options); });
   if (report != nullptr) *report = std::move(told);
   return results;
 }
 
 template <typename Source>
 Mesh simplified_mesh(Context& context, const Source& source, const SimplifyOptions& options,
-                     SimplifyReport* report) {
+                     SimplifyReport* report, VertexMap* map) {
   refuse_levels(options);
-  return std::move(simplified_meshes(context, source, options, report).front());
+  return std::move(simplified_meshes(context, source, options, report, map).front());
 }
 
 }  // namespace
@@ -63,13 +72,13 @@ MeshView Mesh::view() const {
 }
 
 Mesh simplify(Context& context, const MeshView& mesh, const SimplifyOptions& options,
-              SimplifyReport* report) {
-  return simplified_mesh(context, mesh, options, report);
+              SimplifyReport* report, VertexMap* map) {
+  return simplified_mesh(context, mesh, options, report, map);
 }
 
 Mesh simplify(Context& context, const std::string& input, const SimplifyOptions& options,
-              SimplifyReport* report) {
-  Mesh mesh = simplified_mesh(context, std::vector{input}, options, report);
+              SimplifyReport* report, VertexMap* map) {
+  Mesh mesh = simplified_mesh(context, std::vector{input}, options, report, map);
   if (report != nullptr) report->input.names = {input};
   return mesh;
 }
@@ -90,7 +99,8 @@ SimplifyReport simplify(Context& context, const MeshView& mesh, const std::strin
                         const SimplifyOptions& options) {
   check(options);
   Job job(context);
-  return simplify_between(job, mesh, options, [&] { return sinks_to(job, output, options); });
+  return simplify_between(job, mesh, options, nullptr,
+                          [&] { return sinks_to(job, output, options); });
 }
 
 }  // namespace winnow

@@ -55,6 +55,7 @@ std::vector<std::string> passes_of(const InputProbe& probe, const SimplifyOption
                              : "cluster the faces");
   if (options.target.of_count() && !refine)
     passes.emplace_back("cluster them again, only if the sample misled by more than 10 %");
+  if (!options.map.empty()) passes.emplace_back("find where the vertices of the input went");
   if (refine) passes.emplace_back("collapse edges, tile by tile");
   passes.emplace_back("count the edges of the result");
   passes.emplace_back("write the result");
@@ -83,6 +84,10 @@ std::uint64_t worst_of_jumping(const InputProbe& probe, const MemoryPlan& plan) 
   const std::uint64_t face = probe.vertices_buffered ? BufferedFaces::bytes_a_face : 0;
   return probe.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
 }
+
+// Of the input: where it went, twice, and the same of as many that are refined, before and after a
+// round.
+constexpr std::uint64_t map_bytes_a_vertex = 24;
 
 // Rates of one thread in faces a second, measured once (bench/RESULTS.md), for want of knowing the
 // machine.
@@ -137,7 +142,8 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
   Input input(job, inputs);
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(options.to, output, options.encoding);
-  const InputProbe probe = input.probe(options, wish_for(options, *encoder));
+  const InputProbe probe =
+      input.probe(options, access_for(options, !options.map.empty()), wish_for(options, *encoder));
   const CellNeeds needs = needs_of(options, probe.facts.choice);
   const MemoryPlan plan = MemoryPlan::divide(context.memory, input.memory(), job.threads, needs);
   SimplifyPlan out;
@@ -168,6 +174,9 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
                                    : detail_for_error(options, *out.faces);
       if (!detail.reason.empty()) out.clustered = !detail.welded;
       out.clustered_reason = detail.reason.empty() ? shows_later : detail.reason;
+    }
+    if (!options.map.empty()) {
+      *out.scratch_worst += map_bytes_a_vertex * std::max(3 * *out.faces, out.vertices.value_or(0));
     }
     foretell(options, plan, needs, context.memory - input.memory(), job.threads, out);
     if (out.scratch_expected) *out.scratch_expected += kept;

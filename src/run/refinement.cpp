@@ -165,10 +165,11 @@ Refinement refinement_of(Job& job, const StoredMesh& mesh, const RefineReport& d
 }  // namespace
 
 void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
-                       const PlanOf& plan, CheckpointDirectory* checkpoint,
+                       bool map, const PlanOf& plan, CheckpointDirectory* checkpoint,
                        const std::function<void(const StoredMesh&, const Refinement&)>& take) {
   const std::vector<LevelGoal> goals = std::move(clustered.goals);
   RefineSettings settings;
+  settings.map = map;
   settings.attributes = clustered.attributes;
   settings.decimation.cost = cost_of(options);
   settings.decimation.single = !doubles;

@@ -33,10 +33,11 @@ struct Refinement {
 };
 
 // Calls `take` with the mesh of each goal in order, the finest first. `doubles`: positions are
-// going to be written as such. `checkpoint`: null where nothing is kept. Throws Error(resources)
-// where the budget has no room for a tile; it names one that has.
+// going to be written as such. `map`: meshes tell where vertices went. `checkpoint`: null where
+// nothing is kept. Throws Error(resources) where the budget has no room for a tile; it names one
+// that has.
 void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
-                       const PlanOf& plan, CheckpointDirectory* checkpoint,
+                       bool map, const PlanOf& plan, CheckpointDirectory* checkpoint,
                        const std::function<void(const StoredMesh&, const Refinement&)>& take);
 
 }  // namespace winnow

@@ -89,8 +89,9 @@ class DamageSplitter {
     if (!whole_.folds.empty()) {
       const CellSet nothing(job_);
       join(whole_, shift_, Clusterer::make(job_, settings_, memory_)->finish(), nothing);
+      shift_ = 0;
     }
-    return SafeMesh{std::move(whole_), names_.size()};
+    return SafeMesh{std::move(whole_), std::move(names_), shift_};
   }
 
  private:

@@ -14,7 +14,8 @@ namespace winnow {
 
 struct SafeMesh {
   ClusteredMesh mesh;
-  std::uint64_t split_cells = 0;
+  SplitCells cells;
+  unsigned shift = 0;  // keys of vertices are names of cells without so many of the lowest bits
 };
 
 // How the budget is divided for it, of what clustering has.

@@ -7,6 +7,7 @@
 #include "io/arena.hpp"
 #include "io/spool.hpp"
 #include "io/spooled_source.hpp"
+#include "run/map_sink.hpp"
 #include "run/mesh_sink.hpp"
 #include "run/plan.hpp"
 #include "run/simplify_options.hpp"
@@ -141,7 +142,8 @@ struct Simplification::State {
     if (face_count == 0) throw Error(ErrorKind::bad_input, "no face was added");
     return in_arena(job, [&] {
       Input input(job, spooled_source("what was added", head(), std::move(spools)));
-      return simplify_input(job, std::move(input), sinks, options, watch);
+      return simplify_input(job, std::move(input), sinks, open_map(job, options, sinks).get(),
+                            options, watch);
     });
   }
 

@@ -9,10 +9,12 @@
 #include "cluster/resolution.hpp"
 #include "io/arena.hpp"
 #include "measure/result_surface.hpp"
+#include "mesh/vertex_map.hpp"
 #include "options/level_targets.hpp"
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
 #include "run/input.hpp"
+#include "run/map_sink.hpp"
 #include "run/mesh_sink.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
@@ -40,14 +42,16 @@ double weld_distance(Job& job, MeshReader& reader, const SimplifyOptions& option
 
 // What is left to be read, or to be taken from a checkpoint.
 Clustered cluster(Job& job, Input& input, const SimplifyOptions& options,
-                  const AttributeRequest& wish, const MemoryPlan& plan, const Stopwatch& watch) {
+                  const AttributeRequest& wish, bool map, const MemoryPlan& plan,
+                  const Stopwatch& watch) {
   ReaderMemory reading = plan.reader;
   // The first bad face is to be named.
   reading.any_order = !options.strict;
-  std::unique_ptr<MeshReader> reader = input.reader(options, wish, reading);
+  std::unique_ptr<MeshReader> reader =
+      input.reader(options, access_for(options, map), wish, reading);
   TakenAttributes attributes = take_attributes(job, *reader);
   SimplifyReport::Weld weld;
-  const NearWeldedReader* welded = nullptr;
+  NearWeldedReader* welded = nullptr;
   if (welds(options)) {
     weld.distance = weld_distance(job, *reader, options);
     std::unique_ptr<NearWeldedReader> near =
@@ -65,6 +69,8 @@ Clustered cluster(Job& job, Input& input, const SimplifyOptions& options,
     report.input.cropped_faces -= weld.faces;
   }
   report.weld = weld;
+  if (map)
+    clustered.map = clustering.map(welded != nullptr ? welded->unwelded() : *reader, clustered);
   report.seconds.read += opened;
   report.seconds.cluster = watch.seconds() - report.seconds.read;
   return clustered;
@@ -130,15 +136,16 @@ Style style_of(const SimplifyOptions& options, const MeshEncoder& encoder,
   return {normals, writes_doubles(options.encoding, exact), exact};
 }
 
-// `input`: of a run whose mesh is not in the checkpoint.
+// `input`: of a run whose mesh is not in the checkpoint. `map`: null where nobody asks for it.
 SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshSinks& sinks,
-                            const SimplifyRequest& request, SimplifyCheckpoint& checkpoint,
-                            const Stopwatch& watch) {
+                            MapSink* map, const SimplifyRequest& request,
+                            SimplifyCheckpoint& checkpoint, const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
   const MeshEncoder& encoder = sinks.front()->encoder();
   const AttributeRequest wish = wish_for(options, encoder);
   AttributeSelection choice;
-  if (input && !wish.none()) choice = input->probe(options, wish).facts.choice;
+  if (input && !wish.none())
+    choice = input->probe(options, access_for(options, map != nullptr), wish).facts.choice;
   const auto plan_of = [taken = input ? input->memory() : job.budget.used(), threads = job.threads,
                         needs = needs_of(options, choice)](std::uint64_t total) {
     return MemoryPlan::divide(total, taken, threads, needs);
@@ -149,7 +156,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshSink
   Clustered clustered;
   if (input) {
     checkpoint.begun();
-    clustered = cluster(job, *input, options, wish, plan, watch);
+    clustered = cluster(job, *input, options, wish, map != nullptr, plan, watch);
     if (checkpoint.opened()) clustered.report.resumed.emplace();
     checkpoint.save(job, clustered);
   } else {
@@ -159,6 +166,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshSink
     clustered.report.seconds.read = watch.seconds();
   }
   SimplifyReport report = std::move(clustered.report);
+  const std::unique_ptr<Spool> map_of_input = std::move(clustered.map);
   const std::vector<Attribute> attributes = clustered.attributes;
   const Style style = style_of(options, encoder, clustered);
   const std::vector<Target> targets = targets_of(options);
@@ -179,13 +187,18 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshSink
     const std::uint64_t written = sink.write(mesh, shape);
     report.output = {mesh.face_count, mesh.vertices->size(), written,
                      sink.name(),     sink.format(),         sink.encoder().position_error(shape)};
+    if (map != nullptr && mesh.map == nullptr) map->write(job, *map_of_input);
+    if (map != nullptr && mesh.map != nullptr) {
+      const std::uint64_t memory = share::left::map(job.budget.left());
+      map->write(job, *composed(job, *map_of_input, *mesh.map, memory));
+    }
     report.levels.push_back(report);
     report.seconds.write += writing.seconds();
   };
   if (cost_of(options) == Refine::none) {
     write(clustered.mesh);
   } else {
-    refine_to_targets(job, std::move(clustered), options, style.doubles, plan_of,
+    refine_to_targets(job, std::move(clustered), options, style.doubles, map != nullptr, plan_of,
                       checkpoint.directory(),
                       [&](const StoredMesh& mesh, const Refinement& refined) {
                         report.refine = refined.refine;
@@ -216,8 +229,8 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshSink
     if (std::find(report.notes.begin(), report.notes.end(), note) == report.notes.end())
       report.notes.push_back(note);
   }
-  checkpoint.settled(sinks, report);
-  finish(sinks);
+  checkpoint.settled(sinks, map, report);
+  finish(sinks, map);
   checkpoint.finish(job);
 
   report.peak_memory_bytes = peak_resident_bytes();
@@ -226,6 +239,9 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshSink
       report.seconds.total - report.seconds.cluster - report.seconds.read - report.seconds.refine;
   return report;
 }
+
+// A run that is resumed cannot be told to replace a file.
+constexpr const char* move_away = "move it away and resume again";
 
 SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
                                  SimplifyCheckpoint& checkpoint) {
@@ -236,19 +252,20 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
   if (request.inputs.size() == 1 && request.inputs.front() == "-")
     MemoryPlan::divide(job.budget.total(), 0, job.threads, needs_of(options));
   expect_plan(job, options);
-  // A run that is resumed cannot be told to replace it.
   MeshSinks sinks;
   for (const std::string& name : output_names(request.output, options)) {
     SimplifyOptions own = options;
     // One that a run had named before it was killed is the same to the byte.
     own.force |= checkpoint.is_written(sinks.size(), name);
     sinks.push_back(std::make_unique<FileSink>(
-        job, name, own,
-        checkpoint.opened() ? "move it away and resume again" : ByteSink::by_force));
+        job, name, own, checkpoint.opened() ? move_away : ByteSink::by_force));
   }
+  const std::unique_ptr<MapSink> map =
+      open_map(job, options, sinks, checkpoint.holds_map(options.map),
+               checkpoint.opened() ? move_away : ByteSink::by_force);
   std::optional<Input> input;
   if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
-  return run_pipeline(job, std::move(input), sinks, request, checkpoint, watch);
+  return run_pipeline(job, std::move(input), sinks, map.get(), request, checkpoint, watch);
 }
 
 SimplifyReport simplify_with(Job& job, const SimplifyRequest& request,
@@ -268,10 +285,10 @@ void expect_plan(Job& job, const SimplifyOptions& options) {
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
 }
 
-SimplifyReport simplify_input(Job& job, Input input, const MeshSinks& sinks,
+SimplifyReport simplify_input(Job& job, Input input, const MeshSinks& sinks, MapSink* map,
                               const SimplifyOptions& options, const Stopwatch& watch) {
   SimplifyCheckpoint none;
-  return run_pipeline(job, std::move(input), sinks, {{}, {}, options}, none, watch);
+  return run_pipeline(job, std::move(input), sinks, map, {{}, {}, options}, none, watch);
 }
 
 SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,

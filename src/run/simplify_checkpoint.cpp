@@ -2,6 +2,7 @@
 
 #include <winnow/version.hpp>
 
+#include "base/memory_shares.hpp"
 #include "mesh/saved_mesh.hpp"
 
 #include <utility>
@@ -14,6 +15,9 @@ namespace {
 constexpr const char* done = "straight";
 
 constexpr const char* goal_count = "clustered.goals";
+constexpr const char* written_map = "written.map";
+constexpr const char* input_map = "input.map";  // what Clustered::map is kept as
+
 constexpr const char* attribute_count = "clustered.attributes";
 constexpr const char* rounding_relative = "clustered.rounding.relative";
 
@@ -83,6 +87,11 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory) const {
   report.resumed.emplace().clustered = true;
   job.notes.insert(job.notes.begin(), report.notes.begin(), report.notes.end());
   job.progress.begin("go on", 0, "bytes");
+  if (directory_->has(input_map)) {
+    const std::uint64_t held = share::left::map(memory);
+    clustered.map = std::make_unique<Spool>(directory_->load(input_map, held));
+    memory -= held;
+  }
   clustered.mesh = load_mesh(job, *directory_, memory);
   for (std::size_t i = 0; i < manifest.number(goal_count); ++i)
     clustered.goals.push_back(
@@ -131,6 +140,7 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered) {
     manifest.set(attribute_key(i, "full"), attribute.full);
     if (attribute.no_data) manifest.set(attribute_key(i, "no_data"), *attribute.no_data);
   }
+  if (clustered.map != nullptr) directory_->save(input_map, *clustered.map);
   save_mesh(*directory_, clustered.mesh, 0, false);
   directory_->commit();
 }
@@ -150,11 +160,18 @@ bool SimplifyCheckpoint::are_written(const std::vector<std::string>& outputs,
   return true;
 }
 
-void SimplifyCheckpoint::settled(const MeshSinks& sinks, const SimplifyReport& report) {
+bool SimplifyCheckpoint::holds_map(const std::string& path) const {
+  return opened_ && directory_->manifest().has(written_map) &&
+         ByteSink::is(path, directory_->manifest().text(written_map));
+}
+
+void SimplifyCheckpoint::settled(const MeshSinks& sinks, const MapSink* map,
+                                 const SimplifyReport& report) {
   if (directory_ == nullptr) return;
   Manifest& manifest = directory_->manifest();
   put_report(manifest, report);
   for (std::size_t i = 0; i < sinks.size(); ++i) manifest.set(written_key(i), sinks[i]->identity());
+  if (map != nullptr) manifest.set(written_map, map->identity());
   directory_->commit();
 }
 

@@ -82,8 +82,8 @@ bool welds(const SimplifyOptions& options) {
   return options.weld.has_value();
 }
 
-Access access_for(const SimplifyOptions& options) {
-  if (welds(options)) return Access::repeatedly;
+Access access_for(const SimplifyOptions& options, bool map) {
+  if (welds(options) || map) return Access::repeatedly;
   return options.target.cell() ? Access::once : Access::repeatedly;
 }
 

@@ -14,7 +14,8 @@ void check(const SimplifyOptions& options);
 Refine cost_of(const SimplifyOptions& options);
 // Vertices that are near each other, not only equal ones.
 bool welds(const SimplifyOptions& options);
-Access access_for(const SimplifyOptions& options);
+// `map`: whether somebody asks where vertices went.
+Access access_for(const SimplifyOptions& options, bool map);
 CellNeeds needs_of(const SimplifyOptions& options, const AttributeSelection& choice = {});
 
 }  // namespace winnow

@@ -167,8 +167,10 @@ void put(Manifest& manifest, const SimplifyRequest& request) {
   for (std::size_t i = 0; i < request.inputs.size(); ++i)
     manifest.set(input_key(i), absolute(request.inputs[i]));
   manifest.set("output", absolute(request.output));
+  SimplifyOptions options = request.options;
+  if (!options.map.empty()) options.map = absolute(options.map);
   for (const Option<SimplifyOptions>& option : simplify_options()) {
-    if (const std::string text = option.get(request.options); !text.empty())
+    if (const std::string text = option.get(options); !text.empty())
       manifest.set(option_key(option.name), text);
   }
 }

@@ -6,6 +6,7 @@
 
 #include "io/job.hpp"
 #include "run/input.hpp"
+#include "run/map_sink.hpp"
 #include "run/mesh_sink.hpp"
 
 namespace winnow {
@@ -13,8 +14,8 @@ namespace winnow {
 // Before an output is opened: what the rest of the budget has to be.
 void expect_plan(Job& job, const SimplifyOptions& options);
 
-// Inside the job's arena. `watch` began with the call.
-SimplifyReport simplify_input(Job& job, Input input, const MeshSinks& sinks,
+// Inside the job's arena. `map`: null where nobody asks for it. `watch` began with the call.
+SimplifyReport simplify_input(Job& job, Input input, const MeshSinks& sinks, MapSink* map,
                               const SimplifyOptions& options, const Stopwatch& watch);
 
 }  // namespace winnow

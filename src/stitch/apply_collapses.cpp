@@ -1,5 +1,8 @@
 #include "stitch/apply_collapses.hpp"
 
+#include "base/memory_shares.hpp"
+#include "decimate/collapsed_into.hpp"
+#include "mesh/vertex_map.hpp"
 #include "stitch/smaller_mesh.hpp"
 
 #include <algorithm>
@@ -30,17 +33,28 @@ struct TileCollapses {
   double largest_error = 0;
 };
 
+// What vertices carry, and what each was collapsed into.
+struct Followers {
+  CarriedValues values;
+  CollapsedInto into;
+
+  void collapsed(const Collapse& edge) {
+    values.collapsed(edge);
+    into.collapsed(edge);
+  }
+};
+
 struct CollapsedTile {
   TileResult rest;
   TileCollapses done;
 };
 
-// TileCollapses collapse(tile number, decimation, values): of any tile, on any thread.
+// TileCollapses collapse(tile number, decimation, followers): of any tile, on any thread.
 template <typename Collapse>
 CollapsedMesh collapse_tiles(const Tiles& tiles, const Collapse& collapse) {
   const RefineSettings& settings = tiles.settings();
   const MeshLayout layout{settings.state_size(), settings.attributes.size()};
-  RoundOutput output(tiles.job(), layout, tiles.memory().mesh);
+  RoundOutput output(tiles.job(), layout, settings.map, tiles.memory().mesh);
   CollapsedMesh out;
   tiles.for_each<CollapsedTile>(
       0,
@@ -50,9 +64,11 @@ CollapsedMesh collapse_tiles(const Tiles& tiles, const Collapse& collapse) {
                       false);
         const std::unique_ptr<Decimation> decimation =
             Decimation::make(mesh, tile.state, settings.decimation);
-        CarriedValues values = carried_values(tile, settings.attributes);
-        collapsed.done = collapse(number, *decimation, values);
-        collapsed.rest = rest_of(tile, mesh, *decimation, values, layout.state);
+        Followers followers{carried_values(tile, settings.attributes),
+                            CollapsedInto(settings.map ? mesh.vertex_count() : 0)};
+        collapsed.done = collapse(number, *decimation, followers);
+        collapsed.rest = rest_of(tile, mesh, *decimation, followers.values,
+                                 settings.map ? &followers.into : nullptr, layout.state);
       },
       [&](std::size_t, CollapsedTile& collapsed) {
         out.collapses += collapsed.done.count;
@@ -61,6 +77,10 @@ CollapsedMesh collapse_tiles(const Tiles& tiles, const Collapse& collapse) {
         output.append(std::move(collapsed.rest));
       });
   out.whole = output.finish(tiles.tiling(), tiles.incoming().hubs());
+  if (tiles.whole().map != nullptr) {
+    out.whole.map = composed(tiles.job(), *tiles.whole().map, *out.whole.map,
+                             share::round::map(tiles.memory().mesh));
+  }
   return out;
 }
 
@@ -68,7 +88,7 @@ CollapsedMesh collapse_tiles(const Tiles& tiles, const Collapse& collapse) {
 
 CollapsedMesh collapse_nothing(const Tiles& tiles) {
   return collapse_tiles(tiles,
-                        [](std::size_t, Decimation&, CarriedValues&) { return TileCollapses{}; });
+                        [](std::size_t, Decimation&, Followers&) { return TileCollapses{}; });
 }
 
 CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double costliest) {
@@ -80,14 +100,14 @@ CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double costl
                                                   static_cast<double>(tiles.settings().faces));
   }
   ProgressMeter& progress = tiles.job().progress;
-  return collapse_tiles(tiles, [&](std::size_t, Decimation& decimation, CarriedValues& values) {
+  return collapse_tiles(tiles, [&](std::size_t, Decimation& decimation, Followers& followers) {
     TileProgress told(progress);
     std::uint64_t count = 0;
     decimation.run(
         limits,
         [&](const DoneCollapse& done) {
           ++count;
-          values.collapsed(done.edge);
+          followers.collapsed(done.edge);
           told.add(done.faces);
         },
         [&progress] { progress.check_cancelled(); });
@@ -96,15 +116,14 @@ CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double costl
 }
 
 CollapsedMesh collapse_chosen(const Tiles& tiles, const ChosenCollapses& chosen) {
-  return collapse_tiles(tiles,
-                        [&](std::size_t tile, Decimation& decimation, CarriedValues& values) {
-                          const std::uint64_t count = chosen.counts[tile];
-                          const std::vector<Collapse> edges = chosen.log->edges(tile, count);
-                          decimation.repeat(edges);
-                          for (const Collapse& edge : edges) values.collapsed(edge);
-                          tiles.job().progress.check_cancelled();
-                          return TileCollapses{count, chosen.log->error(tile, count)};
-                        });
+  return collapse_tiles(tiles, [&](std::size_t tile, Decimation& decimation, Followers& followers) {
+    const std::uint64_t count = chosen.counts[tile];
+    const std::vector<Collapse> edges = chosen.log->edges(tile, count);
+    decimation.repeat(edges);
+    for (const Collapse& edge : edges) followers.collapsed(edge);
+    tiles.job().progress.check_cancelled();
+    return TileCollapses{count, chosen.log->error(tile, count)};
+  });
 }
 
 }  // namespace winnow

@@ -1,8 +1,10 @@
 #include "stitch/join_vertices.hpp"
 
+#include "base/memory_shares.hpp"
 #include "cluster/face_list.hpp"
 #include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
+#include "mesh/vertex_map.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -63,6 +65,7 @@ class VertexJoiner {
       out.append_vertices({&vertex, 1}, state, numbers);
     }
     out.finish_vertices();
+    if (mesh_.map != nullptr) out.map = map_by(number, share::round::map(memory));
     for_each_face([&](const FaceVertices& face) {
       const FaceVertices renumbered{number[face[0]], number[face[1]], number[face[2]]};
       out.append_faces({&renumbered, 1});
@@ -72,6 +75,17 @@ class VertexJoiner {
   }
 
  private:
+  // Where the vertices went, by the numbers of groups.
+  std::unique_ptr<Spool> map_by(const std::vector<std::uint32_t>& number, std::uint64_t memory) {
+    static_assert(unused == nowhere);
+    Spool joined(job_, memory);
+    Appender<Destination> append(job_, joined);
+    for (const std::uint32_t g : group_) append.add(number[g]);
+    append.flush();
+    joined.finish();
+    return composed(job_, *mesh_.map, joined, memory);
+  }
+
   void group(unsigned level, std::uint64_t before) {
     const auto cell = [](CellKey key, unsigned of) { return of > 64 ? 0 : key >> (of - 1); };
     SpoolCursor<IndexedVertex> cursor(job_, mesh_.vertices->records());

@@ -1,8 +1,10 @@
 #include "stitch/refine_settings.hpp"
 
 #include "decimate/carried_values.hpp"
+#include "decimate/collapsed_into.hpp"
 #include "mesh/vertex_index.hpp"
 #include "stitch/collapse_log.hpp"
+#include "stitch/smaller_mesh.hpp"
 #include "stitch/tile.hpp"
 #include "stitch/unfolded_tile.hpp"
 
@@ -15,6 +17,7 @@ std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices
   const std::uint64_t collapsing = Tile::memory(vertices, faces, settings.state_size()) +
                                    Decimation::memory(settings.decimation, vertices) +
                                    CarriedValues::memory(vertices, settings.attributes.size()) +
+                                   (settings.map ? CollapsedInto::memory(vertices) : 0) +
                                    result_memory(settings, faces);
   return settings.unfolds() ? std::max(collapsing, unfolded_tile_memory(vertices, faces))
                             : collapsing;
@@ -23,8 +26,9 @@ std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices
 std::uint64_t result_memory(const RefineSettings& settings, std::uint64_t faces) {
   const std::uint64_t log = faces / 2 * CollapseLog::entry_size;
   const std::size_t attributes = settings.attributes.size() * sizeof(double);
-  const std::uint64_t rest =
-      faces / 2 * (sizeof(IndexedVertex) + settings.state_size() + attributes);
+  const std::uint64_t rest = faces / 2 *
+                             (sizeof(IndexedVertex) + settings.state_size() + attributes +
+                              (settings.map ? sizeof(TileDestination) : 0));
   return std::max(log, rest);
 }
 

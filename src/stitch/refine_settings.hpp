@@ -17,6 +17,7 @@ struct RefineSettings {
                              << 16;  // changes the result a little: never derived from memory
   std::uint64_t hub_faces = 512;  // a vertex with more faces across tiles is a hub: as tile_faces
   std::vector<Attribute> attributes{};  // that vertices carry
+  bool map = false;                     // whether the result tells where vertices went
 
   // Whoever asks for an error gets the surface on which it was watched.
   [[nodiscard]] bool unfolds() const { return !decimation.error; }

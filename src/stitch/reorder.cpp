@@ -5,6 +5,7 @@
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
 #include "mesh/ordered_face.hpp"
+#include "mesh/vertex_map.hpp"
 
 #include <algorithm>
 #include <array>
@@ -88,6 +89,8 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_mem
     append.flush();
     numbers.finish();
   }
+  if (whole.map != nullptr)
+    out.map = composed(job, *whole.map, numbers, share::round::map(mesh_memory));
   out.finish_vertices();
   whole.vertices.reset();
   whole.attributes.reset();

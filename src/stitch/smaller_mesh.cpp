@@ -21,7 +21,7 @@ std::array<float, 3> normal_along(const Point& sum) {
 }
 
 TileResult rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& decimation,
-                   const CarriedValues& values, std::size_t state_size) {
+                   const CarriedValues& values, CollapsedInto* into, std::size_t state_size) {
   TileResult rest;
   std::vector<std::uint8_t> has_faces(mesh.vertex_count(), 0);
   std::vector<Point> normals(mesh.vertex_count(), Point{});
@@ -74,17 +74,27 @@ TileResult rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& dec
   }
   std::sort(rest.faces.begin(), rest.faces.end());
   rest.changes = decimation.changes();
+  for (VertexNumber v = 0; into != nullptr && v < tile.own_vertices; ++v) {
+    const VertexNumber last = into->of(v);
+    if (last < tile.own_vertices) {
+      rest.destinations.push_back({place[last], 0});
+    } else {
+      rest.destinations.push_back({tile.others[last - tile.own_vertices], 1});
+    }
+  }
   return rest;
 }
 
-RoundOutput::RoundOutput(Job& job, const MeshLayout& layout, std::uint64_t memory)
+RoundOutput::RoundOutput(Job& job, const MeshLayout& layout, bool map, std::uint64_t memory)
     : job_(job),
       memory_(memory),
       out_(job, layout, MeshMemory::divide(share::round::mesh(memory))),
       faces_(job, share::round::inner_faces(memory)),
       seam_faces_(job, share::round::seam_faces(memory)),
       hub_faces_(job, share::round::hub_faces(memory)),
-      named_(job, share::round::named(memory)) {}
+      named_(job, share::round::named(memory)) {
+  if (map) destinations_ = std::make_unique<Spool>(job, share::round::map(memory));
+}
 
 void RoundOutput::append(TileResult rest) {
   const auto base = static_cast<std::uint32_t>(first_vertex_.back());
@@ -98,6 +108,10 @@ void RoundOutput::append(TileResult rest) {
       }
     }
   }
+  for (TileDestination& to : rest.destinations) {
+    if (to.is_hub == 0 && to.number != nowhere) to.number += base;
+  }
+  if (destinations_ != nullptr) append_records<TileDestination>(*destinations_, rest.destinations);
   out_.append_vertices(rest.vertices, rest.state, rest.attributes);
   out_.face_count += rest.faces.size() + rest.seam_faces.size() + rest.hub_faces.size();
   append_records<FaceVertices>(faces_, rest.faces);
@@ -127,6 +141,18 @@ std::uint32_t RoundOutput::new_number(const Tiling& tiling, RecentBlocks& named,
   return static_cast<std::uint32_t>(first_vertex_[tile] + found.place);
 }
 
+void RoundOutput::finish_map(const Tiling& tiling, RecentBlocks& named) {
+  destinations_->finish();
+  out_.map = std::make_unique<Spool>(job_, share::round::map(memory_));
+  SpoolCursor<TileDestination> destinations(job_, *destinations_);
+  Appender<Destination> append(job_, *out_.map);
+  for (TileDestination to{}; destinations.next(to);)
+    append.add(to.is_hub != 0 ? new_number(tiling, named, to.number) : to.number);
+  append.flush();
+  out_.map->finish();
+  destinations_.reset();
+}
+
 void RoundOutput::set_normals(const std::map<std::uint32_t, Point>& normals) {
   const std::unique_ptr<VertexIndex> before = std::exchange(
       out_.vertices, std::make_unique<VertexIndex>(job_, share::round::hub_normals(memory_)));
@@ -149,6 +175,7 @@ StoredMesh RoundOutput::finish(const Tiling& tiling, const std::vector<std::uint
   hub_faces_.finish();
   named_.finish();
   RecentBlocks named(named_, sizeof(NamedVertex));
+  if (destinations_ != nullptr) finish_map(tiling, named);
   const auto renumbered = [&](SeamFace face) {
     for (std::size_t i = 0; i < 3; ++i) {
       if ((face.old_mask >> i & 1) != 0)

@@ -115,6 +115,9 @@ class MeshEncoder {
   // Where there is one, the file is its header and its blocks instead, and all of the above write
   // nothing.
   [[nodiscard]] virtual const BlockEncoder* blocks() const { return nullptr; }
+
+  // Whether the file has the vertices of the mesh, each once and in their order.
+  [[nodiscard]] bool numbers_vertices() const { return !needs_corners() && blocks() == nullptr; }
 };
 
 }  // namespace winnow

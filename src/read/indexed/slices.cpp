@@ -128,8 +128,11 @@ void corners_as_positions(const FaceBatch& slice, const PositionSink& sink) {
   std::array<std::array<double, FaceBatch::capacity>, 3> wide;
   for (unsigned number = 0; number < 3; ++number) {
     const auto& corner = slice.position[number];
-    PositionView view{
-        {corner[0].data(), corner[1].data(), corner[2].data()}, slice.count, slice.first, number};
+    PositionView view{{corner[0].data(), corner[1].data(), corner[2].data()},
+                      slice.count,
+                      slice.first,
+                      number,
+                      true};
     for (std::size_t axis = 0; axis < 3 && slice.single; ++axis) {
       std::copy_n(slice.single_position[number][axis].begin(), slice.count, wide[axis].begin());
       view.axis[axis] = wide[axis].data();

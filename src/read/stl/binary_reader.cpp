@@ -86,7 +86,7 @@ class BinaryStlReader final : public StlReader {
           y[i] = xyz[1];
           z[i] = xyz[2];
         }
-        sink({{x.data(), y.data(), z.data()}, count, batch.first + from, corner});
+        sink({{x.data(), y.data(), z.data()}, count, batch.first + from, corner, true});
       }
       record += count * stl_face_bytes;
     }

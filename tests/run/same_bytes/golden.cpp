@@ -66,6 +66,17 @@ std::map<std::string, std::string> current() {
         simplified(directory, inputs["whale_cranium.ply.zst"], {"--faces", "1000"}, {}, output)
             .hash;
   }
+  const std::string map = directory.file("map.npy");
+  for (const Words& options : {Words{"--grid", "60"}, Words{"--faces", "1000"},
+                               Words{"--faces", "1000", "--detail", "6"}}) {
+    for (const char* name : {"scan.stl", "whale_cranium.ply.zst"}) {
+      const Words mapped = options + Words{"--map", map};
+      const std::string mesh = simplified(directory, inputs[name], mapped).hash;
+      CHECK(mesh == simplified(directory, inputs[name], options).hash);
+      found[std::string(name) + " " + joined(options) + " --map"] = hash_of_file(map);
+      ::unlink(map.c_str());
+    }
+  }
   const std::string attributed = directory.file("attributed.ply");
   write_attributed(attributed, generated(directory.path(), 20'000), usual_columns());
   for (const Words& options : {Words{"--faces", "1000"}, Words{"--faces", "500", "--detail", "6"},
