@@ -36,6 +36,28 @@ Option<Options> strict_option() {
           flag<Options>(&Options::strict)};
 }
 
+// `attributes`. "none" is an empty list, "auto" no list at all.
+template <typename Options>
+OptionValue<Options> attribute_list() {
+  OptionValue<Options> value;
+  value.set = [](Options& options, const std::string& text, const std::string& option) {
+    if (text == "auto") {
+      options.attributes.reset();
+    } else if (text == "none") {
+      options.attributes.emplace();
+    } else {
+      options.attributes = names_in(text, option);
+    }
+  };
+  value.get = [](const Options& options) -> std::string {
+    if (!options.attributes) return "";
+    if (options.attributes->empty()) return "none";
+    const std::string names = text_of(*options.attributes);
+    return names == "none" || names == "auto" ? "\\" + names : names;
+  };
+  return value;
+}
+
 // Adds those of how the output is written: `to`, the fields of Encoding and `force`.
 template <typename Options>
 void add_output_options(std::vector<Option<Options>>& table) {

@@ -89,27 +89,6 @@ OptionValue<Options> detail() {
   return value;
 }
 
-// "none" is an empty list, "auto" no list at all.
-OptionValue<Options> attributes() {
-  OptionValue<Options> value;
-  value.set = [](Options& options, const std::string& text, const std::string& option) {
-    if (text == "auto") {
-      options.attributes.reset();
-    } else if (text == "none") {
-      options.attributes.emplace();
-    } else {
-      options.attributes = names_in(text, option);
-    }
-  };
-  value.get = [](const Options& options) -> std::string {
-    if (!options.attributes) return "";
-    if (options.attributes->empty()) return "none";
-    const std::string names = text_of(*options.attributes);
-    return names == "none" || names == "auto" ? "\\" + names : names;
-  };
-  return value;
-}
-
 OptionValue<Options> crop() {
   constexpr const char* examples =
       "six numbers like 0,0,0,10,10,5: the low and the high corner of a box";
@@ -218,7 +197,7 @@ std::vector<Option<Options>> table() {
       {"attributes", "LIST", result_group,
        "Vertex attributes to carry: auto (default: all numbers that the output can hold), none, or "
        "a list such as normals,colors,quality",
-       attributes()},
+       attribute_list<Options>()},
       {"nodata", "VALUE", result_group,
        "Leave this number out of means: it says that there is no value",
        number<Options>(&Options::nodata, "a number like -9999")},

@@ -12,10 +12,13 @@ void add_names(std::span<const Option<Options>> table, std::set<std::string>& na
 }
 
 std::set<std::string> all_names() {
-  std::set<std::string> names{"checkpoint", "output", "convert", "info", "resume", "simplify"};
+  std::set<std::string> names{"checkpoint", "output",      "convert", "extract",
+                              "info",       "progressive", "resume",  "simplify"};
   add_names(simplify_options(), names);
   add_names(convert_options(), names);
   add_names(compare_options(), names);
+  add_names(progressive_options(), names);
+  add_names(extract_options(), names);
   add_names(context_options(), names);
   return names;
 }

@@ -73,6 +73,8 @@ constexpr std::array foreign_formats{
     ForeignFormat{0, "ASTM-E57"sv, "", "an E57 point cloud", Way::reconstructed},
     ForeignFormat{text_begin, "# .pcd"sv, "", "a PCD point cloud", Way::reconstructed},
 
+    ForeignFormat{0, "\x89WPM\r\n\x1a\n"sv, "", "a progressive mesh", Way::through,
+                  "winnow extract FILE -o - --ratio 1"},
     ForeignFormat{0, "\x89PNG\r\n\x1a\n"sv, "", "a PNG image", Way::none},
     ForeignFormat{0, "\xff\xd8\xff"sv, "", "a JPEG image", Way::none},
     ForeignFormat{0, "GIF8"sv, "", "a GIF image", Way::none},

@@ -28,7 +28,7 @@ std::uint64_t result_memory(const RefineSettings& settings, std::uint64_t faces)
   const std::size_t attributes = settings.attributes.size() * sizeof(double);
   const std::uint64_t rest = faces / 2 *
                              (sizeof(IndexedVertex) + settings.state_size() + attributes +
-                              (settings.map ? sizeof(TileDestination) : 0));
+                              (settings.map ? sizeof(TileDestination) : 0) + settings.record_bytes);
   return std::max(log, rest);
 }
 

@@ -6,11 +6,9 @@
 namespace winnow::fuzz {
 
 const std::vector<Target>& targets() {
-  static const std::vector<Target> all{{"mesh", read_mesh},
-                                       {"spill", read_spill},
-                                       {"journal", read_journal},
-                                       {"manifest", read_manifest},
-                                       {"decimate", decimate}};
+  static const std::vector<Target> all{{"mesh", read_mesh},       {"spill", read_spill},
+                                       {"journal", read_journal}, {"manifest", read_manifest},
+                                       {"decimate", decimate},    {"progressive", play}};
   return all;
 }
 

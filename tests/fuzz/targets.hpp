@@ -27,5 +27,6 @@ void read_spill(std::span<const std::byte> bytes);     // blocks in scratch that
 void read_journal(std::span<const std::byte> bytes);   // what a checkpoint holds of a round
 void read_manifest(std::span<const std::byte> bytes);  // ... and of a run
 void decimate(std::span<const std::byte> bytes);       // faces that make no surface
+void play(std::span<const std::byte> bytes);           // a progressive file, up and down
 
 }  // namespace winnow::fuzz

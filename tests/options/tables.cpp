@@ -70,7 +70,11 @@ TEST_CASE("every field of the options is in its table once", "[options]") {
   CHECK(convert_options().size() == field_count<ConvertOptions>() + encoding);
   CHECK(compare_options().size() == field_count<CompareOptions>() - 1);
   CHECK(generate_options().size() == field_count<GenerateOptions>());
+  CHECK(progressive_options().size() == field_count<ProgressiveOptions>());
+  CHECK(extract_options().size() == field_count<ExtractOptions>() + encoding + 1);
   check_table(simplify_options());
+  check_table(progressive_options());
+  check_table(extract_options());
   check_table(convert_options());
   check_table(compare_options());
   check_table(generate_options());

@@ -1,6 +1,7 @@
 #include <winnow/error.hpp>
 #include <winnow/info.hpp>
 #include <winnow/options.hpp>
+#include <winnow/progressive.hpp>
 
 #include "numbers.hpp"
 #include "program.hpp"
@@ -8,8 +9,10 @@
 #include "report_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace winnow::cli {
@@ -71,6 +74,47 @@ void show(const InfoReport& report, std::ostream& out) {
   line.notes(report.notes);
 }
 
+void show(const ProgressiveInfo& report, std::ostream& out) {
+  const Lines line(out, 12);
+  line("format", report.format + ", " + human_bytes(report.bytes));
+  line("faces", grouped(report.base_faces) + " to " + grouped(report.faces));
+  line("vertices", grouped(report.base_vertices) + " to " + grouped(report.vertices));
+  const auto& [min, max] = std::pair{report.box_min, report.box_max};
+  std::array<double, 3> size{};
+  for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = max[axis] - min[axis];
+  const int digits = digits_for({min, max}, *std::max_element(size.begin(), size.end()));
+  line("box", show_place(min, digits) + "  to  " + show_place(max, digits));
+  line("size", show_place(size));
+  line("cost", facts_of(report.cost).name);
+  line("positions", report.positions);
+  for (const std::string& attribute : report.attributes) line("also", attribute);
+  for (const ProgressiveInfo::Prefix& prefix : report.prefixes)
+    line("bytes", grouped(prefix.bytes) + " for " + grouped(prefix.faces) + " faces");
+  line.notes(report.notes);
+}
+
+// Tells of one file, or shows it.
+template <typename Report>
+Json told(const Report& report, const InfoArguments& arguments, bool single, bool first) {
+  if (!arguments.common.json && !arguments.common.quiet) {
+    if (!single) std::cout << (first ? "" : "\n") << clean(report.name) << "\n";
+    show(report, std::cout);
+  }
+  return json_of_report(report);
+}
+
+Json tell_of(const std::string& input, Context& context, const InfoArguments& arguments,
+             Format from, bool single, bool first) {
+  if (from == Format::automatic && is_progressive(input))
+    return told(progressive_info(context, input), arguments, single, first);
+  InfoReport report;
+  {
+    const ProgressBar bar(context, arguments.common);
+    report = info(context, input, from);
+  }
+  return told(report, arguments, single, first);
+}
+
 // One after the other. A file that cannot be read does not keep the others from being looked at.
 void run_info(const InfoArguments& arguments) {
   const std::vector<std::string>& inputs = arguments.inputs;
@@ -86,16 +130,7 @@ void run_info(const InfoArguments& arguments) {
   for (const std::string& input : inputs) {
     Json json;
     try {
-      InfoReport report;
-      {
-        const ProgressBar bar(context, arguments.common);
-        report = info(context, input, options.from);
-      }
-      json = json_of_report(report);
-      if (!arguments.common.json && !arguments.common.quiet) {
-        if (!single) std::cout << (&input == inputs.data() ? "" : "\n") << clean(input) << "\n";
-        show(report, std::cout);
-      }
+      json = tell_of(input, context, arguments, options.from, single, &input == inputs.data());
     } catch (const Error& error) {
       if (single || error.kind() == ErrorKind::cancelled) throw;
       std::cout.flush();

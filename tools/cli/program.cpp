@@ -171,6 +171,8 @@ void add_commands(CLI::App& app) {
   add_simplify(app);
   add_resume(app);
   add_convert(app);
+  add_progressive(app);
+  add_extract(app);
   add_info(app);
   add_compare(app);
   add_generate(app);

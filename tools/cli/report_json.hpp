@@ -3,6 +3,7 @@
 
 #include <winnow/compare.hpp>
 #include <winnow/info.hpp>
+#include <winnow/progressive.hpp>
 #include <winnow/simplify.hpp>
 
 #include "report_text.hpp"
@@ -44,6 +45,13 @@ inline Json json_of(const CompareReport::Limit& limit) {
 inline Json json_of(const std::vector<SimplifyPlan::Part>& parts) {
   Json json = Json::object();
   for (const SimplifyPlan::Part& part : parts) json[spoken(part.name)] = part.bytes;
+  return json;
+}
+
+inline Json json_of(const std::vector<ProgressiveInfo::Prefix>& prefixes) {
+  Json json = Json::array();
+  for (const ProgressiveInfo::Prefix& prefix : prefixes)
+    json.push_back({{"faces", prefix.faces}, {"bytes", prefix.bytes}});
   return json;
 }
 

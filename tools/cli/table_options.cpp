@@ -9,8 +9,8 @@ std::string flag_called(std::string name) {
 
 std::string spoken(const std::string& text) {
   return spell_options(text, [](const std::string& name) {
-    const bool command =
-        name == "simplify" || name == "resume" || name == "convert" || name == "info";
+    const bool command = name == "simplify" || name == "resume" || name == "convert" ||
+                         name == "info" || name == "progressive" || name == "extract";
     return command ? "winnow " + name : flag_called(name);
   });
 }

@@ -45,6 +45,12 @@ const char* memory_usage(const std::string& command) {
     return "A vertex takes 48 bytes and a face 12. What does not fit goes to scratch: beside the "
            "output, or "
            R"(where \fB--scratch\fR says.)";
+  if (command == "progressive")
+    return "All faces are refined. What goes is kept in scratch, about 100 bytes a face, beside "
+           R"(the output, or where \fB--scratch\fR says.)";
+  if (command == "extract")
+    return "The mesh that is extracted is held in memory, about 100 bytes a face. Where the budget "
+           R"(is too small, the message names one that is enough for \fB--memory\fR.)";
   if (command == "info")
     return "Edges and connected parts are counted in memory, 24 bytes a face and 12 a vertex. What "
            "does not "

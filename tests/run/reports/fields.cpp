@@ -2,6 +2,7 @@
 #include <winnow/compare.hpp>
 #include <winnow/convert.hpp>
 #include <winnow/info.hpp>
+#include <winnow/progressive.hpp>
 #include <winnow/simplify.hpp>
 
 #include "generate/generate.hpp"
@@ -51,6 +52,14 @@ TEST_CASE("every field of a report has a place of its own") {
             more_in<ConvertReport::Input, ConvertReport::Output, ConvertReport::Attributes,
                     ConvertReport::Seconds>());
   CHECK(places<InfoReport>() == field_count<InfoReport>() + more_in<SurfaceEdges>());
+  CHECK(places<ProgressiveReport>() ==
+        field_count<ProgressiveReport>() +
+            more_in<ProgressiveReport::Input, ProgressiveReport::Output, Report::Attributes,
+                    ProgressiveReport::Seconds>());
+  CHECK(places<ExtractReport>() ==
+        field_count<ExtractReport>() +
+            more_in<ExtractReport::Input, ExtractReport::Output, ExtractReport::Attributes,
+                    ExtractReport::Seconds>());
   CHECK(places<GenerateReport>() == field_count<GenerateReport>());
   // A distance has a place in model units and one in percent; the worst place has three numbers.
   using Compared = CompareReport;

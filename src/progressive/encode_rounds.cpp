@@ -1,0 +1,216 @@
+#include "progressive/encode_rounds.hpp"
+
+#include "base/budget.hpp"
+#include "base/parallel.hpp"
+#include "io/recent_blocks.hpp"
+#include "io/sorted_list.hpp"
+#include "io/spool_records.hpp"
+#include "progressive/recorded_collapse.hpp"
+#include "progressive/shares.hpp"
+#include "progressive/split_codec.hpp"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+// Vertices or faces of the base that are told of at once, and as often in one chunk.
+constexpr std::uint64_t base_step = 1024;
+constexpr std::uint64_t base_chunk = 32 * base_step;
+
+// The number in the file of a vertex of the whole mesh.
+struct FileNumber {
+  std::uint32_t vertex, number;
+
+  static bool before(const FileNumber& a, const FileNumber& b) { return a.vertex < b.vertex; }
+  static bool combine(FileNumber&, const FileNumber&) { return false; }
+};
+
+// In the order of the file: those of the base, then those that each part brings back.
+template <typename Each>
+void for_each_vertex(Job& job, const RecordedRounds& rounds, const StoredMesh& base, bool numbered,
+                     const Each& each) {
+  SpoolCursor<IndexedVertex> vertices(job, base.vertices->records());
+  std::uint32_t number = 0;
+  for (IndexedVertex vertex; vertices.next(vertex); ++number)
+    each(numbered ? vertex.unused : number);
+  for (const RecordedPart& part : rounds.parts()) {
+    const std::vector<std::uint32_t> gone =
+        read_records<std::uint32_t>(rounds.gone(), part.first_gone, part.vertices);
+    for (auto v = gone.rbegin(); v != gone.rend(); ++v) each(*v);
+    job.progress.check_cancelled();
+  }
+}
+
+Spool file_numbers(Job& job, const RecordedRounds& rounds, const StoredMesh& base, bool numbered,
+                   std::uint64_t vertices, std::uint64_t memory) {
+  Spool numbers(job, share::progressive::numbers(memory));
+  const std::uint64_t sorting = share::progressive::sorting(memory);
+  const Reservation reserved = job.budget.reserve(sorting, "sorting");
+  SortedRuns<FileNumber> runs(job);
+  SortedList<FileNumber> list(job, sorting, runs);
+  std::uint32_t next = 0;
+  for_each_vertex(job, rounds, base, numbered, [&](std::uint32_t vertex) {
+    list.add({vertex, next++});
+  });
+  list.sort();
+  MergedCursor<FileNumber> merged = merge<FileNumber>({&list}, runs);
+  Appender<std::uint32_t> append(job, numbers);
+  std::uint64_t count = 0;
+  for (FileNumber entry{}; merged.next(entry); ++count) {
+    if (entry.vertex != count) break;
+    append.add(entry.number);
+  }
+  append.flush();
+  numbers.finish();
+  if (count != vertices) throw std::logic_error("a vertex is not recorded once");
+  return numbers;
+}
+
+struct Chunk {
+  std::size_t part = 0;
+  ChunkEntry entry;
+  std::vector<std::byte> bytes;
+};
+
+void finish_chunk(SplitEncoder& encoder, Chunk& chunk) {
+  chunk.bytes = encoder.finish(chunk.entry.raw_bytes);
+  chunk.entry.bytes = static_cast<std::uint32_t>(chunk.bytes.size());
+  chunk.entry.checksum = checksum_of(chunk.bytes);
+}
+
+class RoundEncoder {
+ public:
+  RoundEncoder(Job& job, const RecordedRounds& rounds, const VertexWords& words, EncodedRounds& out)
+      : job_(job), rounds_(rounds), words_(words), out_(out) {}
+
+  void add_base(const StoredMesh& base) {
+    const std::uint64_t vertices = base.vertices->size();
+    in_chunks(
+        vertices,
+        [&](std::uint64_t first, std::uint64_t count, Split& split, ChunkEntry& entry) {
+          add_vertices(base, first, count, split);
+          entry.vertices += split.new_vertices;
+        },
+        0);
+    in_chunks(
+        base.face_count,
+        [&](std::uint64_t first, std::uint64_t count, Split& split, ChunkEntry& entry) {
+          split.restored = base.read_faces(first, count);
+          entry.faces += static_cast<std::uint32_t>(count);
+        },
+        static_cast<std::uint32_t>(vertices));
+    out_.base_chunks = static_cast<std::uint32_t>(out_.chunks.size());
+  }
+
+  void add_parts(const Spool& numbers) {
+    const std::vector<RecordedPart>& parts = rounds_.parts();
+    std::uint64_t largest = mebibyte;
+    for (const RecordedPart& part : parts)
+      largest = std::max(largest, 2 * part.words * sizeof(std::uint32_t));
+    const std::uint64_t at_once =
+        std::clamp<std::uint64_t>(job_.budget.left() / largest, 1, job_.threads);
+    const Reservation reserved = job_.budget.reserve(at_once * largest, "encoding");
+    std::size_t next = 0;
+    pipeline<Chunk>(
+        at_once,
+        [&](Chunk& chunk) {
+          chunk = {};
+          if (next == parts.size()) return false;
+          chunk.part = next++;
+          return true;
+        },
+        [&](Chunk& chunk) { encode(parts[chunk.part], numbers, chunk); },
+        [&](const Chunk& chunk) { append(chunk); });
+  }
+
+ private:
+  template <typename Add>
+  void in_chunks(std::uint64_t count, const Add& add, std::uint32_t first_new) {
+    SplitEncoder encoder(words_.width());
+    for (std::uint64_t begin = 0; begin < count; begin += base_chunk) {
+      Chunk chunk;
+      const std::uint64_t end = std::min(count, begin + base_chunk);
+      for (std::uint64_t at = begin; at < end; at += base_step) {
+        RingedSplit ringed;
+        ringed.first_new = first_new;
+        add(at, std::min(base_step, end - at), ringed.split, chunk.entry);
+        encoder.add(ringed);
+        ++chunk.entry.splits;
+      }
+      finish_chunk(encoder, chunk);
+      append(chunk);
+    }
+  }
+
+  void add_vertices(const StoredMesh& base, std::uint64_t first, std::uint64_t count,
+                    Split& split) const {
+    const std::size_t attributes = base.layout.attributes;
+    std::vector<double> means;
+    if (attributes > 0)
+      means = read_records<double>(*base.attributes, first * attributes, count * attributes);
+    std::size_t at = 0;
+    for (const IndexedVertex& vertex :
+         read_records<IndexedVertex>(base.vertices->records(), first, count)) {
+      words_.put(vertex.position, std::span(means).subspan(at, attributes), split.words);
+      at += attributes;
+    }
+    split.new_vertices = static_cast<std::uint32_t>(count);
+  }
+
+  void encode(const RecordedPart& part, const Spool& numbers, Chunk& chunk) const {
+    const Words words = read_records<std::uint32_t>(rounds_.words(), part.first_word, part.words);
+    std::vector<std::span<const std::uint32_t>> records;
+    RecordedCollapse collapse;
+    for (std::span<const std::uint32_t> rest = words; !rest.empty();) {
+      records.push_back(rest);
+      unpack(rest, words_.width(), collapse);
+    }
+    RecentBlocks recent(numbers, sizeof(std::uint32_t));
+    SplitEncoder encoder(words_.width());
+    for (auto record = records.rbegin(); record != records.rend(); ++record) {
+      unpack(*record, words_.width(), collapse);
+      collapse.for_each_vertex([&](std::uint32_t& v) { v = recent.at<std::uint32_t>(v); });
+      collapse.ringed.first_new = collapse.gone.front();
+      encoder.add(collapse.ringed);
+      if (chunk.entry.splits++ % 1024 == 0) job_.progress.check_cancelled();
+    }
+    chunk.entry.vertices = part.vertices;
+    chunk.entry.faces = part.faces;
+    finish_chunk(encoder, chunk);
+  }
+
+  void append(const Chunk& chunk) {
+    out_.bytes.append(chunk.bytes);
+    out_.chunks.push_back(chunk.entry);
+    job_.progress.advance(chunk.entry.faces);
+  }
+
+  Job& job_;
+  const RecordedRounds& rounds_;
+  const VertexWords& words_;
+  EncodedRounds& out_;
+};
+
+}  // namespace
+
+EncodedRounds encode_rounds(Job& job, const RecordedRounds& rounds, const StoredMesh& base,
+                            bool numbered, std::uint64_t vertices, const VertexWords& words,
+                            std::uint64_t memory) {
+  EncodedRounds out{Spool(job, share::progressive::packed(memory)), {}, 0};
+  const Spool numbers = file_numbers(job, rounds, base, numbered, vertices, memory);
+  std::uint64_t faces = base.face_count;
+  for (const RecordedPart& part : rounds.parts()) faces += part.faces;
+  job.progress.begin("encode", faces, "faces");
+  RoundEncoder encoder(job, rounds, words, out);
+  encoder.add_base(base);
+  encoder.add_parts(numbers);
+  out.bytes.finish();
+  return out;
+}
+
+}  // namespace winnow

@@ -1,0 +1,96 @@
+// Splits as bytes, and back. What most splits are, two faces that come back beside an anchor with a
+// few faces, takes a byte each for its kind, the first face that moves and how many do.
+//
+// docs/progressive_format.md tells of every byte.
+#pragma once
+
+#include "progressive/split.hpp"
+#include "progressive/split_mesh.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace winnow {
+
+// A split, and what is around its anchor before it.
+struct RingedSplit {
+  Split split;
+  Words before;                 // the anchor's words, where it moves
+  std::uint32_t first_new = 0;  // the number of the first new vertex
+  // All faces at the anchor. Empty where these are very many, or are not known: then the faces that
+  // move are told one by one.
+  std::vector<FarEdge> ring{};
+};
+
+// Anchors with more faces are told of one by one.
+inline constexpr std::size_t most_ring_faces = 128;
+// Of the bytes of a chunk, before they are compressed.
+inline constexpr std::uint32_t most_chunk_bytes = std::uint32_t{1} << 26;
+
+// Takes the splits of a chunk in order; numbers are those of the reader.
+class SplitEncoder {
+ public:
+  explicit SplitEncoder(std::size_t width) : width_(width), values_(width) {}
+
+  // Sorts the ring and the faces of the split.
+  void add(RingedSplit& split);
+  // Everything that was added, compressed. Begins anew.
+  std::vector<std::byte> finish(std::uint32_t& raw_bytes);
+
+ private:
+  bool add_beside(const RingedSplit& ringed);
+  bool find_sides(const RingedSplit& ringed, std::uint32_t& left, std::uint32_t& right) const;
+  bool moves_those(const RingedSplit& ringed, std::vector<std::uint32_t>& places) const;
+  bool add_bits(const RingedSplit& ringed);
+  void add_one_by_one(const RingedSplit& ringed);
+  void add_values(const RingedSplit& ringed);
+
+  std::size_t width_;
+  std::vector<std::uint8_t> kinds_, rings_, counts_, varints_;
+  std::vector<std::uint32_t> anchors_;
+  std::vector<Words> values_;  // of each word of a vertex
+  std::vector<std::uint32_t> neighbours_, places_;
+};
+
+// Throws Error(bad_input) where the bytes are not what an encoder makes.
+class SplitDecoder {
+ public:
+  SplitDecoder(std::span<const std::byte> packed, std::uint32_t raw_bytes, std::uint32_t splits,
+               std::size_t width);
+
+  // The next split, of a mesh to which all before were applied.
+  void next(const SplitMesh& mesh, Split& split);
+  [[nodiscard]] std::uint32_t left() const { return splits_ - done_; }
+
+ private:
+  struct Bytes {
+    const std::uint8_t* at = nullptr;
+    const std::uint8_t* end = nullptr;
+    std::uint8_t byte();
+    std::uint32_t varint();
+    [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end - at); }
+  };
+  Bytes section();
+  void read_anchors(Bytes bytes);
+  void beside(const SplitMesh& mesh, unsigned kind, Split& split);
+  void take_walk(unsigned kind, std::uint32_t& left, std::uint32_t right, Split& split);
+  void take_bits(Split& split);
+  static void move(const RingFace& face, Split& split);
+  void tell_one_by_one(const SplitMesh& mesh, bool moves, Split& split);
+  void values(const SplitMesh& mesh, Split& split);
+
+  std::vector<std::uint8_t> raw_;
+  std::size_t width_;
+  std::uint32_t splits_, done_ = 0;
+  Bytes rest_, kinds_, rings_, counts_, varints_;
+  std::vector<std::uint32_t> anchors_;
+  std::size_t anchor_ = 0;
+  const std::uint8_t* planes_ = nullptr;
+  std::size_t rows_ = 0, row_ = 0;  // of words, one a vertex
+  std::vector<RingFace> ring_;
+  std::vector<std::uint32_t> neighbours_, places_;
+};
+
+}  // namespace winnow

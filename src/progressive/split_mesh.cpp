@@ -1,0 +1,169 @@
+#include "progressive/split_mesh.hpp"
+
+#include <algorithm>
+
+namespace winnow {
+
+void SplitMesh::reserve(std::uint64_t vertices, std::uint64_t faces) {
+  words_.reserve(vertices * width_);
+  first_.reserve(vertices);
+  face_.reserve(faces);
+  link_.reserve(3 * faces);
+}
+
+void SplitMesh::add_vertex(std::span<const std::uint32_t> words) {
+  words_.insert(words_.end(), words.begin(), words.end());
+  first_.push_back(no_number);
+}
+
+void SplitMesh::add_face(const FaceVertices& face) {
+  const auto corner = 3 * faces();
+  face_.push_back(face);
+  link_.resize(link_.size() + 3);
+  for (std::uint32_t i = 0; i < 3; ++i) link(corner + i, face[i]);
+}
+
+void SplitMesh::link(std::uint32_t corner, std::uint32_t v) {
+  const std::uint32_t next = first_[v];
+  link_[corner] = {next, no_number};
+  if (next != no_number) link_[next].previous = corner;
+  first_[v] = corner;
+}
+
+void SplitMesh::unlink(std::uint32_t corner, std::uint32_t v) {
+  const Link link = link_[corner];
+  (link.previous == no_number ? first_[v] : link_[link.previous].next) = link.next;
+  if (link.next != no_number) link_[link.next].previous = link.previous;
+}
+
+void SplitMesh::hand_over(std::uint32_t corner, std::uint32_t from, std::uint32_t to) {
+  unlink(corner, from);
+  link(corner, to);
+  face_[corner / 3][corner % 3] = to;
+}
+
+void SplitMesh::find_ring(std::uint32_t v, std::vector<RingFace>& ring) const {
+  ring.clear();
+  for (std::uint32_t corner = first_[v]; corner != no_number; corner = link_[corner].next) {
+    const FaceVertices& face = face_[corner / 3];
+    const std::uint32_t i = corner % 3;
+    ring.push_back({{face[(i + 1) % 3], face[(i + 2) % 3]}, corner});
+  }
+  std::sort(ring.begin(), ring.end());
+}
+
+// A walk around the vertex at the far end would be as good: the anchor may have very many faces.
+std::uint32_t SplitMesh::corner_at(std::uint32_t v, const FarEdge& far) const {
+  if (far[0] >= vertices() || far[1] >= vertices()) return no_number;
+  std::uint32_t at_v = first_[v], at_far = first_[far[0]];
+  while (at_v != no_number && at_far != no_number) {
+    const FaceVertices& face = face_[at_v / 3];
+    const std::uint32_t i = at_v % 3;
+    if (face[(i + 1) % 3] == far[0] && face[(i + 2) % 3] == far[1]) return at_v;
+    const FaceVertices& other = face_[at_far / 3];
+    const std::uint32_t k = at_far % 3;
+    if (other[(k + 1) % 3] == far[1] && other[(k + 2) % 3] == v) return at_far - k + (k + 2) % 3;
+    at_v = link_[at_v].next;
+    at_far = link_[at_far].next;
+  }
+  return no_number;
+}
+
+bool SplitMesh::find_moved(const Split& split) {
+  handed_.clear();
+  if (split.corners.size() == split.moved.size()) {
+    handed_ = split.corners;
+    for (const std::uint32_t corner : handed_) unlink(corner, split.anchor);
+    return true;
+  }
+  for (const FarEdge& far : split.moved) {
+    const std::uint32_t corner = corner_at(split.anchor, far);
+    if (corner == no_number) {
+      for (const std::uint32_t back : handed_) link(back, split.anchor);
+      return false;
+    }
+    unlink(corner, split.anchor);
+    handed_.push_back(corner);
+  }
+  return true;
+}
+
+bool SplitMesh::apply(const Split& split) {
+  const std::uint32_t first = vertices();
+  if (split.anchor == no_number ? split.moves : split.anchor >= first) return false;
+  if (split.words.size() != width_ * (std::size_t{split.new_vertices} + split.moves)) return false;
+  if (!split.moved.empty() && (split.anchor == no_number || split.new_vertices == 0)) return false;
+  if (split.new_vertices >= no_number - first) return false;
+  if (split.restored.size() > (no_number - 3) / 3 - faces()) return false;
+  for (const FaceVertices& face : split.restored) {
+    for (const std::uint32_t v : face) {
+      if (v >= first + split.new_vertices) return false;
+    }
+    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) return false;
+  }
+  if (!find_moved(split)) return false;
+  std::span<const std::uint32_t> words = split.words;
+  if (split.moves) {
+    std::copy_n(words.begin(), width_,
+                words_.begin() + static_cast<std::ptrdiff_t>(split.anchor * width_));
+    words = words.subspan(width_);
+  }
+  for (std::uint32_t i = 0; i < split.new_vertices; ++i)
+    add_vertex(words.subspan(i * width_, width_));
+  for (const std::uint32_t corner : handed_) {
+    link(corner, first);
+    face_[corner / 3][corner % 3] = first;
+  }
+  for (const FaceVertices& face : split.restored) add_face(face);
+  return true;
+}
+
+SplitMesh::Undo SplitMesh::undo_of(const Split& split) const {
+  Undo undo{split.anchor,
+            split.new_vertices,
+            static_cast<std::uint32_t>(split.restored.size()),
+            split.moves,
+            {}};
+  if (split.moves) {
+    const std::span<const std::uint32_t> before = words(split.anchor);
+    undo.before.assign(before.begin(), before.end());
+  }
+  return undo;
+}
+
+void SplitMesh::take_back(const Undo& undo, Split& split) {
+  split.clear();
+  split.anchor = undo.anchor;
+  split.moves = undo.moves;
+  split.new_vertices = undo.new_vertices;
+  for (std::uint32_t i = undo.restored; i-- > 0;) {
+    const std::uint32_t f = faces() - 1;
+    split.restored.push_back(face_[f]);
+    for (std::uint32_t k = 0; k < 3; ++k) unlink(3 * f + k, face_[f][k]);
+    face_.pop_back();
+    link_.resize(3 * face_.size());
+  }
+  std::reverse(split.restored.begin(), split.restored.end());
+  const std::uint32_t first = vertices() - undo.new_vertices;
+  if (undo.anchor != no_number && undo.new_vertices > 0) {
+    while (first_[first] != no_number) {
+      const std::uint32_t corner = first_[first];
+      const FaceVertices& face = face_[corner / 3];
+      split.moved.push_back({face[(corner % 3 + 1) % 3], face[(corner % 3 + 2) % 3]});
+      split.corners.push_back(corner);
+      hand_over(corner, first, undo.anchor);
+    }
+  }
+  if (undo.moves) {
+    const std::span<const std::uint32_t> now = words(undo.anchor);
+    split.words.assign(now.begin(), now.end());
+    std::copy_n(undo.before.begin(), width_,
+                words_.begin() + static_cast<std::ptrdiff_t>(undo.anchor * width_));
+  }
+  split.words.insert(split.words.end(),
+                     words_.begin() + static_cast<std::ptrdiff_t>(first * width_), words_.end());
+  first_.resize(first);
+  words_.resize(first * width_);
+}
+
+}  // namespace winnow

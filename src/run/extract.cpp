@@ -1,0 +1,140 @@
+// A level of a progressive file as a mesh.
+#include <winnow/error.hpp>
+#include <winnow/progressive.hpp>
+
+#include "base/text.hpp"
+#include "io/arena.hpp"
+#include "measure/result_surface.hpp"
+#include "options/check_ranges.hpp"
+#include "options/refuse_targets.hpp"
+#include "run/attributes.hpp"
+#include "run/clustering.hpp"
+#include "run/mesh_sink.hpp"
+#include "run/played_mesh.hpp"
+#include "run/write_mesh.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace winnow {
+
+namespace {
+
+void check(const ExtractOptions& options) {
+  if (options.target.kind() == Target::Kind::none)
+    throw Error(ErrorKind::usage, "say how fine: `faces` or `ratio`");
+  if (!options.target.of_count())
+    throw Error(ErrorKind::usage, "only `faces` and `ratio` can be extracted");
+  check_ranges(extract_options(), options);
+}
+
+// The attributes of the file that the output has.
+struct Carried {
+  std::vector<std::size_t> numbers;
+  std::vector<Attribute> attributes;
+  std::vector<std::string> dropped;
+};
+
+Carried carried_by(const MeshEncoder& encoder, const std::vector<Attribute>& all, bool normals) {
+  Carried out;
+  std::map<std::string, std::string> names;  // by why they are dropped
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string why = normals && names_normal(all[i])
+                                ? "normals of the file, as `normals` computes those of the result:"
+                                : encoder.attribute_refusal(all[i], all);
+    if (why.empty()) {
+      out.numbers.push_back(i);
+      out.attributes.push_back(all[i]);
+    } else {
+      std::string& list = names[why];
+      list += (list.empty() ? "" : ", ") + all[i].name;
+    }
+  }
+  for (const auto& [why, list] : names) out.dropped.push_back(why + " " + list);
+  return out;
+}
+
+bool writes_normals(const ExtractOptions& options, const ProgressiveHeader& header,
+                    const MeshEncoder& encoder, const std::vector<Attribute>& attributes) {
+  if (options.normals) return true;
+  if (carries_normals(attributes)) return encoder.normals_apart();
+  return header.normals && std::none_of(attributes.begin(), attributes.end(), names_normal);
+}
+
+// Plays the file to the count that is asked for, and returns that.
+std::uint64_t go_to_target(SplitPlayer& player, const std::string& name, const Target& target) {
+  const std::uint64_t all = player.header().all().faces;
+  const std::uint64_t base = player.header().base().faces;
+  if (all == 0) throw Error(ErrorKind::bad_input, "'" + name + "' has no face");
+  const std::uint64_t wanted = std::min(*faces_wanted(target, all), all);
+  if (wanted < base)
+    throw Error(ErrorKind::usage, "the coarsest mesh in '" + name + "' has " + grouped(base) +
+                                      " faces, and " + grouped(wanted) +
+                                      " are asked for; `simplify` makes fewer of it");
+  player.expect(wanted);
+  player.go_to(wanted);
+  const std::uint64_t there = player.mesh().faces();
+  if (there < wanted && player.cut_short())
+    throw Error(ErrorKind::bad_input, "'" + name + "' is cut short: it ends after " +
+                                          grouped(there) + " of its " + grouped(all) +
+                                          " faces, and " + grouped(wanted) + " are asked for");
+  return wanted;
+}
+
+ExtractReport extract_in_arena(Job& job, const std::string& input, const std::string& output,
+                               const ExtractOptions& options) {
+  const Stopwatch watch;
+  remove_stale_files(job.scratch.directory(), scratch_prefix);
+  SimplifyOptions writing;
+  writing.to = options.to;
+  writing.encoding = options.encoding;
+  writing.force = options.force;
+  FileSink sink(job, output, writing);
+  const MeshEncoder& encoder = sink.encoder();
+  SplitPlayer player(job, open_source(job, input), false);
+  const ProgressiveHeader& header = player.header();
+  job.progress.begin("extract", 0, "faces");
+  ExtractReport report;
+  report.target_faces = go_to_target(player, input, options.target);
+  const Carried carried = carried_by(encoder, header.attributes, options.normals);
+  AttributeSelection choice;
+  choice.carried = carried.attributes;
+  choice.dropped = carried.dropped;
+  note_dropped(job, choice);
+  report.input = {input, header.all().faces, player.bytes_read()};
+  report.seconds.read = watch.seconds();
+
+  const StoredMesh mesh = stored_mesh(job, player, carried.numbers);
+  const bool doubles = writes_doubles(options.encoding, header.form.doubles);
+  MeshShape shape =
+      shape_of(job, mesh, encoder, writes_normals(options, header, encoder, carried.attributes),
+               doubles, header.form.doubles, "extracted by winnow");
+  shape.attributes = carried.attributes;
+  shape.closed = encoder.needs_survey() && is_closed(job, mesh);
+  const std::uint64_t written = sink.write(mesh, shape);
+  sink.finish();
+  report.output = {output,          sink.format(),
+                   mesh.face_count, mesh.vertices->size(),
+                   written,         encoder.position_error(shape)};
+  report.attributes = {descriptions(choice), choice.dropped};
+  report.spilled_bytes = job.scratch.written();
+  report.peak_scratch_bytes = job.scratch.peak();
+  report.peak_memory_bytes = peak_resident_bytes();
+  report.seconds.total = watch.seconds();
+  report.seconds.write = report.seconds.total - report.seconds.read;
+  report.notes = job.notes;
+  return report;
+}
+
+}  // namespace
+
+ExtractReport extract(Context& context, const std::string& input, const std::string& output,
+                      const ExtractOptions& options) {
+  check(options);
+  Job job(context);
+  return in_arena(job, [&] { return extract_in_arena(job, input, output, options); });
+}
+
+}  // namespace winnow

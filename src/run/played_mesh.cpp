@@ -1,0 +1,118 @@
+#include "run/played_mesh.hpp"
+
+#include "base/memory_shares.hpp"
+#include "cluster/weld_lattice.hpp"
+#include "stitch/smaller_mesh.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::size_t vertices_at_once = 4096;
+
+class Ordering {
+ public:
+  Ordering(Job& job, const SplitPlayer& player)
+      : job_(job),
+        player_(player),
+        mesh_(player.mesh()),
+        memory_(job.budget.reserve(
+            mesh_.vertices() * (sizeof(Keyed) + sizeof(std::uint32_t) + sizeof(Point)) +
+                mesh_.faces() * sizeof(FaceVertices),
+            "ordering so many faces")) {}
+
+  StoredMesh run(std::span<const std::size_t> carried) {
+    order_vertices();
+    sum_normals();
+    StoredMesh out(job_, {0, carried.size()},
+                   MeshMemory::divide(share::left::added_mesh(job_.budget.left())));
+    put_vertices(carried, out);
+    put_faces(out);
+    return out;
+  }
+
+ private:
+  struct Keyed {
+    CellKey key;
+    std::uint32_t vertex;
+
+    friend bool operator<(const Keyed& a, const Keyed& b) {
+      return a.key != b.key ? a.key < b.key : a.vertex < b.vertex;
+    }
+  };
+
+  void order_vertices() {
+    const Grid lattice = lattice_over(player_.header().box);
+    order_.reserve(mesh_.vertices());
+    for (std::uint32_t v = 0; v < mesh_.vertices(); ++v) {
+      if (mesh_.has_faces(v)) order_.push_back({key_of(lattice, position(v)), v});
+    }
+    std::sort(order_.begin(), order_.end(), job_.progress.cancellable(std::less<Keyed>()));
+    number_.assign(mesh_.vertices(), no_number);
+    for (std::uint32_t i = 0; i < order_.size(); ++i) number_[order_[i].vertex] = i;
+  }
+
+  void sum_normals() {
+    normal_.assign(mesh_.vertices(), Point{});
+    for (std::uint32_t f = 0; f < mesh_.faces(); ++f) {
+      const FaceVertices& face = mesh_.face(f);
+      const Point area = doubled_area({position(face[0]), position(face[1]), position(face[2])});
+      for (const std::uint32_t v : face) normal_[v] = normal_[v] + area;
+      if (f % 65536 == 0) job_.progress.check_cancelled();
+    }
+  }
+
+  void put_vertices(std::span<const std::size_t> carried, StoredMesh& out) const {
+    std::vector<IndexedVertex> vertices;
+    std::vector<double> means(player_.header().attributes.size());
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const std::uint32_t v = order_[i].vertex;
+      vertices.push_back({order_[i].key, position(v), normal_along(normal_[v]), 0});
+      if (!carried.empty()) player_.words().means(mesh_.words(v), means);
+      for (const std::size_t attribute : carried) numbers.push_back(means[attribute]);
+      if (vertices.size() < vertices_at_once && i + 1 < order_.size()) continue;
+      job_.progress.check_cancelled();
+      out.append_vertices(vertices, {}, numbers);
+      vertices.clear();
+      numbers.clear();
+    }
+    out.finish_vertices();
+  }
+
+  void put_faces(StoredMesh& out) const {
+    std::vector<FaceVertices> faces;
+    faces.reserve(mesh_.faces());
+    for (std::uint32_t f = 0; f < mesh_.faces(); ++f) {
+      const FaceVertices& face = mesh_.face(f);
+      faces.push_back(lowest_first({number_[face[0]], number_[face[1]], number_[face[2]]}));
+    }
+    std::sort(faces.begin(), faces.end(), job_.progress.cancellable(std::less<FaceVertices>()));
+    out.append_faces(faces);
+    out.finish_faces();
+  }
+
+  [[nodiscard]] Point position(std::uint32_t v) const {
+    return player_.words().position(mesh_.words(v));
+  }
+
+  Job& job_;
+  const SplitPlayer& player_;
+  const SplitMesh& mesh_;
+  Reservation memory_;
+  std::vector<Keyed> order_;
+  std::vector<std::uint32_t> number_;  // of each vertex in the order
+  std::vector<Point> normal_;
+};
+
+}  // namespace
+
+StoredMesh stored_mesh(Job& job, const SplitPlayer& player, std::span<const std::size_t> carried) {
+  return Ordering(job, player).run(carried);
+}
+
+}  // namespace winnow

@@ -1,0 +1,18 @@
+// What a progressive file shows, as a mesh that can be written.
+#pragma once
+
+#include "base/attribute.hpp"
+#include "io/job.hpp"
+#include "mesh/stored_mesh.hpp"
+#include "progressive/split_player.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace winnow {
+
+// Vertices that have a face, in the order of their keys, with the normals of their faces.
+// `carried`: which of the file's attributes they have.
+StoredMesh stored_mesh(Job& job, const SplitPlayer& player, std::span<const std::size_t> carried);
+
+}  // namespace winnow

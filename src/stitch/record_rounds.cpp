@@ -1,0 +1,220 @@
+#include "stitch/record_rounds.hpp"
+
+#include "stitch/choose_collapses.hpp"
+#include "stitch/collapse_recorder.hpp"
+#include "stitch/reorder.hpp"
+#include "stitch/smaller_mesh.hpp"
+#include "stitch/tiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace winnow {
+
+namespace {
+
+// From one band of costs to the next the faces become so many times fewer: a file that is read up
+// to some place is as fine everywhere but for this.
+constexpr double band_step = 1.1;
+// Of several tiles; fewer splits do not pack well.
+constexpr std::uint64_t least_splits = 512;
+// Of one part, which is decoded at once.
+constexpr std::uint32_t most_splits = 1 << 15;
+// What a round leaves of the faces, where there are several tiles.
+constexpr double left_by_round = 0.5;
+// A round that takes no more than this part of the faces hardly helped. Two of them say that no
+// other will.
+constexpr std::uint64_t hardly_any = 1000;
+
+// The last of them says how many collapses of each tile there are.
+using Bands = std::vector<std::vector<std::uint64_t>>;
+
+struct RecordedTile {
+  TileResult rest;
+  std::vector<RecordedPart> parts;
+  Words words;
+  std::vector<std::uint32_t> gone;
+};
+
+// One round of one mesh.
+class RoundRecorder {
+ public:
+  RoundRecorder(const Tiles& tiles, const VertexWords& words, bool first)
+      : tiles_(tiles), words_(words), first_(first) {}
+
+  StoredMesh run(const ChosenCollapses& chosen, const Bands& bands, RecordedRounds& into) {
+    const RefineSettings& settings = tiles_.settings();
+    const MeshLayout layout{settings.state_size(), settings.attributes.size()};
+    RoundOutput output(tiles_.job(), layout, false, tiles_.memory().mesh);
+    tiles_.for_each<RecordedTile>(
+        0,
+        [&](std::size_t number, RecordedTile& recorded) {
+          record(number, chosen.log->edges(number, bands.back()[number]), bands, recorded);
+        },
+        [&](std::size_t, RecordedTile& recorded) {
+          into.append(std::move(recorded.parts), recorded.words, recorded.gone);
+          output.append(std::move(recorded.rest));
+        });
+    into.finish_round();
+    return output.finish(tiles_.tiling(), tiles_.incoming().hubs());
+  }
+
+ private:
+  void record(std::size_t number, const std::vector<Collapse>& edges, const Bands& bands,
+              RecordedTile& out) const {
+    out = {};
+    const RefineSettings& settings = tiles_.settings();
+    Tile tile = tiles_.load(number, settings.known_state_size(), settings.attributes.size());
+    const std::vector<std::uint32_t> numbers = take_numbers(tile);
+    TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
+    const std::unique_ptr<Decimation> decimation =
+        Decimation::make(mesh, tile.state, settings.decimation);
+    CarriedValues values = carried_values(tile, settings.attributes);
+    CollapseRecorder recorder(mesh, *decimation, values, words_);
+    std::vector<std::uint8_t> gone(mesh.vertex_count(), 0);
+    std::uint32_t band = 0;
+    const auto add = [&](RecordedCollapse& collapse) {
+      for (const VertexNumber v : collapse.gone) gone[v] = 1;
+      if (out.parts.empty() || out.parts.back().band != band ||
+          out.parts.back().splits == most_splits)
+        begin_part(band, out);
+      append(collapse, numbers, out);
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      while (i >= bands[band][number]) ++band;
+      add(recorder.repeat(edges[i]));
+      if (i % 1024 == 0) tiles_.job().progress.check_cancelled();
+    }
+    for (VertexNumber v = 0; v < tile.own_vertices; ++v) {
+      const bool hub = std::binary_search(tile.hubs.begin(), tile.hubs.end(), v);
+      if (!mesh.has_faces(v) && gone[v] == 0 && !hub) add(recorder.leave_out(v));
+    }
+    if (!out.parts.empty()) out.parts.back().words = out.words.size() - out.parts.back().first_word;
+    out.rest = rest_of(tile, mesh, *decimation, values, nullptr, settings.state_size());
+  }
+
+  // What the vertices of a tile are called from the first round to the last.
+  std::vector<std::uint32_t> take_numbers(Tile& tile) const {
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(tile.vertices.size() + tile.others.size());
+    for (IndexedVertex& vertex : tile.vertices) {
+      if (first_) vertex.unused = static_cast<std::uint32_t>(tile.first_vertex + numbers.size());
+      numbers.push_back(vertex.unused);
+    }
+    if (first_) {
+      numbers.insert(numbers.end(), tile.others.begin(), tile.others.end());
+    } else if (!tile.others.empty()) {
+      VertexIndex::Reader reader(*tiles_.whole().vertices);
+      for (const std::uint32_t v : tile.others) numbers.push_back(reader.at(v).unused);
+    }
+    return numbers;
+  }
+
+  static void begin_part(std::uint32_t band, RecordedTile& out) {
+    const std::uint64_t first_word = out.words.size();
+    if (!out.parts.empty()) out.parts.back().words = first_word - out.parts.back().first_word;
+    RecordedPart part;
+    part.band = band;
+    part.first_word = first_word;
+    part.first_gone = out.gone.size();
+    out.parts.push_back(part);
+  }
+
+  static void append(RecordedCollapse& collapse, const std::vector<std::uint32_t>& numbers,
+                     RecordedTile& out) {
+    collapse.for_each_vertex([&](std::uint32_t& v) { v = numbers[v]; });
+    RecordedPart& part = out.parts.back();
+    ++part.splits;
+    part.vertices += static_cast<std::uint32_t>(collapse.gone.size());
+    part.faces += static_cast<std::uint32_t>(collapse.ringed.split.restored.size());
+    pack(collapse, out.words);
+    // Read from the back: the first comes first then.
+    out.gone.insert(out.gone.end(), collapse.gone.rbegin(), collapse.gone.rend());
+  }
+
+  const Tiles& tiles_;
+  const VertexWords& words_;
+  bool first_;
+};
+
+Bands bands_of(const ChosenCollapses& chosen, const Tiles& tiles, std::uint64_t removed) {
+  std::uint64_t collapses = 0;
+  for (const std::uint64_t count : chosen.counts) collapses += count;
+  const auto before = static_cast<double>(tiles.faces());
+  const double left = std::max(1.0, before - static_cast<double>(removed));
+  auto count = static_cast<std::uint64_t>(std::ceil(std::log(before / left) / std::log(band_step)));
+  if (tiles.count() > 1) count = std::min(count, collapses / (tiles.count() * least_splits));
+  Bands bands;
+  for (std::uint64_t i = 1; i < count; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(count);
+    const double wanted = before - before * std::pow(left / before, part);
+    std::vector<std::uint64_t> cut = chosen.log->cut(static_cast<std::uint64_t>(wanted));
+    for (std::size_t tile = 0; tile < cut.size(); ++tile)
+      cut[tile] = std::min(cut[tile], chosen.counts[tile]);
+    bands.push_back(std::move(cut));
+  }
+  bands.push_back(chosen.counts);
+  return bands;
+}
+
+std::uint64_t removed_by(const ChosenCollapses& chosen) {
+  std::uint64_t removed = 0;
+  for (std::size_t tile = 0; tile < chosen.counts.size(); ++tile) {
+    if (chosen.counts[tile] > 0)
+      removed += chosen.log->costs(tile)[chosen.counts[tile] - 1].removed;
+  }
+  return removed;
+}
+
+ChosenCollapses choose(const Tiles& tiles, std::uint64_t base) {
+  // Every round is like the first of a run: the mesh is another one.
+  KnownCosts costs;
+  CollapseChooser chooser(tiles, 1, costs, nullptr);
+  tiles.job().progress.begin("refine", chooser.faces_to_try(), "faces");
+  if (tiles.count() > 1) return chooser.cheapest();
+  ChosenCollapses chosen = chooser.all();
+  const std::uint64_t most = tiles.faces() - base;
+  if (chosen.log->removed() > most) chosen.counts = chosen.log->cut(most);
+  return chosen;
+}
+
+}  // namespace
+
+RecordedMesh record_rounds(Job& job, StoredMesh whole, RefineSettings settings,
+                           const VertexWords& words, const RefineMemory& memory,
+                           std::uint64_t record_memory) {
+  RecordedMesh out{RecordedRounds(job, record_memory), {}, 0, 0};
+  const std::uint64_t base = settings.faces;
+  settings.record_bytes = recorded_bytes(words.width());
+  unsigned idle = 0;
+  bool done = whole.face_count <= base;
+  while (!done) {
+    const std::uint64_t before = whole.face_count;
+    settings.faces =
+        std::max(base, static_cast<std::uint64_t>(left_by_round * static_cast<double>(before)));
+    bool one_tile = false;
+    {
+      const Tiles tiles(job, whole, settings, memory);
+      one_tile = tiles.count() == 1;
+      const ChosenCollapses chosen = choose(tiles, base);
+      const Bands bands = bands_of(chosen, tiles, removed_by(chosen));
+      for (const std::uint64_t count : bands.back()) out.collapses += count;
+      RoundRecorder recorder(tiles, words, out.round_count == 0);
+      whole = recorder.run(chosen, bands, out.rounds);
+    }
+    ++out.round_count;
+    settings.decimation.boundaries_known = true;
+    if (before - whole.face_count <= before / hardly_any) ++idle;
+    done = one_tile || idle > 1 || whole.face_count <= base;
+    if (!done)
+      whole = reorder(job, std::move(whole), out.round_count % 2 == 0, memory.lists, memory.mesh);
+  }
+  out.rounds.finish();
+  out.base = std::move(whole);
+  return out;
+}
+
+}  // namespace winnow
