@@ -108,7 +108,7 @@ std::string version_text() {
   std::string without;
   for (const auto& [has, name] :
        {std::pair{has_part(Part::gltf), "glTF"}, std::pair{has_part(Part::compare), "comparing"},
-        std::pair{has_generate(), "generate"}}) {
+        std::pair{has_generate(), "generate"}, std::pair{has_viewer(), "the viewer"}}) {
     if (!has) without += (without.empty() ? "" : ", ") + std::string(name);
   }
   return "winnow " WINNOW_VERSION + (without.empty() ? "" : " (without " + without + ")");
@@ -173,6 +173,7 @@ void add_commands(CLI::App& app) {
   add_convert(app);
   add_progressive(app);
   add_extract(app);
+  add_view(app);
   add_info(app);
   add_compare(app);
   add_generate(app);

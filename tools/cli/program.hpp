@@ -73,6 +73,8 @@ void add_compare(CLI::App& app);
 void add_generate(CLI::App& app);
 bool has_generate();  // which may be left out when the program is built
 void add_convert(CLI::App& app);
+void add_view(CLI::App& app);
+bool has_viewer();  // the page of it
 void add_progressive(CLI::App& app);
 void add_extract(CLI::App& app);
 

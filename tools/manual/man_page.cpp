@@ -51,6 +51,10 @@ const char* memory_usage(const std::string& command) {
   if (command == "extract")
     return "The mesh that is extracted is held in memory, about 100 bytes a face. Where the budget "
            R"(is too small, the message names one that is enough for \fB--memory\fR.)";
+  if (command == "view")
+    return "Of a mesh a progressive file is made in scratch first, in bounded memory: in TMPDIR, "
+           R"(else in /var/tmp, or where \fB--scratch\fR says. The browser holds what is seen, )"
+           "about 100 bytes a face.";
   if (command == "info")
     return "Edges and connected parts are counted in memory, 24 bytes a face and 12 a vertex. What "
            "does not "

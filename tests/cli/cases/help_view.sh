@@ -1,0 +1,1 @@
+"$WINNOW" view --help

@@ -1,0 +1,203 @@
+// What the page of `winnow view` does, in a real browser.
+//   WINNOW=... CHROMIUM=... node --test page.test.mjs     in an empty folder with whale.ply
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync, truncateSync, copyFileSync, writeFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { Page, launch, serve } from "./browser.mjs";
+import { facesOf } from "./surface.mjs";
+
+const { WINNOW: winnow, CHROMIUM: chromium } = process.env;
+const run = (...words) => execFileSync(winnow, words, { stdio: ["ignore", "pipe", "inherit"] });
+// As the file has it: nothing unfolded.
+const raw = run("extract", "--help").includes("--raw") ? ["--raw"] : [];
+let browser = null;
+
+before(async () => {
+  // Few enough for a processor that draws.
+  run("simplify", "whale.ply", "-o", "skull.ply", "--faces", "20k", "-q");
+  run("progressive", "skull.ply", "-o", "skull.wpm", "-q");
+  browser = await launch(chromium);
+});
+after(() => browser?.close());
+
+// Opens `inputs` and lets `check` look at the page, which must not complain.
+async function look(inputs, check) {
+  const server = await serve(winnow, ...inputs);
+  try {
+    const page = await Page.open(browser, server.address);
+    await check(page, server);
+    assert.deepEqual(page.errors, []);
+    await page.close();
+  } finally {
+    assert.equal(await server.end(), 0);
+  }
+}
+
+test("a slide down and up ends in the same picture", () => look(["skull.wpm"], async (page) => {
+  await page.shown();
+  assert.equal(await page.faces(), 20000);
+  for (const key of ["1", "2"]) {
+    await page.press(key);
+    await page.goTo(8000);
+    const before = await page.picture();
+    for (const count of [20000, 1000, 12001, 8000]) await page.goTo(count);
+    const after = await page.picture();
+    assert.ok(before.equals(after), `style ${key}: the picture has changed`);
+    await page.goTo(3000);
+    assert.ok(!after.equals(await page.picture()), "another count looks the same");
+  }
+}));
+
+test("the slider goes by equal ratios, the field to an exact count", () =>
+  look(["skull.wpm"], async (page) => {
+    await page.shown();
+    await page.page.fill("#slider", "500");
+    await page.settled();
+    assert.ok(Math.abs(await page.faces() - 4472) <= 2);
+    await page.page.fill("#slider", "1000");
+    await page.settled();
+    assert.equal(await page.faces(), 1000);
+    await page.goTo("2,346");
+    assert.equal(await page.faces(), 2346);
+    await page.goTo("many");
+    assert.match(await page.text("message"), /'many' is no count of faces/);
+    assert.equal(await page.faces(), 2346);
+  }));
+
+test("single steps collapse an edge and rebuild it", () => look(["skull.wpm"], async (page) => {
+  await page.shown();
+  await page.goTo(3000);
+  const before = await page.picture();
+  await page.page.click("#collapse");
+  await page.page.waitForFunction(() => document.querySelector("#step").textContent !== "");
+  assert.match(await page.text("step"), /^Collapsed: vertex \d+ went into vertex \d+; 2 faces/);
+  await page.settled();
+  assert.equal(await page.faces(), 2998);
+  await page.press("c");
+  assert.equal(await page.faces(), 2996);
+  await page.press("r");
+  await page.page.click("#rebuild");
+  await page.page.waitForFunction(() => globalThis.viewer.views[0].faces === 3000);
+  assert.match(await page.text("step"), /^Rebuilt: vertex \d+ was split off vertex \d+/);
+  await page.settled();
+  await page.page.locator("#canvas").focus();
+  assert.ok(before.equals(await page.picture()));
+  await page.goTo(1000);
+  await page.press("c");
+  assert.equal(await page.text("step"), "This is the coarsest mesh.");
+}));
+
+test("flat, smooth and wireframe look different", () => look(["skull.wpm"], async (page) => {
+  await page.shown();
+  await page.goTo(2000);
+  const pictures = [];
+  for (const key of ["1", "2", "3"]) {
+    await page.press(key);
+    pictures.push((await page.picture()).toString("base64"));
+  }
+  assert.equal(new Set(pictures).size, 3);
+  await page.press("1");
+  assert.equal((await page.picture()).toString("base64"), pictures[0]);
+}));
+
+test("what is saved is what 'winnow extract' gives", () => look(["skull.wpm"], async (page) => {
+  await page.shown();
+  await page.goTo(5000);
+  run("extract", "skull.wpm", "-o", "extracted.ply", "--faces", "5000", ...raw, "--force", "-q");
+  const expected = facesOf(winnow, "extracted.ply");
+  for (const format of ["ply", "glb", "obj", "m"]) {
+    await page.save(format, `saved.${format}`);
+    assert.deepEqual(facesOf(winnow, `saved.${format}`), expected, format);
+  }
+}));
+
+test("no more is loaded than is seen, by ranges", async () => {
+  const server = await serve(winnow, "skull.wpm");
+  const page = await browser.newPage();
+  const ranges = [];
+  page.on("request", (request) => {
+    if (request.url().includes("skull.wpm") && request.resourceType() === "fetch")
+      ranges.push(request.headers().range);
+  });
+  await page.goto(server.address);
+  await page.waitForFunction(() => globalThis.viewer.views[0]?.rests);
+  assert.ok(ranges.length >= 2);
+  assert.equal(ranges[0], "bytes=0-65535");
+  const ends = ranges.map((range) => Number(range.split("-")[1]));
+  assert.deepEqual([...ends].sort((a, b) => a - b), ends);
+  assert.equal(ends.at(-1), readFileSync("skull.wpm").length - 1);
+  await page.close();
+  await server.end();
+});
+
+test("a file that is cut short shows what is there", async () => {
+  copyFileSync("skull.wpm", "cut.wpm");
+  truncateSync("cut.wpm", 100_000);
+  await look(["cut.wpm"], async (page) => {
+    await page.shown();
+    const faces = await page.faces();
+    assert.ok(faces > 2000 && faces < 15000, String(faces));
+    assert.match(await page.text("message"), /it ends after 100000 bytes of \d+/);
+    await page.goTo(2000);
+    assert.equal(await page.faces(), 2000);
+  });
+});
+
+test("a damaged file shows what lies before the damage", async () => {
+  const bytes = readFileSync("skull.wpm");
+  bytes[100_000] ^= 4;
+  writeFileSync("damaged.wpm", bytes);
+  await look(["damaged.wpm"], async (page) => {
+    await page.shown();
+    assert.ok(await page.faces() < 15000);
+    assert.match(await page.text("message"), /chunk \d+ is damaged: it is not what was written/);
+  });
+  bytes[20] ^= 1;
+  writeFileSync("headless.wpm", bytes);
+  await look(["headless.wpm"], async (page) => {
+    await page.page.waitForSelector("#message:not([hidden])");
+    assert.match(await page.text("message"), /its header is not what was written/);
+  });
+});
+
+test("two meshes turn together, side by side", () =>
+  look(["skull.wpm", "skull.ply"], async (page) => {
+    await page.shown(2);
+    assert.equal(await page.text("name"), "skull.wpm | skull.ply");
+    await page.goTo(2000);
+    assert.deepEqual(
+      await page.page.evaluate(() => globalThis.viewer.views.map((view) => view.faces)),
+      [2000, 2000]);
+    const before = await page.picture();
+    await page.page.mouse.move(100, 100);
+    await page.page.mouse.down();
+    await page.page.mouse.move(160, 120);
+    await page.page.mouse.up();
+    await page.settled();
+    assert.ok(!before.equals(await page.picture()));
+    await page.press("f");
+    assert.ok(before.equals(await page.picture()));
+  }));
+
+test("a dropped file is opened", async () => {
+  run("view", "skull.wpm", "--export", "page.html", "--force", "-q");
+  const page = await Page.open(browser, `file://${process.cwd()}/page.html`);
+  await page.shown();
+  assert.equal(await page.faces(), 20000);
+  await page.page.setInputFiles("#file", "skull.wpm");
+  await page.shown();
+  assert.equal(await page.text("name"), "skull.wpm");
+  const base64 = readFileSync("skull.wpm").toString("base64");
+  await page.page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const data = new DataTransfer();
+    data.items.add(new File([bytes], "dropped.wpm"));
+    dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+  }, base64);
+  await page.page.waitForFunction(() => document.title.startsWith("dropped.wpm"));
+  await page.shown();
+  assert.equal(await page.faces(), 20000);
+  assert.deepEqual(page.errors, []);
+  await page.close();
+});

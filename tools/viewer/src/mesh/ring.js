@@ -1,0 +1,114 @@
+// The faces around a vertex, in the order of their other corners: what a file counts by.
+import { Damaged } from "../file/damaged.js";
+import { after, before } from "./split_mesh.js";
+
+const mostFaces = 128;
+const fetchedFaces = 7;
+export const fetchedAtOnce = 128;
+
+export class Ring {
+  constructor() {
+    this.count = 0;
+    this.a = new Int32Array(mostFaces);  // the corner behind the vertex, in the winding
+    this.b = new Int32Array(mostFaces);  // the one behind that
+    this.corner = new Int32Array(mostFaces);  // at the vertex
+    this.near = new Int32Array(2 * mostFaces);  // all these corners, in ascending order
+    this.nearCount = 0;
+    this.walked = new Int32Array(mostFaces);  // places in the ring
+    this.walkedCount = 0;
+    this.fetched = new Int32Array(fetchedAtOnce);
+  }
+
+  find(mesh, v) {
+    const { faces } = mesh;
+    const { a, b, corner } = this;
+    let count = 0;
+    for (let at = mesh.first[v]; at !== -1; at = mesh.nextCorner(at), ++count) {
+      if (count === mostFaces) throw new Damaged("it has a split that cannot be");
+      const p = faces[after(at)], q = faces[before(at)];
+      let i = count;
+      for (; i > 0; --i) {
+        const smaller = a[i - 1] !== p ? a[i - 1] < p
+          : b[i - 1] !== q ? b[i - 1] < q : corner[i - 1] < at;
+        if (smaller) break;
+        a[i] = a[i - 1];
+        b[i] = b[i - 1];
+        corner[i] = corner[i - 1];
+      }
+      a[i] = p;
+      b[i] = q;
+      corner[i] = at;
+    }
+    this.count = count;
+    this.findNear();
+  }
+
+  findNear() {
+    const { a, b, near } = this;
+    let count = 0;
+    for (let i = 0; i < this.count; ++i) {
+      if (count === 0 || near[count - 1] !== a[i]) near[count++] = a[i];
+    }
+    for (let i = 0; i < this.count; ++i) {
+      const v = b[i];
+      let at = count;
+      while (at > 0 && near[at - 1] > v) --at;
+      if (at > 0 && near[at - 1] === v) continue;
+      for (let k = count++; k > at; --k) near[k] = near[k - 1];
+      near[at] = v;
+    }
+    this.nearCount = count;
+  }
+
+  // Faces side by side from the corner `from` on: at most so many, up to the corner `to` or to
+  // where no face follows. None where two could be the next. Gives the corner at which they end.
+  walk(from, most, to) {
+    const { a, count, walked } = this;
+    let steps = 0;
+    while (steps < most && (steps === 0 || from !== to)) {
+      let i = 0;
+      while (i < count && a[i] < from) ++i;
+      if (i === count || a[i] !== from) break;
+      if (i + 1 < count && a[i + 1] === from) {
+        steps = 0;
+        break;
+      }
+      for (let k = 0; k < steps; ++k) {
+        if (walked[k] === i) throw new Damaged("it has a split that cannot be");
+      }
+      walked[steps++] = i;
+      from = this.b[i];
+    }
+    this.walkedCount = steps;
+    return from;
+  }
+
+  // The corner at which the faces begin that end at `to`; -1 where they close.
+  beginningOf(to) {
+    const { b, count } = this;
+    for (let steps = 0; steps <= count; ++steps) {
+      let i = 0;
+      while (i < count && b[i] !== to) ++i;
+      if (i === count) return to;
+      to = this.a[i];
+    }
+    return -1;
+  }
+
+  // Walks around the next vertices from `begin` on side by side, so that the processor fetches many
+  // faces at a time: one walk alone waits for each.
+  fetch(mesh, vertices, begin) {
+    const { fetched } = this;
+    let count = 0;
+    const end = Math.min(begin + fetchedAtOnce, vertices.length);
+    for (let i = begin; i < end; ++i) {
+      const v = vertices[i];
+      if (v >= 0 && v < mesh.vertexCount) fetched[count++] = mesh.first[v];
+    }
+    for (let step = 0; step < fetchedFaces; ++step) {
+      for (let i = 0; i < count; ++i) {
+        if (fetched[i] !== -1) fetched[i] = mesh.nextCorner(fetched[i]);
+      }
+    }
+  }
+}
