@@ -29,12 +29,12 @@ void EdgeStar::find(const TileMesh& mesh, VertexNumber kept, VertexNumber remove
   });
 }
 
-void EdgeStar::move(const TileMesh& mesh, const Point& to, double least_cosine) {
+void EdgeStar::move(const VertexPlaces& places, const Point& to, double least_cosine) {
   constexpr std::size_t capacity = StarBatch::capacity;
   const std::size_t needed = (faces_.size() + capacity - 1) / capacity;
   if (batches_.size() < needed) batches_.resize(needed);
-  const Point of_kept = mesh.position(kept_);
-  const Point of_removed = mesh.position(removed_);
+  const Point of_kept = places[kept_];
+  const Point of_removed = places[removed_];
   for (std::size_t first = 0; first < faces_.size(); first += capacity) {
     StarBatch& batch = batches_[first / capacity];
     std::copy(to.begin(), to.end(), batch.to);
@@ -42,8 +42,8 @@ void EdgeStar::move(const TileMesh& mesh, const Point& to, double least_cosine) 
     for (std::size_t i = 0; i < count; ++i) {
       const StarFace& face = faces_[first + i];
       const Point& from = first + i < buffered_faces_ ? of_kept : of_removed;
-      const Point& second = mesh.position(face.w);
-      const Point& third = mesh.position(face.x);
+      const Point& second = places[face.w];
+      const Point& third = places[face.x];
       for (std::size_t axis = 0; axis < 3; ++axis) {
         batch.from[axis][i] = from[axis];
         batch.second[axis][i] = second[axis];

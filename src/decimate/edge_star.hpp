@@ -48,7 +48,10 @@ class EdgeStar {
   [[nodiscard]] std::span<const StarFace> faces() const { return faces_; }
 
   // What comes of them, in this order, when the ends move there.
-  void move(const TileMesh& mesh, const Point& to, double least_cosine);
+  void move(const VertexPlaces& places, const Point& to, double least_cosine);
+  void move(const TileMesh& mesh, const Point& to, double least_cosine) {
+    move(mesh.places(), to, least_cosine);
+  }
   [[nodiscard]] bool turned(std::size_t face) const { return batch(face).turned[lane(face)] != 0; }
   // Whether a face that was thinner than rounding no longer is.
   [[nodiscard]] bool opened(std::size_t face) const { return batch(face).opened[lane(face)] != 0; }

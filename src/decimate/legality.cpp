@@ -109,11 +109,12 @@ PieceLoss loss_of(const TileMesh& mesh, const EdgeStar& star, const Collapse& ed
   return loss;
 }
 
-PieceLoss loss_by_turning(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge) {
+PieceLoss loss_by_turning(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge,
+                          const VertexPlaces& places) {
   PieceLoss loss;
   for (const StarFace& face : star.faces())
-    loss.area += length(doubled_area(mesh.triangle(face.number))) / 2;
-  const Point along = mesh.position(edge.removed) - mesh.position(edge.kept);
+    loss.area += length(doubled_area(places.triangle(mesh.face(face.number)))) / 2;
+  const Point along = places[edge.removed] - places[edge.kept];
   loss.surface = loss.area * dot(along, along);
   return loss;
 }
@@ -129,31 +130,29 @@ bool Legality::leaves_faces(const EdgeStar& star) const {
   return false;
 }
 
-bool Legality::keeps_faces(EdgeStar& star, const Collapse& edge) const {
-  star.move(mesh_, edge.position, least_cosine_);
+bool Legality::keeps_faces(EdgeStar& star, const Collapse& edge, const VertexPlaces& places) const {
+  star.move(places, edge.position, least_cosine_);
   // Faces that do not move may be as thin as they are.
-  const bool moves = edge.position != mesh_.position(edge.kept);
+  const bool moves = edge.position != places[edge.kept];
   bool opened = false;
   for (std::size_t face = moves ? 0 : star.of_kept().size(); face < star.faces().size(); ++face) {
     if (star.turned(face)) return false;
     opened |= star.opened(face);
   }
-  return !opened || opens_outwards(star, edge);
+  return !opened || opens_outwards(star, edge, places);
 }
 
-bool Legality::opens_outwards(const EdgeStar& star, const Collapse& edge) const {
+bool Legality::opens_outwards(const EdgeStar& star, const Collapse& edge,
+                              const VertexPlaces& places) {
   Point sum{};
   for (const StarFace& face : star.of_kept())
-    sum = sum +
-          doubled_area({mesh_.position(edge.kept), mesh_.position(face.w), mesh_.position(face.x)});
+    sum = sum + doubled_area({places[edge.kept], places[face.w], places[face.x]});
   for (const StarFace& face : star.of_removed())
-    sum = sum + doubled_area(
-                    {mesh_.position(edge.removed), mesh_.position(face.w), mesh_.position(face.x)});
+    sum = sum + doubled_area({places[edge.removed], places[face.w], places[face.x]});
   for (std::size_t face = 0; face < star.faces().size(); ++face) {
     if (!star.opened(face)) continue;
     const auto [number, w, x, stays] = star.faces()[face];
-    if (!(dot(doubled_area({edge.position, mesh_.position(w), mesh_.position(x)}), sum) > 0))
-      return false;
+    if (!(dot(doubled_area({edge.position, places[w], places[x]}), sum) > 0)) return false;
   }
   return true;
 }

@@ -29,7 +29,11 @@ void add_change(const TileMesh& mesh, const EdgeStar& star, const SurfaceChange&
 PieceLoss loss_of(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge,
                   const SurfaceChange& change);
 // And where faces turn by more than they may: as if all around the edge were off by its length.
-PieceLoss loss_by_turning(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge);
+PieceLoss loss_by_turning(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge,
+                          const VertexPlaces& places);
+inline PieceLoss loss_by_turning(const TileMesh& mesh, const EdgeStar& star, const Collapse& edge) {
+  return loss_by_turning(mesh, star, edge, mesh.places());
+}
 
 class Legality {
  public:
@@ -50,7 +54,11 @@ class Legality {
   // No face turns by more than the bound or shrinks to a line. One that is thinner than rounding
   // has nothing to turn from; where it gets an area, that looks the way of the faces around the
   // edge. `star`: that of the edge; it is moved there.
-  [[nodiscard]] bool keeps_faces(EdgeStar& star, const Collapse& edge) const;
+  [[nodiscard]] bool keeps_faces(EdgeStar& star, const Collapse& edge) const {
+    return keeps_faces(star, edge, mesh_.places());
+  }
+  [[nodiscard]] bool keeps_faces(EdgeStar& star, const Collapse& edge,
+                                 const VertexPlaces& places) const;
 
   // Whether some edge at `v` has more or less than two faces.
   [[nodiscard]] bool at_boundary(VertexNumber v);
@@ -58,7 +66,8 @@ class Legality {
  private:
   [[nodiscard]] bool leaves_faces(const EdgeStar& star) const;
   [[nodiscard]] bool falls_together_whole(const EdgeStar& star, const SurfaceChange& change) const;
-  [[nodiscard]] bool opens_outwards(const EdgeStar& star, const Collapse& edge) const;
+  [[nodiscard]] static bool opens_outwards(const EdgeStar& star, const Collapse& edge,
+                                           const VertexPlaces& places);
   TileMesh& mesh_;
   double least_cosine_;
   std::vector<VertexNumber> met_, met_by_other_;

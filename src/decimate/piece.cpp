@@ -42,13 +42,13 @@ double mean_square(const Point& a, const Point& b) {
 
 }  // namespace
 
-PieceLoss loss_of(const TileMesh& mesh, const Piece& piece) {
-  const Point& origin = mesh.position(piece.vertices.front());
+PieceLoss loss_of(const TileMesh& mesh, const Piece& piece, const VertexPlaces& places) {
+  const Point& origin = places[piece.vertices.front()];
   PieceLoss loss;
   Point middle{};
   Point mean{};
   for (const FaceNumber f : piece.faces) {
-    const Triangle t = mesh.triangle(f);
+    const Triangle t = places.triangle(mesh.face(f));
     const double area = length(doubled_area(t)) / 2;
     const Point third = (1.0 / 3) * ((t[0] - origin) + (t[1] - origin) + (t[2] - origin));
     loss.area += area;
@@ -59,18 +59,18 @@ PieceLoss loss_of(const TileMesh& mesh, const Piece& piece) {
                          : (1 / static_cast<double>(piece.faces.size())) * mean;
   middle = middle + origin;
   for (const FaceNumber f : piece.faces) {
-    const Triangle t = mesh.triangle(f);
+    const Triangle t = places.triangle(mesh.face(f));
     loss.surface +=
         length(doubled_area(t)) / 2 * mean_square({t[0] - middle, t[1] - middle, t[2] - middle});
   }
   for (const VertexNumber v : piece.vertices) {
-    const Point away = mesh.position(v) - middle;
+    const Point away = places[v] - middle;
     loss.farthest = std::max(loss.farthest, dot(away, away));
   }
   for_each_edge(edges_of(mesh, piece), [&](const PieceEdge& edge, std::size_t faces) {
     if (faces != 1) return;
-    const Point a = mesh.position(edge.first) - middle;
-    const Point b = mesh.position(edge.second) - middle;
+    const Point a = places[edge.first] - middle;
+    const Point b = places[edge.second] - middle;
     loss.boundary += dot(b - a, b - a) * mean_square(a, b);
   });
   return loss;

@@ -67,7 +67,10 @@ struct PieceLoss {
     surface += size * (dot(ab, ab) + dot(bc, bc) + dot(ca, ca)) / 36;
   }
 };
-PieceLoss loss_of(const TileMesh& mesh, const Piece& piece);
+PieceLoss loss_of(const TileMesh& mesh, const Piece& piece, const VertexPlaces& places);
+inline PieceLoss loss_of(const TileMesh& mesh, const Piece& piece) {
+  return loss_of(mesh, piece, mesh.places());
+}
 
 // Its handles; 0 where it is no surface.
 std::uint64_t handles_of(const TileMesh& mesh, const Piece& piece);

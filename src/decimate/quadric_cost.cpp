@@ -151,11 +151,14 @@ double QuadricCost::largest_error() const {
   return bound_ ? bound_->largest_error() : std::sqrt(largest_square_);
 }
 
-double QuadricCost::cost_of_piece(const TileMesh& mesh, const Piece& piece) const {
-  if (bound_ && !bound_->allows(piece)) return std::numeric_limits<double>::infinity();
-  const PieceLoss loss = loss_of(mesh, piece);
+double QuadricCost::cost_of(const PieceLoss& loss) {
   return std::max(piece_weight * (loss.surface + boundary_line_weight * loss.boundary),
                   WitnessPoints::cost_of(piece_reach * piece_reach * loss.farthest));
+}
+
+double QuadricCost::cost_of_piece(const TileMesh& mesh, const Piece& piece) const {
+  if (bound_ && !bound_->allows(piece)) return std::numeric_limits<double>::infinity();
+  return cost_of(loss_of(mesh, piece));
 }
 
 double QuadricCost::cost_of_change(const EdgeStar& star, const Collapse& edge,

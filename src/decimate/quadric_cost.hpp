@@ -48,6 +48,7 @@ class QuadricCost {
   // As if all points of the piece went to its middle. Planes do not know how far a flat piece
   // reaches.
   [[nodiscard]] double cost_of_piece(const TileMesh& mesh, const Piece& piece) const;
+  [[nodiscard]] static double cost_of(const PieceLoss& loss);
   [[nodiscard]] double cost_of_change(const EdgeStar& star, const Collapse& edge,
                                       const SurfaceChange& change);
   [[nodiscard]] double cost_of_turning(const EdgeStar& star, const Collapse& edge) const;

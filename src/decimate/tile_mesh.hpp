@@ -59,6 +59,17 @@ enum Lock : std::uint8_t {
   fixed_hub = 2,      // neighbours may be
 };
 
+// Where vertices are: in a mesh, or in one frame of a sequence.
+struct VertexPlaces {
+  const Point* first = nullptr;  // of the vertex 0
+  std::size_t apart = 1;         // from one vertex to the next
+
+  [[nodiscard]] const Point& operator[](VertexNumber v) const { return first[v * apart]; }
+  [[nodiscard]] Triangle triangle(const FaceVertices& face) const {
+    return {(*this)[face[0]], (*this)[face[1]], (*this)[face[2]]};
+  }
+};
+
 class TileMesh {
  public:
   // `locked`: the Lock of each vertex. Not `linked`: until link() no vertex knows its faces.
@@ -82,6 +93,7 @@ class TileMesh {
   [[nodiscard]] std::uint64_t live_faces() const { return live_faces_; }
 
   [[nodiscard]] const Point& position(VertexNumber v) const { return position_[v]; }
+  [[nodiscard]] VertexPlaces places() const { return {position_.data()}; }
   void move(VertexNumber v, const Point& to) { position_[v] = to; }
   [[nodiscard]] bool locked(VertexNumber v) const {
     return (flags_[v] & (closed_vertex | fixed_hub)) != 0;

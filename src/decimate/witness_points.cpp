@@ -26,40 +26,49 @@ double square_between(const Point& a, const Point& b) {
 
 }  // namespace
 
+double square_beside_star(const Point& point, const Point& to, std::span<const StarFace> own,
+                          std::span<const StarFace> others, const VertexPlaces& places,
+                          double near) {
+  double square = square_between(point, to);
+  // What was collapsed into an end lies beside its faces, mostly.
+  for (const std::span<const StarFace> faces : {own, others}) {
+    for (const StarFace& face : faces) {
+      if (square <= near) return square;
+      if (!face.stays) continue;
+      const Triangle left{to, places[face.w], places[face.x]};
+      square = std::min(square, square_between(point, closest_point(point, left)));
+    }
+  }
+  return square;
+}
+
+double WitnessPoints::near_square(const Point& to, double cost, double rounding) {
+  return std::max(std::sqrt(cost / weight),
+                  roundings * roundings * rounding * rounding * dot(to, to));
+}
+
 double WitnessPoints::cost_of(double square) {
   return weight * square * square;
 }
 
 WitnessPoints::WitnessPoints(const TileMesh& mesh, double rounding)
-    : mesh_(mesh),
-      rounding_square_(roundings * roundings * rounding * rounding),
-      point_(mesh.vertex_count()) {
+    : mesh_(mesh), rounding_(rounding), point_(mesh.vertex_count()) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) point_[v] = mesh.position(v);
 }
 
 double WitnessPoints::cost(const Collapse& edge, const EdgeStar& star, double cost, bool flat) {
   const Point& to = edge.position;
   // As soon as both are this near, no more needs to be known.
-  const double near = std::max(std::sqrt(cost / weight), rounding_square_ * dot(to, to));
-  // What was collapsed into an end lies beside its faces, mostly.
-  using Faces = std::span<const StarFace>;
-  const auto square_left = [&](const Point& point, Faces own, Faces others) {
-    double square = square_between(point, to);
-    for (const Faces faces : {own, others}) {
-      for (const StarFace& face : faces) {
-        if (square <= near) return square;
-        if (!face.stays) continue;
-        const Triangle left{to, mesh_.position(face.w), mesh_.position(face.x)};
-        square = std::min(square, square_between(point, closest_point(point, left)));
-      }
-    }
-    return square;
-  };
+  const double near = near_square(to, cost, rounding_);
+  const VertexPlaces places = mesh_.places();
   const Point& of_kept = flat ? mesh_.position(edge.kept) : point_[edge.kept];
   const Point& of_removed = flat ? mesh_.position(edge.removed) : point_[edge.removed];
   const double kept_square =
-      mesh_.hub(edge.kept) ? 0 : square_left(of_kept, star.of_kept(), star.of_removed());
-  const double removed_square = square_left(of_removed, star.of_removed(), star.of_kept());
+      mesh_.hub(edge.kept)
+          ? 0
+          : square_beside_star(of_kept, to, star.of_kept(), star.of_removed(), places, near);
+  const double removed_square =
+      square_beside_star(of_removed, to, star.of_removed(), star.of_kept(), places, near);
   square_ = std::max(kept_square, removed_square);
   const bool first = flat ? to == mesh_.position(edge.kept) : kept_square >= removed_square;
   next_ = point_[mesh_.hub(edge.kept) || first ? edge.kept : edge.removed];

@@ -9,9 +9,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace winnow {
+
+// The square of the distance of `point` from the faces that are left around an edge which collapses
+// to `to`: no more than `near` where it is not above that. `own`: those of the end that keeps it.
+double square_beside_star(const Point& point, const Point& to, std::span<const StarFace> own,
+                          std::span<const StarFace> others, const VertexPlaces& places,
+                          double near);
 
 class WitnessPoints {
  public:
@@ -20,6 +27,8 @@ class WitnessPoints {
 
   // Of a point that is off by so much; `square`: of the distance.
   static double cost_of(double square);
+  // The largest square of a distance that does not count: beside a collapse to `to` at this cost.
+  static double near_square(const Point& to, double cost, double rounding);
 
   // The point that a vertex keeps, seen from it.
   [[nodiscard]] Point of(VertexNumber v) const { return point_[v] - mesh_.position(v); }
@@ -43,7 +52,7 @@ class WitnessPoints {
 
  private:
   const TileMesh& mesh_;
-  double rounding_square_;
+  double rounding_;
   std::vector<Point> point_;
   Point next_{};
   double square_ = 0;
