@@ -7,6 +7,7 @@
 #include <winnow/context.hpp>
 #include <winnow/convert.hpp>
 #include <winnow/progressive.hpp>
+#include <winnow/sequence.hpp>
 #include <winnow/simplify.hpp>
 
 #include <functional>
@@ -46,6 +47,7 @@ WINNOW_API std::span<const Option<ConvertOptions>> convert_options();
 WINNOW_API std::span<const Option<CompareOptions>> compare_options();
 WINNOW_API std::span<const Option<ProgressiveOptions>> progressive_options();
 WINNOW_API std::span<const Option<ExtractOptions>> extract_options();
+WINNOW_API std::span<const Option<SequenceOptions>> sequence_options();
 WINNOW_API std::span<const Option<Context>> context_options();  // memory, threads, scratch
 
 // Messages and notes name options in backticks, "`faces` takes at least 4", and so they do with the

@@ -23,6 +23,8 @@
 // - std::optional<EvaluatedCollapse> other_place(now): the same edge in another way at the same
 // cost,
 //   asked for where place() gave one that is not legal;
+// - bool keeps_faces(legality, star, now): whether no face turns too far, in place of the rule for
+//   the mesh alone; may change where `now` goes and what it costs;
 // - double closer_cost(now, star, cost): what place() found, looked at more closely, `cost` or
 //   more, and infinity where it may not be; asked before every collapse, of one that is legal.
 #pragma once
@@ -324,6 +326,11 @@ class Collapser {
       }
     }
     verdict.allowed = true;
+    if constexpr (requires { cost_.keeps_faces(legality_, star_, now); }) {
+      verdict.allowed = cost_.keeps_faces(legality_, star_, now);
+      verdict.cost = now.cost;
+      return verdict;
+    }
     if (legality_.keeps_faces(star_, now.edge)) return verdict;
     if constexpr (requires { cost_.other_place(now); }) {
       if (const auto other = cost_.other_place(now)) {

@@ -3,9 +3,11 @@
 #include "base/cell_state.hpp"
 #include "base/rounding.hpp"
 #include "decimate/error_bound.hpp"
+#include "decimate/frames.hpp"
 #include "decimate/importance_cost.hpp"
 #include "decimate/quadric_cost.hpp"
 #include "decimate/quadric_placement.hpp"
+#include "decimate/sequence_decimation.hpp"
 #include "decimate/sweeps.hpp"
 #include "decimate/volume_cost.hpp"
 
@@ -237,8 +239,9 @@ std::uint64_t memory_of(const DecimationSettings& settings, std::uint64_t vertic
 
 std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std::byte> state,
                                              const DecimationSettings& settings) {
-  if (settings.keep_boundaries || bounds_error(settings)) mesh.link();
+  if (settings.keep_boundaries || bounds_error(settings) || settings.sequence) mesh.link();
   if (settings.keep_boundaries) lock_boundaries(mesh);
+  if (settings.sequence) return make_sequence_decimation(mesh, state, settings);
   const double rounding = settings.rounding_of_positions().relative;
   const bool free = settings.free_topology;
   switch (settings.cost) {
@@ -280,15 +283,20 @@ std::function<void(const DoneCollapse&)> Decimation::counting(
 }
 
 std::size_t Decimation::first_state_size(const DecimationSettings& settings) {
+  if (settings.sequence) return Frames::first_state_size(settings.sequence->frames);
   return bounds_error(settings) ? sizeof(CellState) : state_size(settings);
 }
 
 std::size_t Decimation::state_size(const DecimationSettings& settings) {
+  if (settings.sequence) return Frames::state_size(settings.sequence->frames);
   return bounds_error(settings) ? sizeof(ErrorBound::State) : 0;
 }
 
 std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64_t vertices) {
-  return memory_of(settings, vertices) + vertices * state_size(settings);
+  const std::uint64_t collapsing = settings.sequence
+                                       ? sequence_decimation_memory(*settings.sequence, vertices)
+                                       : memory_of(settings, vertices);
+  return collapsing + vertices * state_size(settings);
 }
 
 }  // namespace winnow

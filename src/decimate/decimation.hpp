@@ -15,6 +15,14 @@
 
 namespace winnow {
 
+// A mesh that moves: one connectivity, and positions of each vertex in every frame.
+struct SequenceSettings {
+  std::size_t frames = 1;
+  double deformation_weight = 0;  // of how much costs differ between frames
+  double feature_weight = 0;      // of what kind of edge it is in the first and the last frame
+  bool operator==(const SequenceSettings&) const = default;
+};
+
 struct DecimationSettings {
   Refine cost = Refine::quadric;  // not none
   bool single = true;             // vertices go to numbers that floats have
@@ -25,6 +33,7 @@ struct DecimationSettings {
   bool boundaries_known =
       false;  // by the state; it is that of cells otherwise, whose planes are those of faces alone
   std::optional<double> error;  // how far the surface may come from what it was: error_bound.hpp
+  std::optional<SequenceSettings> sequence;  // the state of vertices: frames.hpp
 
   std::optional<CoordinateRounding> rounding;  // of positions; absent: that of their type
 

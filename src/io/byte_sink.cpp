@@ -118,6 +118,11 @@ void ByteSink::refuse_terminal() const {
               "or write text with `to` obj");
 }
 
+void ByteSink::release() noexcept {
+  if (fd_ >= 0) ::close(std::exchange(fd_, -1));
+  buffer_ = {};
+}
+
 void ByteSink::take_back() noexcept {
   if (!std::exchange(named_, false)) return;
   if (replaced_) {

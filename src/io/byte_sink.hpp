@@ -42,6 +42,8 @@ class ByteSink {
   void finish() { finish(false); }
   // The same; what it replaces stays aside for as long as the sink lives.
   void finish_for_now() { finish(true); }
+  // After that: gives back all but what take_back() needs. The file has no identity() any more.
+  void release() noexcept;
   // After finish_for_now(): what had the name before has it again, where the file system can
   // exchange names.
   void take_back() noexcept;

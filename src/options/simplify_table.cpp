@@ -3,6 +3,7 @@
 #include "options/option_kinds.hpp"
 #include "options/refuse_targets.hpp"
 #include "options/shared_entries.hpp"
+#include "options/target_kind.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,30 +19,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr NumberRange length_range{0, infinity, true, true, "a length above 0"};
 constexpr NumberRange part_range{0, 1, true, true, "a part of the diagonal above 0 and below 100%"};
 constexpr NumberRange ratio_range{0, 1, true, false, "a part above 0 and at most 1 (or 100%)"};
-
-// One kind of target, of which only one can be given.
-template <typename Value, typename Read>
-OptionValue<Options> target(Target (*make)(Value), std::optional<Value> (Target::*value)() const,
-                            Read read) {
-  OptionValue<Options> kind;
-  kind.set = [=](Options& options, const std::string& text, const std::string& option) {
-    const Target read_target = make(read(text, option));
-    if (options.target.kind() != Target::Kind::none) refuse_targets();
-    options.target = read_target;
-  };
-  kind.get = [=](const Options& options) -> std::string {
-    const std::optional<Value> now = (options.target.*value)();
-    if (!now) return "";
-    if constexpr (std::is_same_v<Value, Distance>) {
-      return text_of(*now);
-    } else if constexpr (std::is_same_v<Value, double>) {
-      return shortest(*now);
-    } else {
-      return std::to_string(*now);
-    }
-  };
-  return kind;
-}
 
 // The same with commas between several, in any order: the finest is the target, the others follow.
 OptionValue<Options> several(const OptionValue<Options>& one) {
@@ -116,38 +93,41 @@ std::vector<Option<Options>> table() {
       {"faces", "N", fineness,
        "Stop at this many faces: 500k, 1.5M (only about that many with `refine` none). 1M,100k,10k "
        "writes three files in one run, named by {faces} in OUT.",
-       several(target<std::uint64_t>(&Target::faces, &Target::faces,
-                                     [](const std::string& text, const std::string& option) {
-                                       return count_in(text, option, 4, std::uint64_t{1} << 62,
-                                                       "at least 4");
-                                     }))},
+       several(target<Options, std::uint64_t>(
+           &Target::faces, &Target::faces,
+           [](const std::string& text, const std::string& option) {
+             return count_in(text, option, 4, std::uint64_t{1} << 62, "at least 4");
+           }))},
       {"ratio", "R", fineness,
        "Keep this part of the faces: 0.01 or 1%; several, as 10%,1%, with {ratio} in OUT",
-       several(target<double>(&Target::ratio, &Target::ratio,
-                              [](const std::string& text, const std::string& option) {
-                                return ratio_in(text, option, ratio_range);
-                              }))},
+       several(target<Options, double>(&Target::ratio, &Target::ratio,
+                                       [](const std::string& text, const std::string& option) {
+                                         return ratio_in(text, option, ratio_range);
+                                       }))},
       {"cell", "LENGTH", fineness,
        "Size of a grid cell in model units; the only choice that reads a pipe just once",
-       target<double>(&Target::cell, &Target::cell,
-                      [](const std::string& text, const std::string& option) {
-                        return number_in(text, option,
-                                         "a length like 2.5, a bare number in the units of the "
-                                         "model",
-                                         length_range);
-                      })},
+       target<Options, double>(&Target::cell, &Target::cell,
+                               [](const std::string& text, const std::string& option) {
+                                 return number_in(
+                                     text, option,
+                                     "a length like 2.5, a bare number in the units of the "
+                                     "model",
+                                     length_range);
+                               })},
       {"grid", "N", fineness, "Number of grid cells along the longest side",
-       target<std::uint64_t>(&Target::grid, &Target::grid,
-                             [](const std::string& text, const std::string& option) {
-                               return count_in(text, option, 1, axis_cells, "1 to 2,097,152 cells");
-                             })},
+       target<Options, std::uint64_t>(&Target::grid, &Target::grid,
+                                      [](const std::string& text, const std::string& option) {
+                                        return count_in(text, option, 1, axis_cells,
+                                                        "1 to 2,097,152 cells");
+                                      })},
       {"error", "E", fineness,
        "Stop at this error: 0.5 (model units) or 0.1% (of the diagonal). It is the RMS distance; "
        "boundaries stay within 1.5 times it. Several, as 0.1%,1%, with {error} in OUT.",
-       several(target<Distance>(&Target::error, &Target::error,
-                                [](const std::string& text, const std::string& option) {
-                                  return distance_in(text, option, length_range, part_range);
-                                }))},
+       several(target<Options, Distance>(&Target::error, &Target::error,
+                                         [](const std::string& text, const std::string& option) {
+                                           return distance_in(text, option, length_range,
+                                                              part_range);
+                                         }))},
 
       {"refine", "COST", refinement,
        "What an edge costs to collapse (default: quadric with `faces`, `ratio` and `error`, else "

@@ -19,6 +19,7 @@ std::set<std::string> all_names() {
   add_names(compare_options(), names);
   add_names(progressive_options(), names);
   add_names(extract_options(), names);
+  add_names(sequence_options(), names);
   add_names(context_options(), names);
   return names;
 }

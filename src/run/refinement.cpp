@@ -164,6 +164,11 @@ Refinement refinement_of(Job& job, const StoredMesh& mesh, const RefineReport& d
 
 }  // namespace
 
+void expect_beside_tile(Job& job, const StoredMesh& whole, const RefineSettings& settings,
+                        const PlanOf& plan) {
+  job.budget.expect_held(HeldBesideTile(job, whole, settings, plan));
+}
+
 void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
                        bool map, const PlanOf& plan, CheckpointDirectory* checkpoint,
                        const std::function<void(const StoredMesh&, const Refinement&)>& take) {
@@ -181,7 +186,7 @@ void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& opt
   if (goals.front().error > 0) settings.decimation.error = goals.front().error;
   const RefineMemory memory = refine_memory(job.budget.left());
   StoredMesh whole = std::move(clustered.mesh);
-  job.budget.expect_held(HeldBesideTile(job, whole, settings, plan));
+  expect_beside_tile(job, whole, settings, plan);
   std::size_t level = 0;
   refine_levels(job, std::move(whole), settings, goals, memory, checkpoint,
                 [&](const StoredMesh& mesh, const RefineReport& done) {

@@ -23,6 +23,10 @@ RefineMemory refine_memory(std::uint64_t left);
 // How the run would divide a budget of `total`.
 using PlanOf = std::function<MemoryPlan(std::uint64_t total)>;
 
+// Messages of a tile that the budget has no room for then name one that has.
+void expect_beside_tile(Job& job, const StoredMesh& whole, const RefineSettings& settings,
+                        const PlanOf& plan);
+
 // What is told of a level.
 struct Refinement {
   LevelReport::Refinement refine;

@@ -106,7 +106,8 @@ bool CollapseChooser::find_highest_cost_allowed() {
   nothing_kept.free_topology = true;
   nothing_kept.keep_boundaries = nothing_kept.keep_pieces = false;
   if (costs_.highest_cost_allowed < no_limit || settings_.faces == 0 ||
-      settings_.decimation.error || nothing_kept == settings_.decimation)
+      settings_.decimation.error || settings_.decimation.sequence ||
+      nothing_kept == settings_.decimation)
     return false;
   const Tried tried = try_all({0, no_limit}, nothing_kept, TriedTiles(nullptr, round_, 0), nullptr);
   const std::uint64_t wanted = wanted_now(tried.frozen);

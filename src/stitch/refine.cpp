@@ -42,7 +42,8 @@ class Refiner {
       set(goals[level]);
       while (!state_.done) whole = round(std::move(whole));
       const bool last = ++level == goals.size();
-      if (last) whole.state.reset();
+      // That of a sequence holds the other frames.
+      if (last && !settings_.decimation.sequence) whole.state.reset();
       give(whole, state_.report, take);
       if (last) return;
       state_.next_level();

@@ -3,6 +3,7 @@
 #include "base/hash.hpp"
 #include "base/memory_shares.hpp"
 #include "base/sort_unique.hpp"
+#include "io/recent_blocks.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
 
@@ -251,6 +252,16 @@ Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFace
                                            std::uint64_t{tile.own_vertices} * attributes);
   }
   return tile;
+}
+
+void load_state_of_others(Tile& tile, const Spool& state, std::size_t state_size) {
+  RecentBlocks records(state, state_size);
+  std::byte* into = tile.state.data() + std::size_t{tile.own_vertices} * state_size;
+  for (const std::uint32_t v : tile.others) {
+    const std::span<const std::byte> record = records.record(v);
+    std::copy(record.begin(), record.end(), into);
+    into += state_size;
+  }
 }
 
 CarriedValues carried_values(Tile& tile, std::span<const Attribute> attributes) {

@@ -99,6 +99,9 @@ std::uint64_t largest_tile(const Tiling& tiling, const IncomingFaces& incoming,
 Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
                std::size_t number, std::size_t state_size, std::size_t attributes);
 
+// In place of zeros: the positions of other tiles' vertices in later frames are a part of theirs.
+void load_state_of_others(Tile& tile, const Spool& state, std::size_t state_size);
+
 // What the tile's own vertices carry.
 CarriedValues carried_values(Tile& tile, std::span<const Attribute> attributes);
 

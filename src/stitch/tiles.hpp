@@ -31,7 +31,10 @@ class Tiles {
   [[nodiscard]] Tile load(std::size_t number) const { return load(number, 0, 0); }
   [[nodiscard]] Tile load(std::size_t number, std::size_t state_size,
                           std::size_t attributes) const {
-    return load_tile(whole_, cut_.tiling, cut_.incoming, number, state_size, attributes);
+    Tile tile = load_tile(whole_, cut_.tiling, cut_.incoming, number, state_size, attributes);
+    if (state_size > 0 && settings_.decimation.sequence)
+      load_state_of_others(tile, *whole_.state, state_size);
+    return tile;
   }
 
   // Tiles from `first` on in order, several at once while their memory lasts: work(tile number,

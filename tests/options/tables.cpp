@@ -68,6 +68,8 @@ TEST_CASE("every field of the options is in its table once", "[options]") {
   const std::size_t encoding = field_count<Encoding>() - 1;
   CHECK(simplify_options().size() == field_count<SimplifyOptions>() + encoding + 3);
   CHECK(convert_options().size() == field_count<ConvertOptions>() + encoding);
+  // Two kinds of targets.
+  CHECK(sequence_options().size() == field_count<SequenceOptions>() + encoding + 1);
   CHECK(compare_options().size() == field_count<CompareOptions>() - 1);
   CHECK(generate_options().size() == field_count<GenerateOptions>());
   CHECK(progressive_options().size() == field_count<ProgressiveOptions>());
@@ -76,6 +78,7 @@ TEST_CASE("every field of the options is in its table once", "[options]") {
   check_table(progressive_options());
   check_table(extract_options());
   check_table(convert_options());
+  check_table(sequence_options());
   check_table(compare_options());
   check_table(generate_options());
   check_table(context_options());

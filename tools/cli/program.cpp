@@ -170,6 +170,7 @@ void add_commands(CLI::App& app) {
       "shows the options of a command and\nexamples.");
   add_simplify(app);
   add_resume(app);
+  add_sequence(app);
   add_convert(app);
   add_progressive(app);
   add_extract(app);

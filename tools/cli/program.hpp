@@ -77,6 +77,7 @@ void add_view(CLI::App& app);
 bool has_viewer();  // the page of it
 void add_progressive(CLI::App& app);
 void add_extract(CLI::App& app);
+void add_sequence(CLI::App& app);
 
 // All of them: the whole command line.
 void add_commands(CLI::App& app);

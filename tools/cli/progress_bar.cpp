@@ -24,13 +24,15 @@ enum Commands : unsigned {
   converts = 2,
   informs = 4,
   compares = 8,
-  generates = 16
+  generates = 16,
+  moves = 32  // a sequence
 };
 
 unsigned kind_of(const std::string& command) {
   if (command == "convert") return converts;
   if (command == "info") return informs;
   if (command == "compare") return compares;
+  if (command == "sequence") return moves;
   return command == "generate" ? generates : simplifies;
 }
 
@@ -41,10 +43,12 @@ struct Stage {
 };
 
 // In the order in which they come. No run has all of them.
-constexpr std::array<Stage, 30> stages{{
+constexpr std::array<Stage, 32> stages{{
     {"go on", 2, simplifies},
     {"copy the input to scratch", 8, simplifies | converts | compares},
     {"read the simplified mesh", 5, compares},
+    {"read frames", 40, moves},
+    {"order vertices", 3, moves},
     {"read the mesh", 12, simplifies | converts | informs | compares},
     {"keep faces", 5, simplifies | converts},
     {"read vertices", 6, simplifies | converts | informs | compares},
@@ -65,13 +69,13 @@ constexpr std::array<Stage, 30> stages{{
     {"join faces", 8, simplifies | converts},
     {"keep", 2, simplifies},
     {"generate", 100, generates},
-    {"refine", 30, simplifies},
+    {"refine", 30, simplifies | moves},
     {"unfold", 2, simplifies},
     {"compare", 100, compares},
     {"check", 2, simplifies},
     {"picture", 3, compares},
     {"pack", 3, simplifies | converts},
-    {"write", 5, simplifies | converts | compares},
+    {"write", 5, simplifies | converts | compares | moves},
 }};
 
 std::size_t terminal_columns() {

@@ -41,6 +41,11 @@ const char* memory_usage(const std::string& command) {
            "the division of the budget and the scratch are "
            "shown, "
            "and nothing is done.";
+  if (command == "sequence")
+    return "One frame is held in memory while frames are read, 58 bytes a vertex, and some tiles "
+           "of all frames while they are refined. What does not fit goes to scratch: beside the "
+           "outputs, or "
+           R"(where \fB--scratch\fR says. All frames take 48 bytes a vertex of a frame there.)";
   if (command == "convert")
     return "A vertex takes 48 bytes and a face 12. What does not fit goes to scratch: beside the "
            "output, or "

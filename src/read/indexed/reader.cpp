@@ -129,7 +129,11 @@ bool IndexedReader::next_of_source(RawBatch& batch) {
     }
     return false;
   }
-  cut_polygons(batch);
+  if (memory_.polygons_as_fans) {
+    batch.fans.clear();
+  } else {
+    cut_polygons(batch);
+  }
   batch.first = next_face_;
   next_face_ += batch.count;
   return true;

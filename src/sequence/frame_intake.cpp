@@ -1,0 +1,407 @@
+#include "sequence/frame_intake.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/box.hpp"
+#include "base/hash.hpp"
+#include "base/text.hpp"
+#include "decimate/frames.hpp"
+#include "io/sorted_list.hpp"
+#include "io/spool_records.hpp"
+#include "mesh/ordered_face.hpp"
+#include "read/for_each_batch.hpp"
+#include "write/append.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <utility>
+
+namespace winnow {
+
+namespace {
+
+constexpr std::uint64_t bytes_at_once = std::uint64_t{1} << 22;
+
+std::string corners_of(const FaceVertices& face) {
+  return std::to_string(face[0]) + ", " + std::to_string(face[1]) + " and " +
+         std::to_string(face[2]);
+}
+
+std::uint64_t bits_of(double x) {
+  return std::bit_cast<std::uint64_t>(x + 0.0);  // not -0, which is the same place
+}
+
+}  // namespace
+
+FrameIntake::FrameIntake(Job& job, FrameReaders& readers, const IntakeMemory& memory)
+    : job_(job),
+      readers_(readers),
+      memory_(memory),
+      frames_(job, memory.frames),
+      raw_faces_(job, memory.mesh / 4),
+      cut_faces_(job, memory.mesh / 4) {}
+
+SequenceMesh FrameIntake::run(const std::function<void(std::uint64_t)>& refuse) {
+  refuse_ = &refuse;
+  ReaderMemory reading = memory_.reader;
+  reading.polygons_as_fans = true;
+  job_.progress.begin("read frames", 0, "vertices");
+  for (;;) {
+    std::unique_ptr<MeshReader> reader = readers_.next(reading);
+    if (reader == nullptr) break;
+    out_.double_positions |= reader->facts().double_positions;
+    if (out_.frames == 0) {
+      add_first(*reader);
+    } else {
+      add_later(*reader);
+    }
+    out_.bytes += reader->bytes();
+    reader->check_whole();
+    ++out_.frames;
+    reader.reset();
+    if (out_.frames > 1 || !polygons_) continue;
+    reader = readers_.again(memory_.reader);
+    read_faces(*reader, cut_faces_);
+    cut_faces_.finish();
+  }
+  if (out_.frames == 0) throw Error(ErrorKind::usage, "a sequence needs at least one frame");
+  frames_.finish();
+  position_ = {};
+  job_.progress.begin("order vertices", out_.vertices, "vertices");
+  join_vertices();
+  const Spool& faces = polygons_ ? cut_faces_ : raw_faces_;
+  number_used(faces);
+  const MeshLayout layout{Frames::first_state_size(out_.frames), 0};
+  out_.mesh = StoredMesh(job_, layout, MeshMemory::divide(memory_.mesh / 2));
+  write_vertices(out_.mesh);
+  write_faces(out_.mesh, faces);
+  return std::move(out_);
+}
+
+void FrameIntake::take_room(std::uint64_t vertices) {
+  if (vertices >= no_number)
+    throw Error(ErrorKind::bad_input, readers_.name(out_.frames) + " has " + grouped(vertices) +
+                                          " vertices; a frame of a sequence has at most " +
+                                          grouped(no_number - 1));
+  const std::uint64_t bytes = IntakeMemory::arrays_for(vertices);
+  if (bytes <= arrays_.bytes()) return;
+  arrays_.release();
+  if (bytes > memory_.arrays) (*refuse_)(vertices);
+  arrays_ = job_.budget.try_reserve(bytes);
+  if (!arrays_) (*refuse_)(vertices);
+}
+
+void FrameIntake::read_positions(MeshReader& reader) {
+  if (!reader.facts().vertices) return read_corners(reader);
+  const std::uint64_t vertices = *reader.facts().vertices;
+  if (out_.frames == 0) {
+    take_room(vertices);
+    position_.resize(vertices);
+  } else if (vertices != position_.size()) {
+    refuse_counts("vertices", vertices, position_.size());
+  }
+  const bool first = out_.frames == 0;
+  for_each_position_batch(job_, reader, [&](const PositionView& view) {
+    for (std::size_t i = 0; i < view.count; ++i) {
+      const std::uint64_t v = view.first + i;
+      position_[first ? v : place_[v]] = {view.axis[0][i], view.axis[1][i], view.axis[2][i]};
+    }
+  });
+}
+
+void FrameIntake::read_corners(MeshReader& reader) {
+  corners_ = true;
+  const bool first = out_.frames == 0;
+  std::uint64_t count = 0;
+  std::vector<Point> points;
+  for_each_face_batch_in_order(
+      job_, reader,
+      [&](const FaceBatch& batch, BatchBytes& bytes) {
+        for (std::size_t f = 0; f < batch.count; ++f) {
+          for (std::size_t c = 0; c < 3; ++c) append(bytes, Point(batch.corner(c, f)));
+        }
+      },
+      [&](std::span<const std::byte> bytes) {
+        points.resize(bytes.size() / sizeof(Point));
+        std::memcpy(points.data(), bytes.data(), bytes.size());
+        if (first) {
+          if (count + points.size() > position_.capacity()) {
+            const std::uint64_t more = (count + points.size()) / 4 * 5;
+            take_room(std::max(more, 3 * reader.facts().faces.value_or(0)));
+            position_.reserve(arrays_.bytes() / IntakeMemory::arrays_for(1));
+          }
+          position_.insert(position_.end(), points.begin(), points.end());
+        } else if (count + points.size() <= position_.size()) {
+          for (std::size_t i = 0; i < points.size(); ++i) position_[place_[count + i]] = points[i];
+        }
+        count += points.size();
+      });
+  if (!first && count != position_.size()) refuse_counts("faces", count / 3, position_.size() / 3);
+}
+
+void FrameIntake::refuse_counts(const char* what, std::uint64_t here, std::uint64_t first) const {
+  throw Error(ErrorKind::bad_input, readers_.name(out_.frames) + " has " + grouped(here) + " " +
+                                        what + ", and " + readers_.name(0) + " has " +
+                                        grouped(first) +
+                                        "; all frames need the same vertices and faces");
+}
+
+void FrameIntake::read_faces(MeshReader& reader, Spool& into) {
+  for_each_face_batch_in_order(
+      job_, reader,
+      [&](const FaceBatch& batch, BatchBytes& bytes) {
+        for (std::size_t f = 0; f < batch.count; ++f)
+          append(bytes, FaceVertices{batch.index[0][f], batch.index[1][f], batch.index[2][f]});
+      },
+      [&](std::span<const std::byte> bytes) { into.append(bytes); });
+}
+
+void FrameIntake::compare_faces(MeshReader& reader) {
+  const std::uint64_t faces = record_count<FaceVertices>(raw_faces_);
+  std::uint64_t count = 0;
+  std::vector<FaceVertices> here;
+  for_each_face_batch_in_order(
+      job_, reader,
+      [&](const FaceBatch& batch, BatchBytes& bytes) {
+        for (std::size_t f = 0; f < batch.count; ++f)
+          append(bytes, FaceVertices{batch.index[0][f], batch.index[1][f], batch.index[2][f]});
+      },
+      [&](std::span<const std::byte> bytes) {
+        here.resize(bytes.size() / sizeof(FaceVertices));
+        std::memcpy(here.data(), bytes.data(), bytes.size());
+        const std::uint64_t both =
+            std::min<std::uint64_t>(here.size(), faces - std::min(faces, count));
+        const std::vector<FaceVertices> first =
+            read_records<FaceVertices>(raw_faces_, std::min(faces, count), both);
+        for (std::size_t f = 0; f < both; ++f) {
+          if (here[f] == first[f]) continue;
+          throw Error(ErrorKind::bad_input,
+                      readers_.name(out_.frames) + " has other faces than " + readers_.name(0) +
+                          ": face " + grouped(count + f) + " (from 0) has the vertices " +
+                          corners_of(here[f]) + " instead of " + corners_of(first[f]) +
+                          "; all frames need the same vertices and faces");
+        }
+        count += here.size();
+      });
+  if (count != faces) refuse_counts("triangles", count, faces);
+}
+
+void FrameIntake::add_first(MeshReader& reader) {
+  const InputFacts& facts = reader.facts();
+  out_.format = facts.format;
+  out_.normals = facts.normals;
+  polygons_ = facts.polygons && facts.vertices.has_value();
+  out_.dropped = facts.choice;
+  read_positions(reader);
+  out_.vertices = position_.size();
+  if (corners_) {
+    for (std::uint32_t v = 0; v < out_.vertices; v += 3) {
+      const FaceVertices face{v, v + 1, v + 2};
+      append_records<FaceVertices>(raw_faces_, std::span(&face, 1));
+    }
+  } else {
+    read_faces(reader, raw_faces_);
+  }
+  raw_faces_.finish();
+  out_.faces = record_count<FaceVertices>(raw_faces_);
+  order_vertices();
+  keep_frame();
+}
+
+void FrameIntake::add_later(MeshReader& reader) {
+  if (reader.facts().vertices.has_value() == corners_)
+    throw Error(ErrorKind::bad_input,
+                readers_.name(out_.frames) + " and " + readers_.name(0) +
+                    " differ in that one stores vertices and the other does not; all frames need "
+                    "the same vertices and faces");
+  read_positions(reader);
+  if (!corners_) compare_faces(reader);
+  keep_frame();
+}
+
+// By their keys on a lattice over the first frame, then by position: from now on that is how the
+// vertices are numbered.
+void FrameIntake::order_vertices() {
+  const std::size_t count = position_.size();
+  Box box;
+  for (const Point& p : position_) {
+    if (finite(p)) box.add(p);
+  }
+  const double side = box.empty ? 0 : box.longest_side();
+  const double cells = side > 0 ? (axis_cells - 1) / side : 0;
+  const auto key_of = [&](const Point& p) -> CellKey {
+    if (!finite(p)) return 0;
+    std::array<std::uint32_t, 3> cell{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double place = std::max(0.0, (p[axis] - box.low[axis]) * cells);
+      cell[axis] = std::min(axis_cells - 1, static_cast<std::uint32_t>(place));
+    }
+    return morton_key(cell[0], cell[1], cell[2]);
+  };
+  path_.resize(count);  // keys by the input's numbers, while sorting
+  for (std::size_t v = 0; v < count; ++v) path_[v] = key_of(position_[v]);
+  order_.resize(count);
+  std::iota(order_.begin(), order_.end(), 0U);
+  std::sort(order_.begin(), order_.end(),
+            job_.progress.cancellable([&](std::uint32_t a, std::uint32_t b) {
+              if (path_[a] != path_[b]) return path_[a] < path_[b];
+              const bool numbers = finite(position_[a]) && finite(position_[b]);
+              if (numbers && position_[a] != position_[b]) return position_[a] < position_[b];
+              if (!numbers && finite(position_[a]) != finite(position_[b]))
+                return finite(position_[a]);
+              return a < b;
+            }));
+  key_.resize(count);
+  place_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    key_[i] = path_[order_[i]];
+    place_[order_[i]] = static_cast<std::uint32_t>(i);
+  }
+  // In place: each cycle of the permutation.
+  std::vector<bool> moved(count, false);
+  for (std::size_t start = 0; start < count; ++start) {
+    if (moved[start]) continue;
+    Point carried = position_[start];
+    for (std::size_t at = place_[start]; !moved[at]; at = place_[at]) {
+      std::swap(carried, position_[at]);
+      moved[at] = true;
+    }
+  }
+  std::fill(path_.begin(), path_.end(), 0);
+  finite_.assign(count, 1);
+}
+
+void FrameIntake::keep_frame() {
+  for (std::size_t i = 0; i < position_.size(); ++i) {
+    for (const double x : position_[i]) path_[i] = mixed_hash(path_[i] ^ bits_of(x));
+    finite_[i] &= static_cast<std::uint8_t>(finite(position_[i]));
+  }
+  append_records<Point>(frames_, position_);
+  job_.progress.advance(position_.size());
+}
+
+// Of vertices at one place in the first frame, those with the same path are one.
+void FrameIntake::join_vertices() {
+  const std::size_t count = path_.size();
+  same_as_.resize(count);
+  std::iota(same_as_.begin(), same_as_.end(), 0U);
+  SpoolCursor<Point> first(job_, frames_);
+  Point position{};
+  Point before{};
+  std::vector<std::uint32_t> here;
+  const auto join = [&] {
+    std::stable_sort(here.begin(), here.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return path_[a] < path_[b]; });
+    for (std::size_t i = 1; i < here.size(); ++i) {
+      if (path_[here[i]] != path_[here[i - 1]]) continue;
+      same_as_[here[i]] = same_as_[here[i - 1]];
+      ++out_.joined;
+    }
+    here.clear();
+  };
+  for (std::uint32_t i = 0; i < count; ++i) {
+    first.next(position);
+    if (i > 0 && position != before) join();
+    here.push_back(i);
+    before = position;
+  }
+  join();
+}
+
+void FrameIntake::number_used(const Spool& faces) {
+  number_.assign(same_as_.size(), no_number);
+  SpoolCursor<FaceVertices> cursor(job_, faces);
+  std::uint64_t number = 0;
+  for (FaceVertices face{}; cursor.next(face); ++number) {
+    bool good = true;
+    for (std::uint32_t& v : face) {
+      good &= v < place_.size();
+      if (v < place_.size()) v = same_as_[place_[v]];
+    }
+    good &= face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+    if (!good) {
+      ++out_.bad_faces;
+      continue;
+    }
+    for (const std::uint32_t v : face) number_[v] = 0;
+  }
+  std::uint32_t next = 0;
+  for (std::size_t i = 0; i < number_.size(); ++i) {
+    if (number_[i] == no_number) continue;
+    number_[i] = next++;
+    if (finite_[i] != 0) continue;
+    std::size_t frame = 0;
+    while (finite(read_record<Point>(frames_, frame * number_.size() + i))) ++frame;
+    throw Error(ErrorKind::bad_input,
+                readers_.name(frame) + ": vertex " + grouped(order_[i]) +
+                    " (from 0) is not finite, and faces use it; every vertex needs a place in "
+                    "every frame");
+  }
+}
+
+void FrameIntake::write_vertices(StoredMesh& mesh) {
+  const std::size_t count = number_.size();
+  const std::size_t at_once =
+      std::clamp<std::size_t>(bytes_at_once / (out_.frames * sizeof(Point)), 1, 4096);
+  std::vector<IndexedVertex> vertices;
+  std::vector<std::byte> states;
+  const std::size_t state = mesh.layout.state;
+  for (std::size_t first = 0; first < count; first += at_once) {
+    const std::size_t end = std::min(count, first + at_once);
+    vertices.clear();
+    states.clear();
+    for (std::size_t t = 0; t < out_.frames; ++t) {
+      const std::vector<Point> part = read_records<Point>(frames_, t * count + first, end - first);
+      std::size_t used = 0;
+      for (std::size_t i = first; i < end; ++i) {
+        if (number_[i] == no_number) continue;
+        if (t == 0) {
+          IndexedVertex vertex;
+          vertex.key = key_[i];
+          vertex.position = part[i - first];
+          vertices.push_back(vertex);
+        } else {
+          if (t == 1) states.resize(states.size() + state);
+          std::memcpy(states.data() + used * state + (t - 1) * sizeof(Point), &part[i - first],
+                      sizeof(Point));
+        }
+        ++used;
+      }
+    }
+    mesh.append_vertices(vertices, states, {});
+    job_.progress.advance(end - first);
+  }
+  mesh.finish_vertices();
+}
+
+void FrameIntake::write_faces(StoredMesh& mesh, const Spool& faces) {
+  key_ = {};
+  path_ = {};
+  const Reservation reserved = job_.budget.reserve(memory_.sorting, "sorting");
+  SortedRuns<OrderedFace> runs(job_);
+  SortedList<OrderedFace> list(job_, memory_.sorting, runs);
+  SpoolCursor<FaceVertices> cursor(job_, faces);
+  for (FaceVertices face{}; cursor.next(face);) {
+    bool good = true;
+    for (std::uint32_t& v : face) {
+      good &= v < place_.size();
+      v = good ? number_[same_as_[place_[v]]] : no_number;
+    }
+    if (!good || face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) continue;
+    list.add({lowest_first(face)});
+  }
+  list.sort();
+  MergedCursor<OrderedFace> merged = merge<OrderedFace>({&list}, runs);
+  Appender<OrderedFace> append(job_, *mesh.faces);
+  for (OrderedFace face{}; merged.next(face);) {
+    append.add(face);
+    ++mesh.face_count;
+  }
+  append.flush();
+  mesh.finish_faces();
+}
+
+}  // namespace winnow

@@ -1,0 +1,80 @@
+#include "sequence/frame_readers.hpp"
+
+#include "base/attribute.hpp"
+#include "io/byte_source.hpp"
+#include "read/view_reader.hpp"
+
+namespace winnow {
+
+namespace {
+
+// Normals are computed anew.
+AttributeRequest nothing_but_normals() {
+  AttributeRequest wish;
+  wish.names.reset();
+  wish.refusal = [](const Attribute& attribute, std::span<const Attribute>) {
+    return std::string(names_normal(attribute) ? "" : "a sequence carries normals alone:");
+  };
+  return wish;
+}
+
+class FileFrames final : public FrameReaders {
+ public:
+  FileFrames(Job& job, const std::vector<std::string>& names, Format from)
+      : job_(job), names_(names), from_(from) {}
+
+  std::unique_ptr<MeshReader> next(const ReaderMemory& memory) override {
+    if (begun_ == names_.size()) return nullptr;
+    ++begun_;
+    return again(memory);
+  }
+  std::unique_ptr<MeshReader> again(const ReaderMemory& memory) override {
+    return open_reader(job_, open_source(job_, names_[begun_ - 1]), from_, Access::positions_first,
+                       memory, nothing_but_normals());
+  }
+  [[nodiscard]] std::string name(std::size_t frame) const override {
+    return "'" + names_[frame] + "'";
+  }
+
+ private:
+  Job& job_;
+  const std::vector<std::string>& names_;
+  Format from_;
+  std::size_t begun_ = 0;
+};
+
+class ViewFrames final : public FrameReaders {
+ public:
+  ViewFrames(Job& job, FrameSource& source) : job_(job), source_(source) {}
+
+  std::unique_ptr<MeshReader> next(const ReaderMemory& memory) override {
+    view_ = {};
+    if (!source_.next(view_)) return nullptr;
+    check_view(view_);
+    return again(memory);
+  }
+  std::unique_ptr<MeshReader> again(const ReaderMemory& memory) override {
+    return open_view(job_, view_, memory, nothing_but_normals());
+  }
+  [[nodiscard]] std::string name(std::size_t frame) const override {
+    return "frame " + std::to_string(frame + 1);
+  }
+
+ private:
+  Job& job_;
+  FrameSource& source_;
+  MeshView view_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameReaders> frames_of_files(Job& job, const std::vector<std::string>& names,
+                                              Format from) {
+  return std::make_unique<FileFrames>(job, names, from);
+}
+
+std::unique_ptr<FrameReaders> frames_of_source(Job& job, FrameSource& source) {
+  return std::make_unique<ViewFrames>(job, source);
+}
+
+}  // namespace winnow

@@ -1,0 +1,19 @@
+// The frames of a simplified sequence as meshes to be written, one after the other.
+#pragma once
+
+#include "io/job.hpp"
+#include "mesh/stored_mesh.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace winnow {
+
+// `mesh`: what refine() left of a sequence; its vertices stay those of the last frame. Holds as
+// many frames at once as `memory` has room for, and reads the mesh once for each so many. Vertices
+// get the normals of their frame.
+void for_each_result_frame(Job& job, StoredMesh& mesh, std::size_t frames, std::uint64_t memory,
+                           const std::function<void(std::size_t frame)>& each);
+
+}  // namespace winnow

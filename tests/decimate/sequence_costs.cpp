@@ -1,0 +1,113 @@
+// What an edge costs in a sequence: the sum over frames, and both weights.
+#include "decimate/quadric_cost.hpp"
+#include "decimate/sequence_cost.hpp"
+#include "support/moving_sheet.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include <catch2/catch.hpp>
+
+namespace winnow {
+
+namespace {
+
+using Positions = std::vector<Point>;
+
+TileMesh mesh_of(const Positions& positions, const std::vector<FaceVertices>& faces) {
+  return {positions, faces, std::vector<std::uint8_t>(positions.size(), 0)};
+}
+
+Positions scaled(Positions positions, double by) {
+  for (Point& p : positions) p = by * p;
+  return positions;
+}
+
+// Cost of an edge in frames of one connectivity.
+double cost_of(const std::vector<Positions>& frames, const std::vector<FaceVertices>& faces,
+               VertexNumber a, VertexNumber b, double deformation, double feature) {
+  TileMesh mesh = mesh_of(frames.front(), faces);
+  std::vector<std::byte> state;
+  for (std::size_t v = 0; v < frames.front().size(); ++v) {
+    for (std::size_t t = 1; t < frames.size(); ++t) {
+      const auto bytes = std::as_bytes(std::span(&frames[t][v], 1));
+      state.insert(state.end(), bytes.begin(), bytes.end());
+    }
+  }
+  DecimationSettings settings;
+  settings.single = false;
+  settings.sequence = {frames.size(), deformation, feature};
+  Frames of(mesh, state, frames.size(), true);
+  SequenceCost cost(mesh, of, settings);
+  return cost.place(a, b).cost;
+}
+
+double cost_alone(const Positions& frame, const std::vector<FaceVertices>& faces, VertexNumber a,
+                  VertexNumber b) {
+  TileMesh mesh = mesh_of(frame, faces);
+  QuadricCost cost(mesh, false, coordinate_rounding(false));
+  return cost.place(a, b).cost;
+}
+
+// The cost of an edge grows with the fourth power of the size: an area times a squared distance.
+const Positions octahedron{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+const std::vector<FaceVertices> octahedron_faces{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                                 {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+
+}  // namespace
+
+TEST_CASE("one frame costs what it costs alone") {
+  const test::MovingSheet sheet{6};
+  const Positions frame = sheet.positions(3);
+  const std::vector<FaceVertices> faces = sheet.faces();
+  for (const VertexNumber v : {0U, 8U, 24U, 47U})
+    CHECK(cost_of({frame}, faces, v, v + 1, 1, 0) == cost_alone(frame, faces, v, v + 1));
+}
+
+TEST_CASE("more frames than a batch holds cost the sum of what each costs alone") {
+  const test::MovingSheet sheet{6};
+  const std::vector<FaceVertices> faces = sheet.faces();
+  std::vector<Positions> frames;
+  double sum = 0;
+  for (std::size_t t = 0; t < 37; ++t) {
+    frames.push_back(sheet.positions(t));
+    sum += cost_alone(frames.back(), faces, 16, 17);
+  }
+  CHECK(cost_of(frames, faces, 16, 17, 0, 0) == Approx(sum).epsilon(1e-12));
+}
+
+TEST_CASE("the deformation weight adds the deviations from the mean cost") {
+  const double one = cost_alone(octahedron, octahedron_faces, 0, 2);
+  REQUIRE(one > 0);
+  // Twice as large, the octahedron's edge costs 16 times as much. The mean of 1 and 16 is 8.5, so
+  // the deviations are 7.5 and 7.5.
+  const std::vector<Positions> frames{octahedron, scaled(octahedron, 2)};
+  CHECK(cost_of(frames, octahedron_faces, 0, 2, 0, 0) == Approx(17 * one));
+  CHECK(cost_of(frames, octahedron_faces, 0, 2, 1, 0) == Approx(32 * one));
+  CHECK(cost_of(frames, octahedron_faces, 0, 2, 3, 0) == Approx(62 * one));
+  // Of a rigid motion nothing is added.
+  CHECK(cost_of({octahedron, octahedron, octahedron}, octahedron_faces, 0, 2, 5, 0) ==
+        Approx(3 * one));
+}
+
+TEST_CASE("the feature weight is the mean of the first and the last frame's") {
+  // A needle: an octahedron so flat along one axis that the faces at its rim meet at less than 60
+  // degrees.
+  Positions flat = octahedron;
+  flat[4][2] = 0.2;
+  flat[5][2] = -0.2;
+  // Unit normals of two faces at the rim are (a, a, +-5a) with 27 a^2 = 1: their angle has the
+  // cosine (2 - 25) / 27, and the faces meet at an angle with the cosine 23 / 27.
+  const double weight = std::sqrt(1 - 23.0 / 27 * 23 / 27);
+  const double of_flat = cost_alone(flat, octahedron_faces, 0, 2);
+  const double of_round = cost_alone(octahedron, octahedron_faces, 0, 2);
+  CHECK(cost_of({flat, flat}, octahedron_faces, 0, 2, 0, 0.5) ==
+        Approx(2 * of_flat * (1 + 0.5 * weight)));
+  CHECK(cost_of({flat, octahedron}, octahedron_faces, 0, 2, 0, 0.5) ==
+        Approx((of_flat + of_round) * (1 + 0.5 * weight / 2)));
+  // What lies between them does not count.
+  CHECK(cost_of({octahedron, flat, octahedron}, octahedron_faces, 0, 2, 0, 0.5) ==
+        Approx(of_flat + 2 * of_round));
+}
+
+}  // namespace winnow
