@@ -29,6 +29,10 @@ struct SequenceOptions {
   // makes the collapse costlier. No face of any frame turns by more than 90.
   double max_normal_deviation = 45;
 
+  // The part of all collapses that follows each frame's own cost, after those that all frames have
+  // in common; 0 to 1. With 0 all frames have the same faces.
+  double per_frame = 0;
+
   Format from = Format::automatic;
   Format to = Format::automatic;
   Encoding encoding;   // how each frame is written
@@ -46,14 +50,14 @@ struct SequenceReport {
   struct Output {
     std::vector<std::string> names;         // in the order of the frames
     std::string format;                     // as in SimplifyReport
-    std::uint64_t faces = 0, vertices = 0;  // of one frame
+    std::uint64_t faces = 0, vertices = 0;  // of one frame, where they differ the most
     std::uint64_t bytes = 0;                // of all frames, before compression
   } output;
   std::uint64_t target_faces = 0;
   bool target_met = false;      // no more faces than that
   std::uint64_t joined = 0;     // vertices that were at one place in every frame and became one
   std::uint64_t bad_faces = 0;  // that repeat a vertex or name none; left out
-  std::uint64_t tiles = 0, collapses = 0;
+  std::uint64_t tiles = 0, collapses = 0;  // that all frames have in common
 
   std::uint64_t spilled_bytes = 0;       // written to scratch, all kinds together
   std::uint64_t peak_scratch_bytes = 0;  // most scratch in use at one time
@@ -110,9 +114,10 @@ class WINNOW_API FrameSink {
   virtual void take(std::uint64_t frame, Mesh mesh) = 0;
 };
 
-// Simplifies all frames alike: each frame of the result has the same faces, and positions of its
-// own. An edge is collapsed where that costs least in the sum over frames, to the best place of
-// each frame, and only if it turns no face of any frame too far and keeps the topology.
+// Simplifies all frames alike: each frame of the result has the same faces (but for `per_frame`),
+// and positions of its own. An edge is collapsed where that costs least in the sum over frames, to
+// the best place of each frame, and only if it turns no face of any frame too far and keeps the
+// topology.
 //
 // inputs: the files of the frames, each of any Format, plain or compressed.
 // Names that differ in one number alone are put in the order of that; others are frames in the

@@ -38,6 +38,10 @@ std::span<const Option<SequenceOptions>> sequence_options() {
          "A collapse costs more if it turns a face of some frame by more degrees (default 45)",
          number<Options>(&Options::max_normal_deviation, "an angle like 60, in degrees",
                          {0, 90, true, false, "an angle above 0 and at most 90 degrees"})},
+        {"per_frame", "SHARE", costs,
+         "Part of the collapses that follow each frame's own cost: 0.04 or 4% (default 0: all "
+         "frames have the same faces)",
+         ratio<Options>(&Options::per_frame, {0, 1, false, false, "a part from 0 to 1 (or 100%)"})},
         from_option<Options>(&Options::from, "from", "all inputs")};
     add_output_options(table);
     return table;

@@ -8,6 +8,7 @@
 #include "base/trigonometry.hpp"
 #include "io/arena.hpp"
 #include "io/byte_sink.hpp"
+#include "io/spool_records.hpp"
 #include "measure/result_surface.hpp"
 #include "options/check_ranges.hpp"
 #include "run/attributes.hpp"
@@ -20,6 +21,7 @@
 #include "sequence/frame_names.hpp"
 #include "sequence/result_frames.hpp"
 #include "stitch/refine.hpp"
+#include "stitch/unfolded_mesh.hpp"
 #include "write/formats.hpp"
 
 #include <algorithm>
@@ -131,10 +133,16 @@ std::uint64_t tile_faces_for(std::size_t frames) {
                                    std::uint64_t{1} << 11, std::uint64_t{1} << 16);
 }
 
+// What frames remove by themselves, of so many faces.
+std::uint64_t rounded_part(double part, std::uint64_t faces, std::uint64_t wanted) {
+  const auto removed = static_cast<double>(faces - std::min(faces, wanted));
+  return static_cast<std::uint64_t>(part * removed + 0.5);
+}
+
 RefineSettings settings_for(const SequenceOptions& options, const SequenceMesh& sequence,
-                            bool doubles) {
+                            std::uint64_t wanted, bool doubles) {
   RefineSettings settings;
-  settings.faces = faces_wanted(options.target, sequence.mesh.face_count).value_or(0);
+  settings.faces = wanted + rounded_part(options.per_frame, sequence.mesh.face_count, wanted);
   settings.tile_faces = tile_faces_for(sequence.frames);
   settings.decimation.single = !doubles;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
@@ -153,6 +161,56 @@ RefineSettings settings_for(const SequenceOptions& options, const SequenceMesh& 
                   size_option((enough / mebibyte + 2) * mebibyte));
 }
 
+// What is done to each frame by itself.
+class FrameFinisher {
+ public:
+  FrameFinisher(Job& job, const RefineSettings& settings, std::uint64_t wanted,
+                StoredMesh reference, const OriginalFrames& original)
+      : job_(job),
+        settings_(settings),
+        reference_(std::move(reference)),
+        first_(std::move(reference_.vertices)),
+        original_(original) {
+    settings_.decimation.sequence.reset();
+    settings_.faces = wanted;
+    settings_.tile_faces = RefineSettings().tile_faces;
+  }
+
+  // Down to the wanted faces, by the frame's own cost.
+  [[nodiscard]] StoredMesh simplified(const StoredMesh& mesh) const {
+    const RefineMemory memory = refine_memory(job_.budget.left());
+    StoredMesh own(job_, {}, MeshMemory::divide(memory.mesh));
+    SpoolCursor<IndexedVertex> vertices(job_, mesh.vertices->records());
+    Appender<IndexedVertex, VertexIndex> append(job_, *own.vertices);
+    for (IndexedVertex vertex; vertices.next(vertex);) append.add(vertex);
+    append.flush();
+    own.finish_vertices();
+    SpoolCursor<FaceVertices> faces = mesh.face_cursor(job_);
+    Appender<FaceVertices> append_face(job_, *own.faces);
+    for (FaceVertices face{}; faces.next(face);) append_face.add(face);
+    append_face.flush();
+    own.finish_faces();
+    own.face_count = mesh.face_count;
+    return refine(job_, std::move(own), settings_, memory).mesh;
+  }
+
+  // Turns flipped faces over, beside the frame's original.
+  void unfold(std::size_t frame, StoredMesh& mesh) {
+    const RefineMemory memory = refine_memory(job_.budget.left());
+    reference_.vertices = original_.vertices(job_, frame, *first_, memory.mesh);
+    job_.progress.begin("unfold", mesh.face_count, "faces");
+    mesh.vertices = unfolded_vertices(job_, mesh, reference_, settings_, memory);
+    reference_.vertices.reset();
+  }
+
+ private:
+  Job& job_;
+  RefineSettings settings_;
+  StoredMesh reference_;
+  std::unique_ptr<VertexIndex> first_;
+  const OriginalFrames& original_;
+};
+
 SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
                    const SequenceOptions& options) {
   const Stopwatch watch;
@@ -166,8 +224,8 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
   SequenceMesh sequence;
   {
     const std::uint64_t quarter = plan.cluster.faces;
-    FrameIntake intake(job, readers,
-                       {plan.reader, plan.cluster.table, quarter / 2, quarter / 2, quarter / 4});
+    FrameIntake intake(
+        job, readers, {plan.reader, plan.cluster.table, quarter / 2, quarter / 2 * 3, quarter / 4});
     sequence = intake.run([&](std::uint64_t vertices) { refuse_memory(job, plan, vertices); });
   }
   note_dropped(job, sequence.dropped);
@@ -183,33 +241,39 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
   report.seconds.read = watch.seconds();
 
   const bool doubles = writes_doubles(options.encoding, sequence.double_positions);
-  const RefineSettings settings = settings_for(options, sequence, doubles);
+  const std::uint64_t wanted = faces_wanted(options.target, sequence.mesh.face_count).value_or(0);
+  const RefineSettings settings = settings_for(options, sequence, wanted, doubles);
   const RefineMemory memory = refine_memory(job.budget.left());
   expect_beside_tile(job, sequence.mesh, settings, plan_of);
   Refined refined = refine(job, std::move(sequence.mesh), settings, memory);
   job.budget.expect_held({});
   StoredMesh& mesh = refined.mesh;
-  report.target_faces = settings.faces;
-  report.target_met = mesh.face_count <= settings.faces;
+  report.target_faces = wanted;
   report.tiles = refined.report.tiles;
   report.collapses = refined.report.collapses;
-  if (!report.target_met)
-    job.note(grouped(mesh.face_count) + " faces are left instead of " + grouped(settings.faces) +
-             ": fewer would change the topology or turn faces over in some frame");
   report.seconds.refine = watch.seconds() - report.seconds.read;
 
   const MeshEncoder& encoder = output.encoder();
   const bool closed = encoder.needs_survey() && is_closed(job, mesh);
+  FrameFinisher finisher(job, settings, wanted, std::move(refined.reference), sequence.original);
   for_each_result_frame(
       job, mesh, sequence.frames, share::left::packing(job.budget.left()), [&](std::size_t frame) {
-        MeshShape shape = shape_of(job, mesh, encoder, sequence.normals, doubles,
+        StoredMesh own;
+        if (mesh.face_count > wanted && options.per_frame > 0) own = finisher.simplified(mesh);
+        StoredMesh& written = own.vertices != nullptr ? own : mesh;
+        if (report.collapses > 0) finisher.unfold(frame, written);
+        MeshShape shape = shape_of(job, written, encoder, sequence.normals, doubles,
                                    sequence.double_positions, "simplified by winnow");
         shape.closed = closed;
-        report.output.bytes += output.write(frame, mesh, shape);
+        report.output.bytes += output.write(frame, written, shape);
+        report.output.faces = std::max(report.output.faces, written.face_count);
+        report.output.vertices = std::max(report.output.vertices, written.vertices->size());
       });
+  report.target_met = report.output.faces <= wanted;
+  if (!report.target_met)
+    job.note(grouped(report.output.faces) + " faces are left instead of " + grouped(wanted) +
+             ": fewer would change the topology or turn faces over in some frame");
   report.output.format = output.format();
-  report.output.faces = mesh.face_count;
-  report.output.vertices = mesh.vertices->size();
   report.spilled_bytes = job.scratch.written();
   report.peak_scratch_bytes = job.scratch.peak();
   report.peak_memory_bytes = peak_resident_bytes();

@@ -23,7 +23,7 @@ namespace winnow {
 
 namespace {
 
-constexpr std::uint64_t bytes_at_once = std::uint64_t{1} << 22;
+constexpr std::uint64_t bytes_at_once = std::uint64_t{1} << 20;
 
 std::string corners_of(const FaceVertices& face) {
   return std::to_string(face[0]) + ", " + std::to_string(face[1]) + " and " +
@@ -40,7 +40,7 @@ FrameIntake::FrameIntake(Job& job, FrameReaders& readers, const IntakeMemory& me
     : job_(job),
       readers_(readers),
       memory_(memory),
-      frames_(job, memory.frames),
+      frames_(std::make_unique<Spool>(job, memory.frames)),
       raw_faces_(job, memory.mesh / 4),
       cut_faces_(job, memory.mesh / 4) {}
 
@@ -68,7 +68,7 @@ SequenceMesh FrameIntake::run(const std::function<void(std::uint64_t)>& refuse) 
     cut_faces_.finish();
   }
   if (out_.frames == 0) throw Error(ErrorKind::usage, "a sequence needs at least one frame");
-  frames_.finish();
+  frames_->finish();
   position_ = {};
   job_.progress.begin("order vertices", out_.vertices, "vertices");
   join_vertices();
@@ -78,6 +78,9 @@ SequenceMesh FrameIntake::run(const std::function<void(std::uint64_t)>& refuse) 
   out_.mesh = StoredMesh(job_, layout, MeshMemory::divide(memory_.mesh / 2));
   write_vertices(out_.mesh);
   write_faces(out_.mesh, faces);
+  out_.original.places = std::move(frames_);
+  out_.original.in_mesh.reserve(number_.size());
+  for (const std::uint32_t number : number_) out_.original.in_mesh.push_back(number != no_number);
   return std::move(out_);
 }
 
@@ -279,7 +282,7 @@ void FrameIntake::keep_frame() {
     for (const double x : position_[i]) path_[i] = mixed_hash(path_[i] ^ bits_of(x));
     finite_[i] &= static_cast<std::uint8_t>(finite(position_[i]));
   }
-  append_records<Point>(frames_, position_);
+  append_records<Point>(*frames_, position_);
   job_.progress.advance(position_.size());
 }
 
@@ -288,7 +291,7 @@ void FrameIntake::join_vertices() {
   const std::size_t count = path_.size();
   same_as_.resize(count);
   std::iota(same_as_.begin(), same_as_.end(), 0U);
-  SpoolCursor<Point> first(job_, frames_);
+  SpoolCursor<Point> first(job_, *frames_);
   Point position{};
   Point before{};
   std::vector<std::uint32_t> here;
@@ -334,7 +337,7 @@ void FrameIntake::number_used(const Spool& faces) {
     number_[i] = next++;
     if (finite_[i] != 0) continue;
     std::size_t frame = 0;
-    while (finite(read_record<Point>(frames_, frame * number_.size() + i))) ++frame;
+    while (finite(read_record<Point>(*frames_, frame * number_.size() + i))) ++frame;
     throw Error(ErrorKind::bad_input,
                 readers_.name(frame) + ": vertex " + grouped(order_[i]) +
                     " (from 0) is not finite, and faces use it; every vertex needs a place in "
@@ -354,7 +357,7 @@ void FrameIntake::write_vertices(StoredMesh& mesh) {
     vertices.clear();
     states.clear();
     for (std::size_t t = 0; t < out_.frames; ++t) {
-      const std::vector<Point> part = read_records<Point>(frames_, t * count + first, end - first);
+      const std::vector<Point> part = read_records<Point>(*frames_, t * count + first, end - first);
       std::size_t used = 0;
       for (std::size_t i = first; i < end; ++i) {
         if (number_[i] == no_number) continue;

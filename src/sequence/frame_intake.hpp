@@ -7,6 +7,7 @@
 #include "mesh/stored_mesh.hpp"
 #include "read/mesh_reader.hpp"
 #include "sequence/frame_readers.hpp"
+#include "sequence/original_frames.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,7 @@ struct IntakeMemory {
 
 struct SequenceMesh {
   StoredMesh mesh;
+  OriginalFrames original;
   std::size_t frames = 0;
   std::string format;                     // of the first frame
   std::uint64_t vertices = 0, faces = 0;  // of one frame, as they were read
@@ -83,7 +85,7 @@ class FrameIntake {
   std::vector<std::uint32_t> same_as_;  // the first at the same places, by key order
   std::vector<std::uint32_t> number_;   // in the mesh, by key order; no_number for those not in it
   std::vector<std::uint8_t> finite_;    // in all frames, by key order
-  Spool frames_;                        // positions in key order, frame after frame
+  std::unique_ptr<Spool> frames_;       // positions in key order, frame after frame
   Spool raw_faces_;                     // polygons as fans, to be compared with
   Spool cut_faces_;                     // of polygons
   bool polygons_ = false;

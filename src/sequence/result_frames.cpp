@@ -14,14 +14,14 @@ namespace winnow {
 
 namespace {
 
-constexpr std::uint64_t bytes_at_once = std::uint64_t{1} << 22;
+constexpr std::uint64_t bytes_of_states = std::uint64_t{1} << 20;
 
 // Positions of some frames from `first` on, frame after frame.
 void read_frames(Job& job, const VertexIndex& first_frame, const Spool* state,
                  std::size_t state_size, std::size_t first, std::span<std::vector<Point>> frames) {
   const std::uint64_t count = first_frame.size();
-  const std::size_t at_once =
-      std::clamp<std::size_t>(bytes_at_once / std::max(state_size, sizeof(IndexedVertex)), 1, 4096);
+  const std::size_t at_once = std::clamp<std::size_t>(
+      bytes_of_states / std::max(state_size, sizeof(IndexedVertex)), 1, 4096);
   std::vector<std::byte> states;
   for (std::uint64_t v = 0; v < count; v += at_once) {
     job.progress.check_cancelled();
@@ -60,7 +60,7 @@ void for_each_result_frame(Job& job, StoredMesh& mesh, std::size_t frames, std::
   const std::uint64_t count = first_frame->size();
   const std::uint64_t frame_bytes = count * sizeof(Point);
   // Beside the positions there are the normals of one frame.
-  const std::uint64_t held = frame_bytes > 0 ? memory / frame_bytes : frames;
+  const std::uint64_t held = frame_bytes > 0 ? memory / 2 / frame_bytes : frames;
   const std::size_t at_once = std::clamp<std::uint64_t>(held, 2, frames + 1) - 1;
   const Reservation reserved =
       job.budget.reserve((at_once + 1) * frame_bytes, "frames of the result");
@@ -71,7 +71,7 @@ void for_each_result_frame(Job& job, StoredMesh& mesh, std::size_t frames, std::
                 std::span(positions).first(now));
     for (std::size_t t = 0; t < now; ++t) {
       const std::vector<Point> normals = normals_of(job, mesh, positions[t]);
-      mesh.vertices = std::make_unique<VertexIndex>(job, count * sizeof(IndexedVertex));
+      mesh.vertices = std::make_unique<VertexIndex>(job, memory / 2);
       SpoolCursor<IndexedVertex> keys(job, first_frame->records());
       Appender<IndexedVertex, VertexIndex> append(job, *mesh.vertices);
       IndexedVertex vertex;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -119,7 +120,12 @@ CollapsedMesh collapse_chosen(const Tiles& tiles, const ChosenCollapses& chosen)
   return collapse_tiles(tiles, [&](std::size_t tile, Decimation& decimation, Followers& followers) {
     const std::uint64_t count = chosen.counts[tile];
     const std::vector<Collapse> edges = chosen.log->edges(tile, count);
-    decimation.repeat(edges);
+    // Those of a sequence take long.
+    const std::size_t at_once = tiles.settings().decimation.sequence ? 256 : edges.size();
+    for (std::size_t first = 0; first < edges.size(); first += at_once) {
+      tiles.job().progress.check_cancelled();
+      decimation.repeat(std::span(edges).subspan(first, std::min(at_once, edges.size() - first)));
+    }
     for (const Collapse& edge : edges) followers.collapsed(edge);
     tiles.job().progress.check_cancelled();
     return TileCollapses{count, chosen.log->error(tile, count)};

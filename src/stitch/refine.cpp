@@ -9,7 +9,7 @@
 #include "stitch/reorder.hpp"
 #include "stitch/saved_rounds.hpp"
 #include "stitch/tiles.hpp"
-#include "stitch/unfolded_tile.hpp"
+#include "stitch/unfolded_mesh.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -49,6 +49,9 @@ class Refiner {
       state_.next_level();
     }
   }
+
+  // Vertices and faces of the mesh that the first round began with, where they were kept.
+  StoredMesh take_reference() { return std::move(reference_); }
 
  private:
   void set(const LevelGoal& goal) {
@@ -140,7 +143,8 @@ class Refiner {
 
   // A checkpoint keeps it by itself.
   void keep_reference(StoredMesh& mesh) {
-    if (checkpoint_ != nullptr || !settings_.unfolds()) return;
+    const bool needed = settings_.unfolds() || settings_.decimation.sequence;
+    if (checkpoint_ != nullptr || !needed) return;
     reference_.vertices = std::move(mesh.vertices);
     reference_.faces = std::move(mesh.faces);
     reference_.face_count = mesh.face_count;
@@ -167,23 +171,9 @@ class Refiner {
   std::unique_ptr<VertexIndex> unfolded(const StoredMesh& whole) {
     job_.progress.begin("unfold", whole.face_count, "faces");
     if (checkpoint_ != nullptr) reference_ = load_reference(job_, *checkpoint_, memory_.mesh);
-    auto vertices = std::make_unique<VertexIndex>(job_, memory_.mesh);
-    {
-      const ReferenceMesh reference(job_, reference_, share::refine::boxes(memory_.lists));
-      const std::uint64_t ratio = reference_.face_count / whole.face_count;
-      const Tiles tiles(job_, whole, settings_, memory_);
-      tiles.for_each<std::vector<IndexedVertex>>(
-          0,
-          [&](std::size_t number, std::vector<IndexedVertex>& moved) {
-            Tile tile = tiles.load(number);
-            job_.progress.advance(tile.own_faces);
-            moved =
-                unfolded_vertices(std::move(tile), reference, ratio, settings_.decimation.single);
-          },
-          [&](std::size_t, const std::vector<IndexedVertex>& moved) { vertices->append(moved); });
-    }
+    std::unique_ptr<VertexIndex> vertices =
+        unfolded_vertices(job_, whole, reference_, settings_, memory_);
     if (checkpoint_ != nullptr) reference_ = {};
-    vertices->finish();
     return vertices;
   }
 
@@ -201,10 +191,13 @@ Refined refine(Job& job, StoredMesh whole, const RefineSettings& settings,
                const RefineMemory& memory, CheckpointDirectory* checkpoint) {
   const LevelGoal goal{settings.faces, settings.decimation.error.value_or(0)};
   Refined out;
-  refine_levels(job, std::move(whole), settings, std::span(&goal, 1), memory, checkpoint,
-                [&](StoredMesh& mesh, const RefineReport& report) {
-                  out = {std::move(mesh), report};
-                });
+  Refiner refiner(job, settings, memory, checkpoint);
+  refiner.run(std::move(whole), std::span(&goal, 1),
+              [&](StoredMesh& mesh, const RefineReport& report) {
+                out.mesh = std::move(mesh);
+                out.report = report;
+              });
+  if (settings.decimation.sequence) out.reference = refiner.take_reference();
   return out;
 }
 

@@ -16,6 +16,7 @@ namespace winnow {
 struct Refined {
   StoredMesh mesh;
   RefineReport report;
+  StoredMesh reference{};  // of a sequence: vertices and faces that the first round began with
 };
 
 // Never more faces than wanted, unless topology allows no fewer; at most one collapse less.

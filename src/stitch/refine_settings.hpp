@@ -20,8 +20,8 @@ struct RefineSettings {
   bool map = false;                     // whether the result tells where vertices went
   std::size_t record_bytes = 0;         // that writing a collapse down takes; 0: none is
 
-  // Whoever asks for an error gets the surface on which it was watched. Of a sequence only the
-  // first frame is known to stand in a mesh.
+  // Whoever asks for an error gets the surface on which it was watched. The frames of a sequence
+  // are unfolded one by one.
   [[nodiscard]] bool unfolds() const { return !decimation.error && !decimation.sequence; }
   // An error is watched in the order of costs.
   [[nodiscard]] bool in_sweeps() const { return !decimation.error; }

@@ -12,19 +12,19 @@ namespace winnow {
 
 namespace {
 
-using Positions = std::vector<Point>;
+using FramePositions = std::vector<Point>;
 
-TileMesh mesh_of(const Positions& positions, const std::vector<FaceVertices>& faces) {
+TileMesh mesh_of(const FramePositions& positions, const std::vector<FaceVertices>& faces) {
   return {positions, faces, std::vector<std::uint8_t>(positions.size(), 0)};
 }
 
-Positions scaled(Positions positions, double by) {
+FramePositions scaled(FramePositions positions, double by) {
   for (Point& p : positions) p = by * p;
   return positions;
 }
 
 // Cost of an edge in frames of one connectivity.
-double cost_of(const std::vector<Positions>& frames, const std::vector<FaceVertices>& faces,
+double cost_of(const std::vector<FramePositions>& frames, const std::vector<FaceVertices>& faces,
                VertexNumber a, VertexNumber b, double deformation, double feature) {
   TileMesh mesh = mesh_of(frames.front(), faces);
   std::vector<std::byte> state;
@@ -42,15 +42,16 @@ double cost_of(const std::vector<Positions>& frames, const std::vector<FaceVerti
   return cost.place(a, b).cost;
 }
 
-double cost_alone(const Positions& frame, const std::vector<FaceVertices>& faces, VertexNumber a,
-                  VertexNumber b) {
+double cost_alone(const FramePositions& frame, const std::vector<FaceVertices>& faces,
+                  VertexNumber a, VertexNumber b) {
   TileMesh mesh = mesh_of(frame, faces);
   QuadricCost cost(mesh, false, coordinate_rounding(false));
   return cost.place(a, b).cost;
 }
 
 // The cost of an edge grows with the fourth power of the size: an area times a squared distance.
-const Positions octahedron{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+const FramePositions octahedron{{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
 const std::vector<FaceVertices> octahedron_faces{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                                                  {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
 
@@ -58,7 +59,7 @@ const std::vector<FaceVertices> octahedron_faces{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}
 
 TEST_CASE("one frame costs what it costs alone") {
   const test::MovingSheet sheet{6};
-  const Positions frame = sheet.positions(3);
+  const FramePositions frame = sheet.positions(3);
   const std::vector<FaceVertices> faces = sheet.faces();
   for (const VertexNumber v : {0U, 8U, 24U, 47U})
     CHECK(cost_of({frame}, faces, v, v + 1, 1, 0) == cost_alone(frame, faces, v, v + 1));
@@ -67,7 +68,7 @@ TEST_CASE("one frame costs what it costs alone") {
 TEST_CASE("more frames than a batch holds cost the sum of what each costs alone") {
   const test::MovingSheet sheet{6};
   const std::vector<FaceVertices> faces = sheet.faces();
-  std::vector<Positions> frames;
+  std::vector<FramePositions> frames;
   double sum = 0;
   for (std::size_t t = 0; t < 37; ++t) {
     frames.push_back(sheet.positions(t));
@@ -81,7 +82,7 @@ TEST_CASE("the deformation weight adds the deviations from the mean cost") {
   REQUIRE(one > 0);
   // Twice as large, the octahedron's edge costs 16 times as much. The mean of 1 and 16 is 8.5, so
   // the deviations are 7.5 and 7.5.
-  const std::vector<Positions> frames{octahedron, scaled(octahedron, 2)};
+  const std::vector<FramePositions> frames{octahedron, scaled(octahedron, 2)};
   CHECK(cost_of(frames, octahedron_faces, 0, 2, 0, 0) == Approx(17 * one));
   CHECK(cost_of(frames, octahedron_faces, 0, 2, 1, 0) == Approx(32 * one));
   CHECK(cost_of(frames, octahedron_faces, 0, 2, 3, 0) == Approx(62 * one));
@@ -93,7 +94,7 @@ TEST_CASE("the deformation weight adds the deviations from the mean cost") {
 TEST_CASE("the feature weight is the mean of the first and the last frame's") {
   // A needle: an octahedron so flat along one axis that the faces at its rim meet at less than 60
   // degrees.
-  Positions flat = octahedron;
+  FramePositions flat = octahedron;
   flat[4][2] = 0.2;
   flat[5][2] = -0.2;
   // Unit normals of two faces at the rim are (a, a, +-5a) with 27 a^2 = 1: their angle has the

@@ -64,6 +64,7 @@ void run(CLI::App& app, std::vector<std::string> words) {
   winnow::guard_mapped_files();
   winnow::cli::refuse_empty_values(words);
   if (!words.empty()) winnow::cli::refuse_unknown_command(app, words.front());
+  winnow::cli::name_simplified_frames(words);
   std::reverse(words.begin(), words.end());  // as parse() takes them
   try {
     app.parse(std::move(words));

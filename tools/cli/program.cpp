@@ -177,6 +177,7 @@ void add_commands(CLI::App& app) {
   add_view(app);
   add_info(app);
   add_compare(app);
+  add_compare_sequence(app);
   add_generate(app);
   for (CLI::App* command : app.get_subcommands({})) {
     command->parse_complete_callback([command] { refuse_empty_values(*command); });

@@ -78,6 +78,9 @@ bool has_viewer();  // the page of it
 void add_progressive(CLI::App& app);
 void add_extract(CLI::App& app);
 void add_sequence(CLI::App& app);
+void add_compare_sequence(CLI::App& app);
+// "--" of compare-sequence as the option that it stands for.
+void name_simplified_frames(std::vector<std::string>& words);
 
 // All of them: the whole command line.
 void add_commands(CLI::App& app);

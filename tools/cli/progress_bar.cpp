@@ -31,7 +31,7 @@ enum Commands : unsigned {
 unsigned kind_of(const std::string& command) {
   if (command == "convert") return converts;
   if (command == "info") return informs;
-  if (command == "compare") return compares;
+  if (command.starts_with("compare")) return compares;
   if (command == "sequence") return moves;
   return command == "generate" ? generates : simplifies;
 }
@@ -43,7 +43,7 @@ struct Stage {
 };
 
 // In the order in which they come. No run has all of them.
-constexpr std::array<Stage, 32> stages{{
+constexpr std::array<Stage, 33> stages{{
     {"go on", 2, simplifies},
     {"copy the input to scratch", 8, simplifies | converts | compares},
     {"read the simplified mesh", 5, compares},
@@ -70,8 +70,9 @@ constexpr std::array<Stage, 32> stages{{
     {"keep", 2, simplifies},
     {"generate", 100, generates},
     {"refine", 30, simplifies | moves},
-    {"unfold", 2, simplifies},
+    {"unfold", 2, simplifies | moves},
     {"compare", 100, compares},
+    {"flicker", 5, compares},
     {"check", 2, simplifies},
     {"picture", 3, compares},
     {"pack", 3, simplifies | converts},

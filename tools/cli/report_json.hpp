@@ -2,6 +2,7 @@
 #pragma once
 
 #include <winnow/compare.hpp>
+#include <winnow/compare_sequence.hpp>
 #include <winnow/info.hpp>
 #include <winnow/progressive.hpp>
 #include <winnow/simplify.hpp>
@@ -40,6 +41,10 @@ inline Json json_of(const InfoReport::Box& box) {
 
 inline Json json_of(const CompareReport::Limit& limit) {
   return {{"length", limit.length}, {"exceeded", limit.exceeded}};
+}
+
+inline Json json_of(const SequenceComparison::Flicker& flicker) {
+  return {{"simplified", flicker.simplified}, {"original", flicker.original}};
 }
 
 inline Json json_of(const std::vector<SimplifyPlan::Part>& parts) {

@@ -1,0 +1,91 @@
+#include <winnow/compare_sequence.hpp>
+#include <winnow/error.hpp>
+
+#include "numbers.hpp"
+#include "program.hpp"
+#include "report_json.hpp"
+#include "report_text.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+namespace winnow::cli {
+
+namespace {
+
+struct CompareSequenceArguments {
+  std::vector<std::string> originals, simplified;
+  TableOptions<CompareOptions> options{compare_options()};
+  CommonOptions common;
+};
+
+void show(const SequenceComparison& report, std::ostream& out) {
+  const Lines line(out, 10);
+  line("frames", grouped(report.frames));
+  line("rms", show_length(report.mean_rms) + " in the mean (" +
+                  show_length(report.mean_rms_percent) + " % of the diagonal), " +
+                  show_length(report.worst_rms) + " at worst, in frame " +
+                  grouped(report.worst_frame + 1));
+  line("flipped", grouped(report.most_flipped) + " faces of a frame at most");
+  line("degenerate", grouped(report.degenerate) + " faces of all frames");
+  line("flicker", report.flicker ? show_length(report.flicker->simplified) + ", of the original " +
+                                       show_length(report.flicker->original)
+                                 : "not measured: that takes three frames with the same vertices");
+  line("time",
+       show_seconds(report.seconds) + ", peak memory " + human_bytes(report.peak_memory_bytes));
+}
+
+void run_compare_sequence(const CompareSequenceArguments& arguments) {
+  CompareOptions options;
+  arguments.options.read(options);
+  Context context;
+  prepare(context, arguments.common, "-");
+  SequenceComparison report;
+  {
+    const ProgressBar bar(context, arguments.common);
+    report = compare_sequence(context, arguments.originals, arguments.simplified, options.samples);
+  }
+  if (arguments.common.json) {
+    print(json_of_report(report), arguments.common, std::cout);
+  } else if (!arguments.common.quiet) {
+    show(report, std::cout);
+  }
+}
+
+}  // namespace
+
+// The parser drops "--".
+void name_simplified_frames(std::vector<std::string>& words) {
+  if (words.empty() || words.front() != "compare-sequence") return;
+  std::replace(words.begin(), words.end(), std::string("--"), std::string("--simplified"));
+}
+
+void add_compare_sequence(CLI::App& app) {
+  auto arguments = std::make_shared<CompareSequenceArguments>();
+  CLI::App* command = app.add_subcommand(
+      "compare-sequence", "Measure how far a simplified sequence is from its original");
+  command->add_option("original", arguments->originals, "The frames of the original, a file each")
+      ->required()
+      ->type_name("FRAME");
+  command
+      ->add_option("--simplified", arguments->simplified,
+                   "The frames of the simplified sequence, as many; -- is short for it")
+      ->required()
+      ->type_name("FRAME ...");
+  arguments->options.add_to(*command, {"samples"});
+  arguments->common.add_to(*command, "TMPDIR, or /var/tmp");
+  command->footer(
+      "Names that differ in one number alone are put in the order of that, on either side.\n"
+      "The flicker is the root mean square of the second difference of positions over time. That "
+      "of\n"
+      "the original is measured at the points where the simplified vertices lie in the first "
+      "frame.\n"
+      "Example:\n"
+      "  winnow compare-sequence frame-*.ply -- small-*.ply --json\n"
+      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
+      "interrupted.");
+  command->callback([arguments] { run_compare_sequence(*arguments); });
+}
+
+}  // namespace winnow::cli
