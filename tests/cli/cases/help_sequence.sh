@@ -1,1 +1,0 @@
-"$WINNOW" sequence --help
