@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, truncateSync, copyFileSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { makeMeshes } from "./meshes.mjs";
 import { Page, launch, serve } from "./browser.mjs";
 import { facesOf } from "./surface.mjs";
 
@@ -17,6 +18,7 @@ before(async () => {
   // Few enough for a processor that draws.
   run("simplify", "whale.ply", "-o", "skull.ply", "--faces", "20k", "-q");
   run("progressive", "skull.ply", "-o", "skull.wpm", "-q");
+  makeMeshes(run);
   browser = await launch(chromium);
 });
 after(() => browser?.close());
@@ -100,6 +102,26 @@ test("flat, smooth and wireframe look different", () => look(["skull.wpm"], asyn
   await page.press("1");
   assert.equal((await page.picture()).toString("base64"), pictures[0]);
 }));
+
+test("colours are shown or not, and any axis can be up", () =>
+  look(["colored.ply"], async (page) => {
+    await page.shown();
+    const seen = new Set();
+    for (const key of ["1", "v", "u", "u", "v"]) {
+      await page.press(key);
+      seen.add((await page.picture()).toString("base64"));
+    }
+    assert.equal(seen.size, 5);
+    await page.press("u");
+    assert.equal(await page.page.inputValue("#up"), "y");
+    for (const format of ["ply", "glb"]) {
+      await page.save(format, `colors.${format}`);
+      const { faces } = facesOf(winnow, `colors.${format}`);
+      assert.equal(faces.length, 3042);
+    }
+    const saved = JSON.parse(run("info", "colors.glb", "--json"));
+    assert.match(JSON.stringify(saved), /red/);
+  }));
 
 test("what is saved is what 'winnow extract' gives", () => look(["skull.wpm"], async (page) => {
   await page.shown();

@@ -53,6 +53,7 @@ export class Stage {
     camera.position.set(...forward).setLength(distance);
     camera.near = distance / 1000;
     camera.far = distance * 10;
+    camera.updateProjectionMatrix();
     controls.target.set(0, 0, 0);
     controls.maxDistance = distance * 8;
     controls.update();

@@ -12,8 +12,7 @@ export class Surface {
     this.words = words;
     this.center = center;
     this.normals = new Normals();
-    this.touched = [];  // vertices whose normals are out of date
-    this.normalsWait = true;  // those of all are
+    this.normalsWait = true;  // those of all are out of date
     this.style = "flat";
     this.colored = false;
     this.group = new three.Group();
@@ -51,19 +50,18 @@ export class Surface {
     const geometry = this.solid.geometry;
     const { position, index } = this.arrays;
     const smooth = this.style === "smooth";
-    mesh.dirtyVertices.take(mesh.vertexCount, (begin, end) => {
-      this.putVertices(begin, end);
+    const moved = smooth && normals === "moved";
+    if (mesh.changedVertices.any() || mesh.changedFaces.any()) this.normalsWait = true;
+    mesh.changedVertices.take(mesh.vertexCount, (v) => this.putVertex(v, moved), (begin, end) => {
       changed(position, begin, end);
       if (this.arrays.color) changed(this.arrays.color, begin, end);
-      if (smooth && normals === "moved") this.putNormals(begin, end);
-      this.normalsWait = true;
+      if (moved) changed(this.arrays.normal, begin, end);
     });
-    mesh.dirtyFaces.take(mesh.faceCount, (begin, end) => {
-      this.putFaces(begin, end);
+    const lined = this.style === "wireframe" && !this.linesWait;
+    if (!lined) this.linesWait = true;
+    mesh.changedFaces.take(mesh.faceCount, (f) => this.putFace(f, lined), (begin, end) => {
       changed(index, 3 * begin, 3 * end);
-      if (this.style === "wireframe" && !this.linesWait) this.putLines(begin, end);
-      else this.linesWait = true;
-      this.normalsWait = true;
+      if (lined) changed(this.arrays.lines, 6 * begin, 6 * end);
     });
     if (smooth && normals === "all" && this.normalsWait) {
       this.normals.ofAll(mesh, position.array, this.arrays.normal.array);
@@ -71,7 +69,7 @@ export class Surface {
       this.normalsWait = false;
     }
     if (this.style === "wireframe" && this.linesWait) {
-      this.putLines(0, mesh.faceCount);
+      this.putAllLines();
       this.linesWait = false;
     }
     geometry.setDrawRange(0, 3 * mesh.faceCount);
@@ -115,62 +113,53 @@ export class Surface {
       geometry.setAttribute(name, this.arrays[name]);
       if (name !== "normal") this.lines.geometry.setAttribute(name, this.arrays[name]);
     }
-    mesh.dirtyVertices.markAll();
-    mesh.dirtyFaces.markAll();
+    mesh.changedVertices.markAll();
+    mesh.changedFaces.markAll();
     this.linesWait = true;
     this.normalsWait = true;
   }
 
-  putVertices(begin, end) {
-    const { mesh, words, center } = this;
-    const position = this.arrays.position.array;
-    for (let v = begin; v < end; ++v) {
-      for (let axis = 0; axis < 3; ++axis) {
-        position[3 * v + axis] =
-          words.coordinate(mesh.words, words.width * v, axis) - center[axis];
-      }
-    }
-    if (!words.hasColors) return;
-    const color = this.arrays.color.array;
-    for (let v = begin; v < end; ++v) {
-      for (let k = 0; k < 3; ++k)
-        color[4 * v + k] = words.colorByte(mesh.words, words.width * v, k);
+  // A vertex in the arrays; its normal by the places that its neighbours have by now.
+  putVertex(v, withNormal) {
+    const { mesh, words, center, arrays } = this;
+    const position = arrays.position.array;
+    const at = words.width * v;
+    for (let axis = 0; axis < 3; ++axis)
+      position[3 * v + axis] = words.coordinate(mesh.words, at, axis) - center[axis];
+    if (arrays.color) {
+      const color = arrays.color.array;
+      for (let k = 0; k < 3; ++k) color[4 * v + k] = words.colorByte(mesh.words, at, k);
       color[4 * v + 3] = 255;
     }
+    if (withNormal) this.normals.ofVertex(mesh, position, arrays.normal.array, v);
   }
 
-  putNormals(begin, end) {
-    const { normal, position } = this.arrays;
-    for (let v = begin; v < end; ++v)
-      this.normals.ofVertex(this.mesh, position.array, normal.array, v);
-    changed(normal, begin, end);
-  }
-
-  putFaces(begin, end) {
+  putFace(f, withLines) {
     const { faces } = this.mesh;
     const index = this.arrays.index.array;
-    for (let f = begin; f < end; ++f) {
-      index[3 * f] = faces[9 * f];
-      index[3 * f + 1] = faces[9 * f + 1];
-      index[3 * f + 2] = faces[9 * f + 2];
-    }
+    index[3 * f] = faces[9 * f];
+    index[3 * f + 1] = faces[9 * f + 1];
+    index[3 * f + 2] = faces[9 * f + 2];
+    if (withLines) this.putLines(f);
   }
 
-  putLines(begin, end) {
+  putAllLines() {
     if (!this.arrays.lines) {
       const lines = new three.BufferAttribute(new Uint32Array(6 * this.arrays.faces), 1);
       this.arrays.lines = lines.setUsage(three.DynamicDrawUsage);
       this.lines.geometry.setIndex(lines);
     }
+    for (let f = 0; f < this.mesh.faceCount; ++f) this.putLines(f);
+    changed(this.arrays.lines, 0, 6 * this.mesh.faceCount);
+  }
+
+  putLines(f) {
     const { faces } = this.mesh;
     const lines = this.arrays.lines.array;
-    for (let f = begin; f < end; ++f) {
-      for (let i = 0; i < 3; ++i) {
-        lines[6 * f + 2 * i] = faces[9 * f + i];
-        lines[6 * f + 2 * i + 1] = faces[9 * f + (i + 1) % 3];
-      }
+    for (let i = 0; i < 3; ++i) {
+      lines[6 * f + 2 * i] = faces[9 * f + i];
+      lines[6 * f + 2 * i + 1] = faces[9 * f + (i + 1) % 3];
     }
-    changed(this.arrays.lines, 6 * begin, 6 * end);
   }
 }
 

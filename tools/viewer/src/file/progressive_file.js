@@ -36,7 +36,11 @@ export class ProgressiveFile {
     } else {
       this.fetch(number).catch(() => {});
     }
-    if (known instanceof Error) throw known;
+    if (known instanceof Error) {
+      // A server that did not answer may do so the next time.
+      if (!(known instanceof Damaged || known instanceof CutShort)) this.open.delete(number);
+      throw known;
+    }
     return known === undefined || known instanceof Promise ? null : known;
   }
 

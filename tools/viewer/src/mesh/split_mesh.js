@@ -2,9 +2,9 @@
 //
 // A corner is 9 f + i: what is known of a face lies together, as walks around vertices jump from
 // face to face. faces[corner] is its vertex, faces[corner + 3] the next corner of the same vertex,
-// and faces[corner + 6] the one before. What changes is marked in blocks, for whoever draws it.
+// and faces[corner + 6] the one before. What changes is marked for whoever draws it.
 import { Damaged } from "../file/damaged.js";
-import { DirtyBlocks } from "./dirty_blocks.js";
+import { Changes } from "./changes.js";
 import { grown, roomFor } from "./grown.js";
 import { noVertex } from "./split.js";
 
@@ -22,8 +22,8 @@ export class SplitMesh {
     this.words = new Int32Array(0);
     this.first = new Int32Array(0);
     this.faces = new Int32Array(0);
-    this.dirtyVertices = new DirtyBlocks();
-    this.dirtyFaces = new DirtyBlocks();
+    this.changedVertices = new Changes();
+    this.changedFaces = new Changes();
   }
 
   reserve(vertices, faces) {
@@ -32,8 +32,8 @@ export class SplitMesh {
     this.words = grown(this.words, this.width * this.vertexRoom);
     this.first = grown(this.first, this.vertexRoom);
     this.faces = grown(this.faces, faceInts * this.faceRoom);
-    this.dirtyVertices.reserve(this.vertexRoom);
-    this.dirtyFaces.reserve(this.faceRoom);
+    this.changedVertices.reserve(this.vertexRoom);
+    this.changedFaces.reserve(this.faceRoom);
   }
 
   // Refuses, and changes nothing, where the split names what is not there.
@@ -47,18 +47,18 @@ export class SplitMesh {
     let from = 0;
     if (split.moves) {
       for (let k = 0; k < width; ++k) this.words[width * anchor + k] = split.words[from++];
-      this.dirtyVertices.mark(anchor);
+      this.changedVertices.mark(anchor);
     }
     for (let v = first; v < end; ++v) {
       for (let k = 0; k < width; ++k) this.words[width * v + k] = split.words[from++];
       this.first[v] = none;
-      this.dirtyVertices.mark(v);
+      this.changedVertices.mark(v);
     }
     this.vertexCount = end;
     for (let i = 0; i < split.moved; ++i) this.handOver(split.corners[i], anchor, first);
     for (let i = 0; i < split.restored; ++i) {
       const corner = faceInts * this.faceCount;
-      this.dirtyFaces.mark(this.faceCount++);
+      this.changedFaces.mark(this.faceCount++);
       for (let k = 0; k < 3; ++k) this.link(corner + k, split.faces[3 * i + k]);
     }
   }
@@ -76,7 +76,7 @@ export class SplitMesh {
     if (moves) {
       const { width } = this;
       for (let k = 0; k < width; ++k) this.words[width * anchor + k] = before[at + k];
-      this.dirtyVertices.mark(anchor);
+      this.changedVertices.mark(anchor);
     }
     this.vertexCount = first;
   }
@@ -143,7 +143,7 @@ export class SplitMesh {
   handOver(corner, from, to) {
     this.unlink(corner, from);
     this.link(corner, to);
-    this.dirtyFaces.mark((corner / faceInts) | 0);
+    this.changedFaces.mark((corner / faceInts) | 0);
   }
 
   link(corner, v) {

@@ -2,7 +2,8 @@
 import { Stage } from "../draw/stage.js";
 import { View } from "./view.js";
 
-const playingMilliseconds = 12;  // of a frame
+// Of a frame, for playing: half of what frames take where drawing is slow.
+const leastPlaying = 12, mostPlaying = 250;
 
 export class Viewer {
   // `told` is called after each frame.
@@ -80,7 +81,10 @@ export class Viewer {
 
   frame() {
     this.waiting = 0;
-    const deadline = performance.now() + playingMilliseconds / Math.max(this.views.length, 1);
+    const now = performance.now();
+    const taken = now - (this.frames.at(-1) ?? now);
+    const playing = Math.min(Math.max(taken / 2, leastPlaying), mostPlaying);
+    const deadline = now + playing / Math.max(this.views.length, 1);
     for (const view of this.views) {
       if (!view.rests) this.play(view, deadline);
       view.surface.update(this.normalsOf(view));
