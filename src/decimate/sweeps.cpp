@@ -41,7 +41,7 @@ bool Sweeps::run(const CollapseLimits& limits, const std::function<void(const Do
   const std::uint64_t least = std::max(limits.faces, limits.sweeps_to);
   std::uint64_t left = mesh_.live_faces();
   if (left <= least) return left <= limits.faces;
-  if (!begin()) return false;
+  begin();
   std::uint32_t turns = 0;
   const double costliest = std::min(limits.cost, limits.sweeps_cost);
   const auto is_done = [&] { return left <= least || highest_ > costliest; };
@@ -70,8 +70,7 @@ bool Sweeps::run(const CollapseLimits& limits, const std::function<void(const Do
   return left <= limits.faces || highest_ > limits.cost;
 }
 
-// False where there is a hub.
-bool Sweeps::begin() {
+void Sweeps::begin() {
   const VertexNumber count = mesh_.vertex_count();
   faces_.clear();
   faces_.reserve(mesh_.live_faces());
@@ -83,7 +82,7 @@ bool Sweeps::begin() {
   at_boundary_.resize(count);
   vertices_.clear();
   for (VertexNumber v = 0; v < count; ++v) {
-    if (mesh_.hub(v) || corners_.degree(v) > most_faces_beside_hubs) return false;
+    mesh_.update_hub(v, corners_.degree(v));
     std::uint64_t odd = 0;
     for (const auto [w, x] : corners_.of(v)) odd ^= mixed_hash(w) ^ mixed_hash(x);
     at_boundary_[v] = odd != 0;
@@ -94,7 +93,6 @@ bool Sweeps::begin() {
   into_.resize(count);
   std::iota(into_.begin(), into_.end(), 0U);
   state_.assign(count, untouched);
-  return true;
 }
 
 void Sweeps::sum_planes() {
@@ -126,7 +124,9 @@ void Sweeps::find_single_neighbours(VertexNumber v) {
 void Sweeps::evaluate_edges() {
   for (const VertexNumber low : vertices_) {
     proposals_.clear(low);
-    // An edge is told by the face in which it leads from its lower end to the higher.
+    if (mesh_.hub(low)) continue;
+    // An edge is told by the face in which it leads from its lower end to the higher, or to a
+    // hub.
     for (const auto [high, other] : corners_.of(low)) add_edge(low, high);
     if (!at_boundary_[low]) continue;
     // Or by its only one.
@@ -144,14 +144,14 @@ void Sweeps::evaluate_edges() {
 void Sweeps::add_edge(VertexNumber low, VertexNumber high) {
   lows_[in_batch_] = low;
   highs_[in_batch_] = high;
-  in_batch_ += static_cast<std::size_t>((low < high) & !mesh_.locked(high));
+  in_batch_ += static_cast<std::size_t>(((low < high) | mesh_.hub(high)) & !mesh_.closed(high));
   if (in_batch_ == EdgeBatch::capacity) evaluate_batch();
 }
 
 void Sweeps::evaluate_batch() {
   for (std::size_t i = 0; i < in_batch_; ++i) {
     set_low(batch_, i, mesh_.position(lows_[i]), planes_[lows_[i]]);
-    set_high(batch_, i, mesh_.position(highs_[i]), planes_[highs_[i]], false);
+    set_high(batch_, i, mesh_.position(highs_[i]), planes_[highs_[i]], mesh_.hub(highs_[i]));
   }
   evaluate_edges_(batch_, in_batch_, single_);
   for (std::size_t i = 0; i < in_batch_; ++i) {
@@ -176,6 +176,22 @@ void Sweeps::gather_star(VertexNumber low, VertexNumber high) {
   }
 }
 
+void Sweeps::gather_star_at_hub(VertexNumber low, VertexNumber hub) {
+  star_.begin(hub, low);
+  const auto at_edge = [hub](VertexNumber w, VertexNumber x) { return (w == hub) | (x == hub); };
+  for (const auto [before_w, before_x] : corners_.of(low)) {
+    const VertexNumber w = into_[before_w];
+    const VertexNumber x = into_[before_x];
+    if (w == x || !at_edge(w, x)) continue;
+    star_.add_of_kept({no_number, w == hub ? x : low, w == hub ? low : w, false});
+  }
+  for (const auto [before_w, before_x] : corners_.of(low)) {
+    const VertexNumber w = into_[before_w];
+    const VertexNumber x = into_[before_x];
+    if (w != x && !at_edge(w, x)) star_.add_of_removed({no_number, w, x, true});
+  }
+}
+
 // By the rules of Legality::keeps_surface(). What would leave nothing of a piece is not taken.
 bool Sweeps::keeps_surface() {
   const TileMesh::Meeting meeting =
@@ -184,6 +200,33 @@ bool Sweeps::keeps_surface() {
   if (star_.faces().size() == meeting.faces) return false;
   if (meeting.faces != 2 || !at_boundary_[star_.removed()]) return true;
   return !is_open(star_.removed()) || !is_open(star_.kept());
+}
+
+// The same where a hub is kept. What is beside it is asked of the other vertices, so none of these
+// may have changed; and of a face whose corners are all beside it nothing is known.
+bool Sweeps::keeps_surface_at_hub() {
+  const VertexNumber hub = star_.kept();
+  std::vector<VertexNumber> across;
+  for (const StarFace& face : star_.of_kept())
+    across.push_back(face.w == star_.removed() ? face.x : face.w);
+  const auto is_across = [&](VertexNumber v) {
+    return std::find(across.begin(), across.end(), v) != across.end();
+  };
+  if (across.empty() || (across.size() == 2 && across[0] == across[1])) return false;
+  if (across.size() > 2 || star_.of_removed().empty()) return false;
+  for (const StarFace& face : star_.of_removed()) {
+    if (is_across(face.w) && is_across(face.x)) return false;
+    for (const VertexNumber w : {face.w, face.x}) {
+      if (is_across(w)) continue;
+      if (state_[w] != untouched || mesh_.locked(w) || mesh_.hub(w)) return false;
+      const auto corners = corners_.of(w);
+      const auto has_hub = [&](const OtherCorners& c) {
+        return into_[c.w] == hub || into_[c.x] == hub;
+      };
+      if (std::any_of(corners.begin(), corners.end(), has_hub)) return false;
+    }
+  }
+  return across.size() != 2 || !at_boundary_[star_.removed()] || !is_open(star_.removed());
 }
 
 // Whether an end of the edge shares one face with some vertex.
@@ -216,9 +259,15 @@ bool Sweeps::take(VertexNumber low, double bound) {
   EvaluatedEdge proposed = proposals_.of(low);
   const VertexNumber high = proposed.high;
   if ((state_[low] != untouched) | (state_[high] != untouched)) return false;
-  if (corners_.degree(low) + corners_.degree(high) > most_faces_beside_hubs) return false;
-  gather_star(low, high);
-  if (!keeps_surface()) return false;
+  const bool hub = mesh_.hub(high);
+  if (hub) {
+    gather_star_at_hub(low, high);
+    if (!keeps_surface_at_hub()) return false;
+  } else {
+    if (corners_.degree(low) + corners_.degree(high) > most_faces_beside_hubs) return false;
+    gather_star(low, high);
+    if (!keeps_surface()) return false;
+  }
   if (has_moved_beside()) {
     proposals_.clear(low);
     add_edge(low, high);
@@ -227,9 +276,9 @@ bool Sweeps::take(VertexNumber low, double bound) {
     if (!(proposed.cost < bound)) return false;
   }
   const bool flat = proposed.flat_low || proposed.flat_high;
-  edge_ = {low, high, proposed.position};
+  edge_ = {star_.kept(), star_.removed(), proposed.position};
   if (!legality_.keeps_faces(star_, edge_)) {
-    if (!proposed.flat_low || !proposed.flat_high) return false;
+    if (hub || !proposed.flat_low || !proposed.flat_high) return false;
     // Nothing is lost at the other end either.
     const Point& other = mesh_.position(high);
     edge_.position = edge_.position == other ? mesh_.position(low) : other;
@@ -246,7 +295,8 @@ unsigned Sweeps::collapse(const Collapse& edge, double cost) {
   highest_ = std::max(highest_, cost);
   const double weight = weight_of(planes_[kept]) + weight_of(planes_[removed]);
   if (weight > 0) largest_square_ = std::max(largest_square_, cost / weight);
-  state_[kept] = position == mesh_.position(kept) ? kept_in_place : moved;
+  // Into a hub, which stays, any number may be collapsed.
+  if (!mesh_.hub(kept)) state_[kept] = position == mesh_.position(kept) ? kept_in_place : moved;
   state_[removed] = gone;
   into_[removed] = kept;
   at_boundary_[kept] |= at_boundary_[removed];
@@ -275,6 +325,7 @@ void Sweeps::rewrite_faces() {
   std::erase_if(vertices_, [this](VertexNumber v) {
     const bool is_gone = state_[v] == gone;
     state_[v] = untouched;
+    if (mesh_.hub(v)) mesh_.update_hub(v, corners_.degree(v));
     return is_gone || corners_.degree(v) == 0;
   });
 }

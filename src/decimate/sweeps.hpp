@@ -43,8 +43,8 @@ class Sweeps {
            2 * vertices * sizeof(SurvivingFace);
   }
 
-  // Down to CollapseLimits::sweeps_to, or as far as sweeps are worth it. Does nothing where there
-  // are hubs. True where nothing is left to do.
+  // Down to CollapseLimits::sweeps_to, or as far as sweeps are worth it. True where nothing is left
+  // to do.
   bool run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn);
 
@@ -55,7 +55,7 @@ class Sweeps {
  private:
   enum State : std::uint8_t { untouched, kept_in_place, moved, gone };  // in a sweep
 
-  bool begin();
+  void begin();
   void sum_planes();
   void evaluate_edges();
   void add_edge(VertexNumber low, VertexNumber high);
@@ -63,7 +63,9 @@ class Sweeps {
   void find_single_neighbours(VertexNumber v);
   [[nodiscard]] bool is_open(VertexNumber end);
   [[nodiscard]] bool keeps_surface();
+  [[nodiscard]] bool keeps_surface_at_hub();
   void gather_star(VertexNumber low, VertexNumber high);
+  void gather_star_at_hub(VertexNumber low, VertexNumber hub);
   [[nodiscard]] bool has_moved_beside() const;
   [[nodiscard]] bool take(VertexNumber low, double bound);
   unsigned collapse(const Collapse& edge, double cost);

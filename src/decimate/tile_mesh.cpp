@@ -44,7 +44,7 @@ void TileMesh::link() {
       ++degree_[v];
     }
   }
-  for (VertexNumber v = 0; v < vertex_count(); ++v) update_hub(v);
+  for (VertexNumber v = 0; v < vertex_count(); ++v) update_hub(v, degree_[v]);
 }
 
 void TileMesh::replace_faces(std::span<const SurvivingFace> left) {
@@ -59,8 +59,8 @@ std::uint64_t TileMesh::memory(std::uint64_t vertices, std::uint64_t faces) {
          faces * (sizeof(FaceVertices) + 3 * sizeof(Link));
 }
 
-void TileMesh::update_hub(VertexNumber v) {
-  const bool many = degree_[v] > (hub(v) ? hub_no_more : most_faces_beside_hubs);
+void TileMesh::update_hub(VertexNumber v, std::uint32_t faces) {
+  const bool many = faces > (hub(v) ? hub_no_more : most_faces_beside_hubs);
   const unsigned hub = many || (flags_[v] & fixed_hub) != 0 ? hub_now : 0U;
   hubs_ += (hub != 0) - (flags_[v] & hub_now) / hub_now;
   flags_[v] = static_cast<std::uint8_t>((flags_[v] & ~hub_now) | hub);
@@ -173,7 +173,7 @@ unsigned TileMesh::collapse(const Collapse& edge) {
         const VertexNumber v = face[i];
         if (v == removed) continue;
         unlink(v, 4 * f + i);
-        update_hub(v);
+        update_hub(v, degree_[v]);
       }
       face[0] = no_number;
       ++gone;
@@ -191,10 +191,10 @@ unsigned TileMesh::collapse(const Collapse& edge) {
     if (rest != no_number) link_[place_of(rest)].previous = last;
   }
   degree_[kept] += degree_[removed] - gone;
-  update_hub(kept);
+  update_hub(kept, degree_[kept]);
   first_[removed] = no_number;
   degree_[removed] = 0;
-  update_hub(removed);
+  update_hub(removed, 0);
   live_faces_ -= gone;
   return gone;
 }
@@ -217,7 +217,7 @@ void TileMesh::collapse_all(std::span<const Collapse> edges) {
 void TileMesh::remove_face(FaceNumber f) {
   for (std::uint32_t i = 0; i < 3; ++i) {
     unlink(face_[f][i], 4 * f + i);
-    update_hub(face_[f][i]);
+    update_hub(face_[f][i], degree_[face_[f][i]]);
   }
   face_[f][0] = no_number;
   --live_faces_;
@@ -262,7 +262,7 @@ unsigned TileMesh::remove(std::span<const VertexNumber> vertices,
   for (const VertexNumber v : vertices) {
     first_[v] = no_number;
     degree_[v] = 0;
-    update_hub(v);
+    update_hub(v, degree_[v]);
   }
   for (const FaceNumber f : faces) face_[f][0] = no_number;
   live_faces_ -= faces.size();

@@ -103,6 +103,8 @@ class TileMesh {
   [[nodiscard]] bool has_faces(VertexNumber v) const { return first_[v] != no_number; }
   [[nodiscard]] std::uint32_t degree(VertexNumber v) const { return degree_[v]; }  // its faces
   [[nodiscard]] bool hub(VertexNumber v) const { return (flags_[v] & hub_now) != 0; }
+  // To be told how many faces a vertex has, where the mesh is not linked.
+  void update_hub(VertexNumber v, std::uint32_t faces);
   [[nodiscard]] std::uint32_t hubs() const { return hubs_; }  // how many there are
   [[nodiscard]] const FaceVertices& face(FaceNumber f) const { return face_[f]; }
   [[nodiscard]] bool removed(FaceNumber f) const { return face_[f][0] == no_number; }
@@ -255,7 +257,6 @@ class TileMesh {
   std::uint32_t new_marks(std::uint32_t count);
   void unlink(VertexNumber v, std::uint32_t corner);
   void remove_face(FaceNumber f);
-  void update_hub(VertexNumber v);
   // Whether it takes a walk, or another tile, to know what is beside it.
   [[nodiscard]] bool unknown(VertexNumber v) const { return flags_[v] != 0; }
 

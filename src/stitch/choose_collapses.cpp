@@ -29,7 +29,7 @@ constexpr double deepest = 1.0 / 4;
 // it is tried again: with more, and then without a limit.
 constexpr double first_headroom = 2;
 // The same beside the cost that the tiles of the first round will be cut at, as it is estimated.
-constexpr double headroom_of_estimate = 2;
+constexpr double headroom_of_estimate = 4;
 constexpr double more_headroom = 64;
 // Where the count is missed, a collapse may be twice as far off as the costliest of a result that
 // met it. With as far off, four faces in a hundred more are left, hardly nearer to the surface;

@@ -43,7 +43,7 @@ class CostEstimate {
   }
 
  private:
-  static constexpr std::uint64_t fewest_tiles = 6;
+  static constexpr std::uint64_t fewest_tiles = 3;
   // Costs of a class differ by less than a sixteenth.
   static constexpr unsigned class_bits = 48;
   static constexpr std::size_t classes = std::size_t{1} << (63 - class_bits);
