@@ -152,7 +152,12 @@ void lock_shared(Tile& tile, const IncomingFaces& incoming) {
   const auto own = [&](std::uint32_t v) { return v >= tile.first_vertex && v < end; };
   std::fill(tile.locked.begin() + tile.own_vertices, tile.locked.end(),
             std::uint8_t{closed_vertex});
+  const bool no_hubs = incoming.hubs().empty();
   for (FaceVertices& face : tile.faces) {
+    if (no_hubs && own(face[0]) && own(face[1]) && own(face[2])) {
+      for (std::uint32_t& v : face) v -= static_cast<std::uint32_t>(tile.first_vertex);
+      continue;
+    }
     std::array<bool, 3> hub{};
     bool shared = false;
     for (std::size_t i = 0; i < 3; ++i) {
