@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/vector.hpp"
+#include "decimate/cost_classes.hpp"
 #include "decimate/tile_mesh.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +27,7 @@ struct EvaluatedEdge {
 // Every vertex proposes one edge: of those to higher numbers the cheapest.
 class Proposals {
  public:
-  explicit Proposals(VertexNumber vertices) : of_(vertices), counts_(classes) {}
+  explicit Proposals(VertexNumber vertices) : of_(vertices), counts_(cost_classes) {}
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
     return vertices * (sizeof(EvaluatedEdge) + sizeof(VertexNumber));
@@ -46,7 +46,7 @@ class Proposals {
     std::size_t count = 0;
     for (const VertexNumber v : vertices) {
       if (!proposes(v)) continue;
-      ++counts_[class_of(of_[v].cost)];
+      ++counts_[cost_class(of_[v].cost)];
       ++count;
     }
     return count;
@@ -61,26 +61,19 @@ class Proposals {
   Cheapest cheapest(std::span<const VertexNumber> vertices, std::size_t wanted) {
     std::uint32_t end = 0;
     std::uint32_t count = 0;
-    for (; end < classes && count < wanted; ++end) count += std::exchange(counts_[end], count);
+    for (; end < cost_classes && count < wanted; ++end) count += std::exchange(counts_[end], count);
     sorted_.resize(count);
     for (const VertexNumber v : vertices) {
       if (!proposes(v)) continue;
-      const std::uint32_t its = class_of(of_[v].cost);
+      const std::uint32_t its = cost_class(of_[v].cost);
       if (its < end) sorted_[counts_[its]++] = v;
     }
-    if (end == classes) return {sorted_, std::numeric_limits<double>::infinity()};
-    return {sorted_, std::bit_cast<double>(std::uint64_t{end} << class_bits)};
+    if (end == cost_classes) return {sorted_, std::numeric_limits<double>::infinity()};
+    return {sorted_, least_of_cost_class(end)};
   }
 
  private:
-  // The bits of a cost without the lowest: what is in a class differs by less than a sixteenth.
-  static constexpr unsigned class_bits = 48;
-  static constexpr std::size_t classes = std::size_t{1} << (63 - class_bits);  // no sign
-
   [[nodiscard]] bool proposes(VertexNumber v) const { return std::isfinite(of_[v].cost); }
-  static std::uint32_t class_of(double cost) {
-    return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(cost + 0.0) >> class_bits);
-  }
 
   std::vector<EvaluatedEdge> of_;
   std::vector<std::uint32_t> counts_;

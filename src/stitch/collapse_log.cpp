@@ -2,8 +2,10 @@
 
 #include "base/memory_shares.hpp"
 #include "base/search.hpp"
+#include "decimate/cost_classes.hpp"
 #include "io/spool_records.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <span>
@@ -11,12 +13,19 @@
 namespace winnow {
 
 CollapseLog::CollapseLog(Job& job, std::uint64_t memory)
-    : edges_(job, share::refine::edges(memory)), costs_(job, share::refine::costs(memory)) {}
+    : edges_(job, share::refine::edges(memory)),
+      costs_(job, share::refine::costs(memory)),
+      removed_in_class_(cost_classes) {}
 
 void CollapseLog::append(const std::vector<Collapse>& edges, const std::vector<Cost>& costs) {
   append_records<Collapse>(edges_, edges);
   append_records<Cost>(costs_, costs);
   first_.push_back(first_.back() + costs.size());
+  std::uint64_t before = 0;
+  for (const Cost& entry : costs) {
+    removed_in_class_[cost_class(entry.cost)] += entry.removed - before;
+    before = entry.removed;
+  }
 }
 
 void CollapseLog::finish() {
@@ -49,19 +58,36 @@ std::uint64_t CollapseLog::removed() const {
 }
 
 double CollapseLog::cost_of(std::uint64_t faces) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::size_t number = 0;
+  for (std::uint64_t sum = 0; number < cost_classes; ++number) {
+    sum += removed_in_class_[number];
+    if (sum >= faces) break;
+  }
+  if (number > cost_class(infinite)) return infinite;
   // Numbers not below 0 are in the order of their bits.
-  std::uint64_t low = 0;
-  std::uint64_t high = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  std::uint64_t low = std::bit_cast<std::uint64_t>(least_of_cost_class(number));
+  std::uint64_t high = std::bit_cast<std::uint64_t>(least_of_cost_class(number + 1)) - 1;
+  high = std::min(high, std::bit_cast<std::uint64_t>(infinite));
   // Collapses of each tile that such costs reach: as they close in, there is less to look at.
-  std::vector<std::uint64_t> least(tiles());
-  std::vector<std::uint64_t> most = all();
-  std::vector<std::uint64_t> counts(tiles());
+  std::vector<std::uint64_t> least(tiles()), most(tiles()), removed(tiles());
+  for (std::size_t tile = 0; tile < tiles(); ++tile) {
+    least[tile] = count(tile, std::bit_cast<double>(low), false);
+    most[tile] = count(tile, std::bit_cast<double>(high), true, {least[tile], entries(tile)});
+    removed[tile] = removed_by(tile, most[tile]);
+  }
+  std::vector<std::uint64_t> counts = most, removed_now = removed;
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
     std::uint64_t sum = 0;
     for (std::size_t tile = 0; tile < tiles(); ++tile) {
-      counts[tile] = count(tile, std::bit_cast<double>(middle), true, {least[tile], most[tile]});
-      sum += removed_by(tile, counts[tile]);
+      counts[tile] = most[tile];
+      removed_now[tile] = removed[tile];
+      if (least[tile] < most[tile]) {
+        counts[tile] = count(tile, std::bit_cast<double>(middle), true, {least[tile], most[tile]});
+        removed_now[tile] = removed_by(tile, counts[tile]);
+      }
+      sum += removed_now[tile];
     }
     if (sum < faces) {
       low = middle + 1;
@@ -69,6 +95,7 @@ double CollapseLog::cost_of(std::uint64_t faces) const {
     } else {
       high = middle;
       most = counts;
+      removed = removed_now;
     }
   }
   return std::bit_cast<double>(low);

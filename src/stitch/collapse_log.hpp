@@ -71,6 +71,7 @@ class CollapseLog {
   [[nodiscard]] std::uint64_t removed_by(std::size_t tile, std::uint64_t count) const;
 
   Spool edges_, costs_;
+  std::vector<std::uint64_t> removed_in_class_;  // of costs: faces
   std::vector<std::uint64_t> first_{0};  // entry of each tile; behind the last how many there are
 };
 
