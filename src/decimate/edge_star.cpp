@@ -3,11 +3,15 @@
 #include "base/instruction_set.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 
 namespace winnow {
 
 EdgeStar::EdgeStar(const CoordinateRounding& rounding)
-    : rounding_(rounding), turn_(best_kernel(WINNOW_KERNELS(star_kernel))) {}
+    : rounding_(rounding),
+      turn_(best_kernel(WINNOW_KERNELS(star_kernel))),
+      measure_(best_kernel(WINNOW_KERNELS(distance_kernel))) {}
 
 void EdgeStar::find(const TileMesh& mesh, VertexNumber kept, VertexNumber removed) {
   kept_ = kept;
@@ -42,17 +46,24 @@ void EdgeStar::move(const VertexPlaces& places, const Point& to, double least_co
     for (std::size_t i = 0; i < count; ++i) {
       const StarFace& face = faces_[first + i];
       const Point& from = first + i < buffered_faces_ ? of_kept : of_removed;
-      const Point& second = places[face.w];
-      const Point& third = places[face.x];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        batch.from[axis][i] = from[axis];
-        batch.second[axis][i] = second[axis];
-        batch.third[axis][i] = third[axis];
-      }
+      set_corners(batch, i, from, places[face.w], places[face.x]);
       batch.stays[i] = face.stays ? 1 : 0;
     }
-    turn_(batch, count, {least_cosine, rounding_.relative, rounding_.absolute});
+    turn_(batch, count, {least_cosine, rounding_.relative, rounding_.absolute, planes_});
   }
+}
+
+double EdgeStar::square_from(const Point& point) const {
+  constexpr std::size_t capacity = StarBatch::capacity;
+  const double at[3] = {point[0], point[1], point[2]};
+  double squares[capacity];
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t first = 0; first < faces_.size(); first += capacity) {
+    const std::size_t count = std::min(capacity, faces_.size() - first);
+    measure_(batches_[first / capacity], count, at, squares);
+    for (std::size_t i = 0; i < count; ++i) least = std::min(least, squares[i]);
+  }
+  return least;
 }
 
 }  // namespace winnow

@@ -13,6 +13,19 @@
 
 namespace winnow {
 
+inline void set_corners(StarBatch& batch, std::size_t i, const Point& from, const Point& second,
+                        const Point& third) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    batch.from[axis][i] = from[axis];
+    batch.second[axis][i] = second[axis];
+    batch.third[axis][i] = third[axis];
+  }
+}
+
+inline VertexPlanes planes_of(const double (&sums)[6][StarBatch::capacity], std::size_t i) {
+  return {sums[0][i], sums[1][i], sums[2][i], sums[3][i], sums[4][i], sums[5][i]};
+}
+
 // Around a hub only the faces that the collapse changes: the hub stays where it is.
 class EdgeStar {
  public:
@@ -47,6 +60,9 @@ class EdgeStar {
   }
   [[nodiscard]] std::span<const StarFace> faces() const { return faces_; }
 
+  // Whether planes() and change() will be asked for.
+  void want_planes(bool want) { planes_ = want; }
+
   // What comes of them, in this order, when the ends move there.
   void move(const VertexPlaces& places, const Point& to, double least_cosine);
   void move(const TileMesh& mesh, const Point& to, double least_cosine) {
@@ -56,19 +72,20 @@ class EdgeStar {
   // Whether a face that was thinner than rounding no longer is.
   [[nodiscard]] bool opened(std::size_t face) const { return batch(face).opened[lane(face)] != 0; }
   [[nodiscard]] VertexPlanes planes(std::size_t face) const {
-    return of(batch(face).planes, lane(face));
+    return planes_of(batch(face).planes, lane(face));
   }
   [[nodiscard]] VertexPlanes change(std::size_t face) const {
-    return of(batch(face).change, lane(face));
+    return planes_of(batch(face).change, lane(face));
   }
+
+  // The square of the distance of a point from the nearest of them that it lies above or below;
+  // infinite where there is none.
+  [[nodiscard]] double square_from(const Point& point) const;
 
  private:
   static std::size_t lane(std::size_t face) { return face % StarBatch::capacity; }
   [[nodiscard]] const StarBatch& batch(std::size_t face) const {
     return batches_[face / StarBatch::capacity];
-  }
-  static VertexPlanes of(const double (&sums)[6][StarBatch::capacity], std::size_t at) {
-    return {sums[0][at], sums[1][at], sums[2][at], sums[3][at], sums[4][at], sums[5][at]};
   }
 
   VertexNumber kept_ = no_number, removed_ = no_number;
@@ -76,6 +93,8 @@ class EdgeStar {
   std::size_t buffered_faces_ = 0;
   CoordinateRounding rounding_;
   StarKernel turn_;
+  DistanceKernel measure_;
+  bool planes_ = true;
   std::vector<StarBatch> batches_;
 };
 

@@ -17,8 +17,13 @@ namespace {
 constexpr std::uint32_t turns_between = 1024;
 // Of the proposed edges those that a sweep looks at: with more the order of costs is lost, with
 // fewer there are more sweeps (bench/RESULTS.md).
+constexpr double share_of_coarse_sweep = 0.8;
 constexpr double share_of_sweep = 0.6;
 constexpr double share_of_fine_sweep = 0.4;
+// Sweeps are coarse down to so many times the faces at which they begin to be fine, and one in so
+// many of all: edges keep the costs that they had when the sweep began.
+constexpr std::uint64_t coarse_beside_fine = 2;
+constexpr std::uint64_t coarse_of_all = 5;
 // Beside the costliest that a sweep looks at, how costly an edge may be that turns out to be
 // costlier.
 constexpr double closer_bound = 0.25;
@@ -32,6 +37,7 @@ Sweeps::Sweeps(TileMesh& mesh, bool single, const CollapseRules& rules)
       single_(single),
       rules_(rules),
       evaluate_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))),
+      take_planes_(best_kernel(WINNOW_KERNELS(plane_kernel))),
       legality_(mesh, rules.least_cosine),
       star_(rules.rounding),
       witnesses_(mesh, rules.rounding.relative) {}
@@ -42,13 +48,19 @@ bool Sweeps::run(const CollapseLimits& limits, const std::function<void(const Do
   std::uint64_t left = mesh_.live_faces();
   if (left <= least) return left <= limits.faces;
   begin();
+  const std::uint64_t coarse_to =
+      std::max(coarse_beside_fine * limits.fine_from, left / coarse_of_all);
   std::uint32_t turns = 0;
   const double costliest = std::min(limits.cost, limits.sweeps_cost);
   const auto is_done = [&] { return left <= least || highest_ > costliest; };
   for (bool stalled = false; !is_done() && !stalled;) {
     sum_planes();
     evaluate_edges();
-    const double part = left > limits.fine_from ? share_of_sweep : share_of_fine_sweep;
+    coarse_ = left > coarse_to;
+    star_.want_planes(!coarse_);
+    const double part = coarse_                   ? share_of_coarse_sweep
+                        : left > limits.fine_from ? share_of_sweep
+                                                  : share_of_fine_sweep;
     const auto share =
         static_cast<std::uint64_t>(part * static_cast<double>(proposals_.count(vertices_)));
     const auto [cheapest, bound] =
@@ -97,14 +109,18 @@ void Sweeps::begin() {
 
 void Sweeps::sum_planes() {
   std::fill(planes_.begin(), planes_.end(), VertexPlanes{});
-  for (const SurvivingFace& face : faces_) {
-    const auto [a, b, c] = face.vertices;
-    const Triangle triangle{mesh_.position(a), mesh_.position(b), mesh_.position(c)};
-    const Point doubled = doubled_area(triangle);
-    if (thinner_than_rounding(triangle, doubled, rules_.rounding)) continue;
-    VertexPlanes planes;
-    add(planes, doubled, 1 / (6 * length(doubled)));
-    for (const VertexNumber v : face.vertices) add(planes_[v], planes);
+  const StarRules rules{rules_.least_cosine, rules_.rounding.relative, rules_.rounding.absolute};
+  for (std::size_t first = 0; first < faces_.size(); first += StarBatch::capacity) {
+    const std::size_t count = std::min(StarBatch::capacity, faces_.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [a, b, c] = faces_[first + i].vertices;
+      set_corners(face_batch_, i, mesh_.position(a), mesh_.position(b), mesh_.position(c));
+    }
+    take_planes_(face_batch_, count, rules);
+    for (std::size_t i = 0; i < count; ++i) {
+      const VertexPlanes planes = planes_of(face_batch_.planes, i);
+      for (const VertexNumber v : faces_[first + i].vertices) add(planes_[v], planes);
+    }
   }
   for (const VertexNumber v : vertices_) {
     if (!at_boundary_[v]) continue;
@@ -268,7 +284,7 @@ bool Sweeps::take(VertexNumber low, double bound) {
     gather_star(low, high);
     if (!keeps_surface()) return false;
   }
-  if (has_moved_beside()) {
+  if (!coarse_ && has_moved_beside()) {
     proposals_.clear(low);
     add_edge(low, high);
     evaluate_batch();
@@ -302,7 +318,7 @@ unsigned Sweeps::collapse(const Collapse& edge, double cost) {
   at_boundary_[kept] |= at_boundary_[removed];
   mesh_.move(kept, position);
   const auto faces = star_.faces();
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  for (std::size_t i = 0; i < faces.size() && !coarse_; ++i) {
     const VertexPlanes change = star_.change(i);
     add(planes_[faces[i].w], change);
     add(planes_[faces[i].x], change);

@@ -75,6 +75,7 @@ class Sweeps {
   bool single_;
   CollapseRules rules_;
   EdgeKernel evaluate_edges_;
+  PlaneKernel take_planes_;
   Legality legality_;
   EdgeStar star_;
   WitnessPoints witnesses_;
@@ -87,11 +88,13 @@ class Sweeps {
   std::vector<std::uint8_t> state_;
   std::vector<std::uint8_t> at_boundary_;  // may be; a vertex that is not is at none
   EdgeBatch batch_{};
+  StarBatch face_batch_{};
   std::array<VertexNumber, EdgeBatch::capacity> lows_{}, highs_{};
   std::size_t in_batch_ = 0;
   std::vector<VertexNumber> met_;
-  Collapse edge_;    // that take() took
-  double cost_ = 0;  // of it
+  bool coarse_ = false;  // the sweep
+  Collapse edge_;        // that take() took
+  double cost_ = 0;      // of it
   double highest_ = 0;
   double largest_square_ = 0;
 };

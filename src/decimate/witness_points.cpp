@@ -61,14 +61,20 @@ double WitnessPoints::cost(const Collapse& edge, const EdgeStar& star, double co
   // As soon as both are this near, no more needs to be known.
   const double near = near_square(to, cost, rounding_);
   const VertexPlaces places = mesh_.places();
+  using Faces = std::span<const StarFace>;
+  const auto square_left = [&](const Point& point, Faces own, Faces others) {
+    double square = square_between(point, to);
+    if (square <= near) return square;
+    square = std::min(square, star.square_from(point));
+    // Or an edge or a corner is nearest.
+    if (square <= near) return square;
+    return std::min(square, square_beside_star(point, to, own, others, places, near));
+  };
   const Point& of_kept = flat ? mesh_.position(edge.kept) : point_[edge.kept];
   const Point& of_removed = flat ? mesh_.position(edge.removed) : point_[edge.removed];
   const double kept_square =
-      mesh_.hub(edge.kept)
-          ? 0
-          : square_beside_star(of_kept, to, star.of_kept(), star.of_removed(), places, near);
-  const double removed_square =
-      square_beside_star(of_removed, to, star.of_removed(), star.of_kept(), places, near);
+      mesh_.hub(edge.kept) ? 0 : square_left(of_kept, star.of_kept(), star.of_removed());
+  const double removed_square = square_left(of_removed, star.of_removed(), star.of_kept());
   square_ = std::max(kept_square, removed_square);
   const bool first = flat ? to == mesh_.position(edge.kept) : kept_square >= removed_square;
   next_ = point_[mesh_.hub(edge.kept) || first ? edge.kept : edge.removed];

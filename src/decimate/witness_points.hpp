@@ -38,9 +38,9 @@ class WitnessPoints {
 
   // What it costs that the points of both ends would be so far from the faces left around the
   // collapsed edge: a multiple of the fourth power of the larger distance; `cost` where that is
-  // not above it. `star`: the edge's. A hub keeps its own point, which is not looked at. `flat`:
-  // the collapse goes to an end where nothing is lost. Then the ends themselves are looked at,
-  // since the points of flat parts may lie beside faces that others have taken over.
+  // not above it. `star`: the edge's, moved there. A hub keeps its own point, which is not looked
+  // at. `flat`: the collapse goes to an end where nothing is lost. Then the ends themselves are
+  // looked at, since the points of flat parts may lie beside faces that others have taken over.
   double cost(const Collapse& edge, const EdgeStar& star, double cost, bool flat);
 
   // The square of the larger distance of those that cost() was asked about last; no more than

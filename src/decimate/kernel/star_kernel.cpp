@@ -18,6 +18,11 @@ double size_of(double a) {
   return a < 0 ? -a : a;
 }
 
+std::size_t whole_lanes(std::size_t count) {
+  return (count + star_kernel_lanes - 1) / star_kernel_lanes * star_kernel_lanes;
+}
+
+template <bool planes>
 void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
   const double tx = batch.to[0], ty = batch.to[1], tz = batch.to[2];
   const double least_cosine = rules.least_cosine, rounding = rules.rounding,
@@ -70,6 +75,7 @@ void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
     batch.turned[i] = turned ? 1.0 : 0.0;
     batch.opened[i] = opened ? 1.0 : 0.0;
 
+    if constexpr (!planes) continue;
     const double old_inverse = 1 / (6 * __builtin_sqrt(old_square));
     const double new_inverse = 1 / (6 * __builtin_sqrt(new_square));
     const double p = thin_before ? 0.0 : old_inverse;
@@ -97,7 +103,63 @@ void turn(StarBatch& batch, std::size_t end, const StarRules& rules) {
 
 void WINNOW_JOIN(star_kernel_, WINNOW_KERNEL)(StarBatch& batch, std::size_t count,
                                               const StarRules& rules) {
-  turn(batch, (count + star_kernel_lanes - 1) / star_kernel_lanes * star_kernel_lanes, rules);
+  if (rules.planes) {
+    turn<true>(batch, whole_lanes(count), rules);
+  } else {
+    turn<false>(batch, whole_lanes(count), rules);
+  }
+}
+
+void WINNOW_JOIN(plane_kernel_, WINNOW_KERNEL)(StarBatch& batch, std::size_t count,
+                                               const StarRules& rules) {
+  const std::size_t end = whole_lanes(count);
+  const double rounding = rules.rounding, absolute = rules.absolute;
+  for (std::size_t i = 0; i < end; ++i) {
+    const double fx = batch.from[0][i], fy = batch.from[1][i], fz = batch.from[2][i];
+    const double wx = batch.second[0][i], wy = batch.second[1][i], wz = batch.second[2][i];
+    const double xx = batch.third[0][i], xy = batch.third[1][i], xz = batch.third[2][i];
+    const double ax = wx - fx, ay = wy - fy, az = wz - fz;
+    const double bx = xx - fx, by = xy - fy, bz = xz - fz;
+    const double mx = ay * bz - az * by, my = az * bx - ax * bz, mz = ax * by - ay * bx;
+    // thinner_than_rounding() of base/rounding.hpp.
+    const double ox = rounding * larger(larger(size_of(wx), size_of(xx)), size_of(fx)) + absolute;
+    const double oy = rounding * larger(larger(size_of(wy), size_of(xy)), size_of(fy)) + absolute;
+    const double oz = rounding * larger(larger(size_of(wz), size_of(xz)), size_of(fz)) + absolute;
+    const double abx = size_of(ax) + size_of(bx), aby = size_of(ay) + size_of(by),
+                 abz = size_of(az) + size_of(bz);
+    const bool thin = (size_of(mx) <= aby * oz + abz * oy) & (size_of(my) <= abz * ox + abx * oz) &
+                      (size_of(mz) <= abx * oy + aby * ox);
+    const double inverse = 1 / (6 * __builtin_sqrt(mx * mx + my * my + mz * mz));
+    const double p = thin ? 0.0 : inverse;
+    batch.planes[0][i] = p * mx * mx;
+    batch.planes[1][i] = p * mx * my;
+    batch.planes[2][i] = p * mx * mz;
+    batch.planes[3][i] = p * my * my;
+    batch.planes[4][i] = p * my * mz;
+    batch.planes[5][i] = p * mz * mz;
+  }
+}
+
+void WINNOW_JOIN(distance_kernel_, WINNOW_KERNEL)(const StarBatch& batch, std::size_t count,
+                                                  const double (&point)[3], double* squares) {
+  const std::size_t end = whole_lanes(count);
+  const double tx = batch.to[0], ty = batch.to[1], tz = batch.to[2];
+  const double qx = point[0] - tx, qy = point[1] - ty, qz = point[2] - tz;
+  for (std::size_t i = 0; i < end; ++i) {
+    const double ux = batch.second[0][i] - tx, uy = batch.second[1][i] - ty,
+                 uz = batch.second[2][i] - tz;
+    const double vx = batch.third[0][i] - tx, vy = batch.third[1][i] - ty,
+                 vz = batch.third[2][i] - tz;
+    const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    const double square = nx * nx + ny * ny + nz * nz;
+    // The point is a * u + b * v beside its height; both times the square of the normal.
+    const double a = (qy * vz - qz * vy) * nx + (qz * vx - qx * vz) * ny + (qx * vy - qy * vx) * nz;
+    const double b = (uy * qz - uz * qy) * nx + (uz * qx - ux * qz) * ny + (ux * qy - uy * qx) * nz;
+    const double height = qx * nx + qy * ny + qz * nz;
+    const bool above =
+        (batch.stays[i] != 0) & (square > 0) & (a >= 0) & (b >= 0) & (a + b <= square);
+    squares[i] = above ? height * height / square : __builtin_inf();
+  }
 }
 
 }  // namespace winnow

@@ -1,6 +1,6 @@
-// How the faces around an edge turn when it is collapsed, and the planes that they are in, for
-// quadrics. As edge_kernel.hpp: compiled once for each instruction set, the same results from all,
-// and no function may be defined here.
+// How the faces around an edge turn when it is collapsed, the planes that they are in, for
+// quadrics, and how far a point is from them. As edge_kernel.hpp: compiled once for each
+// instruction set, the same results from all, and no function may be defined here.
 #pragma once
 
 #include <cstddef>
@@ -30,6 +30,7 @@ struct StarRules {
   double least_cosine;
   double rounding;
   double absolute = 0;
+  bool planes = true;  // whether planes and change are wanted
 };
 
 // Of the first `count` faces; results of those behind, up to the next multiple of
@@ -37,8 +38,28 @@ struct StarRules {
 using StarKernel = void (*)(StarBatch& batch, std::size_t count, const StarRules& rules);
 inline constexpr std::size_t star_kernel_lanes = 8;
 
+// Of faces as they are, whose corners are `from`, `second` and `third`: `planes`, as of one that
+// stays.
+using PlaneKernel = StarKernel;
+
+// The square of the distance of a point from each face that stays, as it will be, where the point
+// lies above or below the face; infinite elsewhere. `squares`: for as many as there are results.
+using DistanceKernel = void (*)(const StarBatch& batch, std::size_t count, const double (&point)[3],
+                                double* squares);
+
 void star_kernel_baseline(StarBatch& batch, std::size_t count, const StarRules& rules);
 void star_kernel_avx2(StarBatch& batch, std::size_t count, const StarRules& rules);
 void star_kernel_avx512(StarBatch& batch, std::size_t count, const StarRules& rules);
+
+void plane_kernel_baseline(StarBatch& batch, std::size_t count, const StarRules& rules);
+void plane_kernel_avx2(StarBatch& batch, std::size_t count, const StarRules& rules);
+void plane_kernel_avx512(StarBatch& batch, std::size_t count, const StarRules& rules);
+
+void distance_kernel_baseline(const StarBatch& batch, std::size_t count, const double (&point)[3],
+                              double* squares);
+void distance_kernel_avx2(const StarBatch& batch, std::size_t count, const double (&point)[3],
+                          double* squares);
+void distance_kernel_avx512(const StarBatch& batch, std::size_t count, const double (&point)[3],
+                            double* squares);
 
 }  // namespace winnow
