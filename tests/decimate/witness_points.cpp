@@ -57,6 +57,7 @@ TEST_CASE("a vertex that leaves no gap costs nothing more") {
   WitnessPoints points(mesh, rounding_of_double);
   EdgeStar star(rounding_of_double);
   star.find(mesh, 1, 0);
+  star.move(mesh, {1, 0, 0}, -1);
   CHECK(points.cost({1, 0, {1, 0, 0}}, star, 1e-9, false) == 1e-9);
 }
 
@@ -75,6 +76,7 @@ TEST_CASE("a needle worn down in steps costs as much as one cut off at once") {
       const Collapse edge{0, v, {0, 0, z}};
       EdgeStar star(rounding_of_double);
       star.find(mesh, edge.kept, edge.removed);
+      star.move(mesh, edge.position, -1);
       highest = std::max(highest, points.cost(edge, star, 0, false));
       points.collapsing(edge);
       mesh.collapse(edge);
@@ -110,6 +112,7 @@ TEST_CASE("the cost is that of the farther of both points, and never below the g
     const double right = 8 * fourth(farthest);
     EdgeStar star(rounding_of_double);
     star.find(mesh, kept, removed);
+    star.move(mesh, edge.position, -1);
     CHECK(points.cost(edge, star, 0, false) == Approx(right));
     CHECK(points.cost(edge, star, 2 * right + 1, false) == 2 * right + 1);
     CHECK(points.cost(edge, star, right / 2, false) == Approx(right));
