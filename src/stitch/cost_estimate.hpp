@@ -16,6 +16,8 @@ namespace winnow {
 // For many threads at once. What it says hangs on which tiles were ready first.
 class CostEstimate {
  public:
+  static constexpr std::uint64_t fewest_tiles = 3;  // that say anything
+
   // `removed`: which part of the faces that can change a cut removes.
   explicit CostEstimate(double removed) : wanted_(removed), faces_(cost_classes) {}
 
@@ -43,8 +45,6 @@ class CostEstimate {
   }
 
  private:
-  static constexpr std::uint64_t fewest_tiles = 3;
-
   double wanted_;
   std::vector<std::uint64_t> faces_;  // that collapses of each class remove
   std::uint64_t all_ = 0;

@@ -42,6 +42,8 @@ void check_near(const VertexPlanes& found, const VertexPlanes& right, double sca
 TEST_CASE("kernels of all instruction sets agree about stars to the bit") {
   Random random(850);
   const auto kernels = runnable(WINNOW_KERNELS(star_kernel));
+  const auto plane_kernels = runnable(WINNOW_KERNELS(plane_kernel));
+  const auto distance_kernels = runnable(WINNOW_KERNELS(distance_kernel));
   for (int round = 0; round < 400; ++round) {
     const auto batch = std::make_unique<StarBatch>();
     const std::size_t count = random.between(1, StarBatch::capacity);
@@ -70,6 +72,21 @@ TEST_CASE("kernels of all instruction sets agree about stars to the bit") {
       }
       REQUIRE(std::memcmp(result.turned, results[0].turned, count * sizeof(double)) == 0);
       REQUIRE(std::memcmp(result.opened, results[0].opened, count * sizeof(double)) == 0);
+    }
+    const double point[3] = {scale * random.real(-1, 1), scale * random.real(-1, 1),
+                             scale * random.real(-1, 1)};
+    double squares[StarBatch::capacity];
+    distance_kernels[0].second(*batch, count, point, squares);
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+      StarBatch of_planes = *batch;
+      plane_kernels[i].second(of_planes, count, {0.3, rounding_of_float});
+      if (i == 0) results[0] = of_planes;
+      for (std::size_t k = 0; k < 6; ++k)
+        REQUIRE(std::memcmp(of_planes.planes[k], results[0].planes[k], count * sizeof(double)) ==
+                0);
+      double others[StarBatch::capacity];
+      distance_kernels[i].second(*batch, count, point, others);
+      REQUIRE(std::memcmp(others, squares, count * sizeof(double)) == 0);
     }
   }
 }
