@@ -28,6 +28,8 @@ namespace winnow {
 // the cell or the cost for a face count takes several passes: 12 bytes a vertex (24 in double) and
 // 13 a face, or 50 a triangle without vertices of its own (85 in double).
 //
+// A thin layer over MeshSource (stream.hpp), for programs that cannot be called for the next batch.
+//
 // The output has the same bytes as simplify() gives for a PLY of these vertices and faces, of
 // floats or doubles as they were added; of triangles without vertices, for a binary STL of them,
 // or, in double, for a PLY in which each has three vertices of its own. The size of the batches
@@ -45,6 +47,12 @@ class WINNOW_API Simplification {
   ~Simplification();
   Simplification(const Simplification&) = delete;
   Simplification& operator=(const Simplification&) = delete;
+
+  // Vertices, with what they carry, faces, or both. The vertices of all batches carry the same
+  // attributes.
+  void add(const MeshView& batch);
+  // Loose triangles: each three positions are one.
+  void add_triangles(const MeshView& batch);
 
   // Three coordinates for each vertex. Vertices are numbered from 0 in the order in which they
   // come. All positions are floats or all are doubles. At most 2^32 - 1 vertices.

@@ -9,10 +9,8 @@
 
 namespace winnow {
 
-// Throws Error, usage or bad_input, naming the array, where the arrays are not those of a mesh.
-void check_view(const MeshView& mesh);
-
-// Of a mesh that was checked, whose arrays outlive the reader; as open_reader() and probe_input().
+// Of a mesh that was checked (view_arrays.hpp), whose arrays outlive the reader; as open_reader()
+// and probe_input().
 std::unique_ptr<MeshReader> open_view(Job& job, const MeshView& mesh, const ReaderMemory& memory,
                                       const AttributeRequest& wish);
 InputProbe look_at_view(const MeshView& mesh, const AttributeRequest& wish);

@@ -9,8 +9,8 @@
 #include "options/refuse_targets.hpp"
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
-#include "run/mesh_sink.hpp"
 #include "run/played_mesh.hpp"
+#include "run/result_sink.hpp"
 #include "run/write_mesh.hpp"
 
 #include <algorithm>

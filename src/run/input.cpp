@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "read/cropped_reader.hpp"
 #include "read/joined_reader.hpp"
+#include "read/view_arrays.hpp"
 #include "read/view_reader.hpp"
 #include "run/simplify_options.hpp"
 

@@ -48,12 +48,12 @@ void for_each_part(Job& job, const Spool& map, const Take& take) {
 }  // namespace
 
 std::unique_ptr<MapSink> open_map(Job& job, const SimplifyOptions& options,
-                                  const MeshSinks& outputs, bool replaces, const char* way_out) {
+                                  const ResultSinks& outputs, bool replaces, const char* way_out) {
   if (options.map.empty()) return nullptr;
   if (options.map == "-") throw Error(ErrorKind::usage, "`map` takes the name of a file, not '-'");
   if (outputs.size() > 1)
     throw Error(ErrorKind::usage, "`map` goes with one result; ask for the others one by one");
-  const MeshSink& output = *outputs.front();
+  const ResultSink& output = *outputs.front();
   if (!output.encoder().numbers_vertices()) {
     throw Error(ErrorKind::usage,
                 "`map` gives numbers of vertices, and the output has none of its own or repeats "
@@ -65,7 +65,7 @@ std::unique_ptr<MapSink> open_map(Job& job, const SimplifyOptions& options,
   return std::make_unique<MapFile>(job, options.map, options.force || replaces, way_out);
 }
 
-void finish(const MeshSinks& sinks, MapSink* map) {
+void finish(const ResultSinks& sinks, MapSink* map) {
   if (map == nullptr) return finish(sinks);
   map->finish();
   try {

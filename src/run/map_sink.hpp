@@ -6,7 +6,7 @@
 #include "io/byte_sink.hpp"
 #include "io/job.hpp"
 #include "io/spool.hpp"
-#include "run/mesh_sink.hpp"
+#include "run/result_sink.hpp"
 
 #include <memory>
 #include <string>
@@ -52,10 +52,10 @@ class MapArray final : public MapSink {
 // The file that `options` ask for; null where they do not. `replaces`: whatever is there. Throws
 // Error(usage) where there are several outputs, or their vertices are not numbered as the map says.
 std::unique_ptr<MapSink> open_map(Job& job, const SimplifyOptions& options,
-                                  const MeshSinks& outputs, bool replaces = false,
+                                  const ResultSinks& outputs, bool replaces = false,
                                   const char* way_out = ByteSink::by_force);
 
 // The map, which may be null, and the meshes: all appear, or, where one cannot, none.
-void finish(const MeshSinks& sinks, MapSink* map);
+void finish(const ResultSinks& sinks, MapSink* map);
 
 }  // namespace winnow

@@ -15,9 +15,9 @@
 #include "run/clustering.hpp"
 #include "run/input.hpp"
 #include "run/map_sink.hpp"
-#include "run/mesh_sink.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
+#include "run/result_sink.hpp"
 #include "run/simplify_checkpoint.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
@@ -137,7 +137,7 @@ Style style_of(const SimplifyOptions& options, const MeshEncoder& encoder,
 }
 
 // `input`: of a run whose mesh is not in the checkpoint. `map`: null where nobody asks for it.
-SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshSinks& sinks,
+SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const ResultSinks& sinks,
                             MapSink* map, const SimplifyRequest& request,
                             SimplifyCheckpoint& checkpoint, const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
@@ -173,7 +173,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const MeshSink
   const auto write = [&](const StoredMesh& mesh) {
     const Stopwatch writing;
     const std::size_t level = report.levels.size();
-    MeshSink& sink = *sinks[level];
+    ResultSink& sink = *sinks[level];
     const ResultSurface surface =
         check_surface(job, mesh, options, level_named(targets[level], options), report);
     report.topology.output = surface.edges;
@@ -252,7 +252,7 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
   if (request.inputs.size() == 1 && request.inputs.front() == "-")
     MemoryPlan::divide(job.budget.total(), 0, job.threads, needs_of(options));
   expect_plan(job, options);
-  MeshSinks sinks;
+  ResultSinks sinks;
   for (const std::string& name : output_names(request.output, options)) {
     SimplifyOptions own = options;
     // One that a run had named before it was killed is the same to the byte.
@@ -285,7 +285,7 @@ void expect_plan(Job& job, const SimplifyOptions& options) {
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
 }
 
-SimplifyReport simplify_input(Job& job, Input input, const MeshSinks& sinks, MapSink* map,
+SimplifyReport simplify_input(Job& job, Input input, const ResultSinks& sinks, MapSink* map,
                               const SimplifyOptions& options, const Stopwatch& watch) {
   SimplifyCheckpoint none;
   return run_pipeline(job, std::move(input), sinks, map, {{}, {}, options}, none, watch);

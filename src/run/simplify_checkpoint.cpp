@@ -165,7 +165,7 @@ bool SimplifyCheckpoint::holds_map(const std::string& path) const {
          ByteSink::is(path, directory_->manifest().text(written_map));
 }
 
-void SimplifyCheckpoint::settled(const MeshSinks& sinks, const MapSink* map,
+void SimplifyCheckpoint::settled(const ResultSinks& sinks, const MapSink* map,
                                  const SimplifyReport& report) {
   if (directory_ == nullptr) return;
   Manifest& manifest = directory_->manifest();

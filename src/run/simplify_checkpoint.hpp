@@ -8,7 +8,7 @@
 #include "io/checkpoint_directory.hpp"
 #include "run/clustering.hpp"
 #include "run/map_sink.hpp"
-#include "run/mesh_sink.hpp"
+#include "run/result_sink.hpp"
 #include "run/simplify_request.hpp"
 
 #include <memory>
@@ -42,7 +42,7 @@ class SimplifyCheckpoint {
   // Whether this one of them is.
   [[nodiscard]] bool is_written(std::size_t number, const std::string& output) const;
   // Before the outputs get their names, and before them the map, if there is one.
-  void settled(const MeshSinks& sinks, const MapSink* map, const SimplifyReport& report);
+  void settled(const ResultSinks& sinks, const MapSink* map, const SimplifyReport& report);
   // Whether this file is the map that the run wrote before it was killed.
   [[nodiscard]] bool holds_map(const std::string& path) const;
   // When they have them: removes the files, unless they are to be kept.

@@ -7,7 +7,7 @@
 #include "io/job.hpp"
 #include "run/input.hpp"
 #include "run/map_sink.hpp"
-#include "run/mesh_sink.hpp"
+#include "run/result_sink.hpp"
 
 namespace winnow {
 
@@ -15,7 +15,7 @@ namespace winnow {
 void expect_plan(Job& job, const SimplifyOptions& options);
 
 // Inside the job's arena. `map`: null where nobody asks for it. `watch` began with the call.
-SimplifyReport simplify_input(Job& job, Input input, const MeshSinks& sinks, MapSink* map,
+SimplifyReport simplify_input(Job& job, Input input, const ResultSinks& sinks, MapSink* map,
                               const SimplifyOptions& options, const Stopwatch& watch);
 
 }  // namespace winnow

@@ -2,6 +2,7 @@
 
 #include "base/attribute.hpp"
 #include "io/byte_source.hpp"
+#include "read/view_arrays.hpp"
 #include "read/view_reader.hpp"
 
 namespace winnow {

@@ -1,7 +1,7 @@
-// Where a result goes: a file, or arrays of the caller.
+// Where a result goes: a file, arrays of the caller, or batches.
 #pragma once
 
-#include <winnow/mesh.hpp>
+#include <winnow/stream.hpp>
 
 #include "io/byte_sink.hpp"
 #include "io/job.hpp"
@@ -15,9 +15,9 @@
 
 namespace winnow {
 
-class MeshSink {
+class ResultSink {
  public:
-  virtual ~MeshSink() = default;
+  virtual ~ResultSink() = default;
 
   // Tells what can be held.
   [[nodiscard]] virtual const MeshEncoder& encoder() const = 0;
@@ -35,19 +35,19 @@ class MeshSink {
 };
 
 // One for each result, the finest first.
-using MeshSinks = std::vector<std::unique_ptr<MeshSink>>;
+using ResultSinks = std::vector<std::unique_ptr<ResultSink>>;
 
 // All appear, or, where one cannot, none.
-void finish(const MeshSinks& sinks);
+void finish(const ResultSinks& sinks);
 
-// Files, named as output_names() says.
-MeshSinks sinks_to(Job& job, const std::string& output, const SimplifyOptions& options);
-// Meshes of the caller, which stay where they are: as many as there are targets.
-MeshSinks sinks_into(Job& job, std::vector<Mesh>& meshes, const SimplifyOptions& options);
+// What `sink` is, opened: as many as there are targets. Files are named as output_names() says.
+// Throws Error(usage) where there are several targets, and room for one.
+ResultSinks open_sinks(Job& job, const MeshSink& sink, const SimplifyOptions& options);
+
 // Throws Error(usage) where there are several targets and only one mesh is to be given.
 void refuse_levels(const SimplifyOptions& options);
 
-class FileSink final : public MeshSink {
+class FileSink final : public ResultSink {
  public:
   // Holds room for a block, where the format is made of those; the rest of the budget may be
   // divided then. `way_out`: see ByteSink.
@@ -72,7 +72,7 @@ class FileSink final : public MeshSink {
 };
 
 // Fills `mesh` with what a binary PLY would have.
-class MemorySink final : public MeshSink {
+class MemorySink final : public ResultSink {
  public:
   // Throws Error(usage) for options that ask for a format.
   MemorySink(Job& job, Mesh& mesh, const SimplifyOptions& options);
@@ -87,6 +87,25 @@ class MemorySink final : public MeshSink {
  private:
   Job& job_;
   Mesh& mesh_;
+  std::unique_ptr<MeshEncoder> encoder_;
+};
+
+// The same in batches, one after the other.
+class FunctionSink final : public ResultSink {
+ public:
+  // Throws Error(usage) for options that ask for a format.
+  FunctionSink(Job& job, BatchSink take, const SimplifyOptions& options);
+
+  [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
+  std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
+  void finish() override {}
+  void finish_for_now() override {}
+  void take_back() noexcept override {}
+  [[nodiscard]] std::string format() const override { return "memory"; }
+
+ private:
+  Job& job_;
+  BatchSink take_;
   std::unique_ptr<MeshEncoder> encoder_;
 };
 
