@@ -2,6 +2,7 @@
 #pragma once
 
 #include <winnow/costs.hpp>
+#include <winnow/stopped_by.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -56,12 +57,11 @@ struct LevelReport {
     // The root of the mean squared distance of a vertex from the planes of its faces: the largest
     // of all vertices that were moved, in model units. 0 without Refine::quadric.
     double max_error = 0;
-    // "count" or "error"; where the count was missed "topology", "boundaries", "hubs" or "pieces",
-    // whichever keeps most of the faces; empty without refinement.
-    std::string stopped_by;
+    // Where the count was missed, what keeps most of the faces; nothing without refinement.
+    std::optional<StoppedBy> stopped_by;
   } refine;
-  std::optional<bool> target_met;      // with target_faces and refinement
-  std::vector<std::string> missed_by;  // all that keep one face in eight or more, if it was not
+  std::optional<bool> target_met;    // with target_faces and refinement
+  std::vector<StoppedBy> missed_by;  // all that keep one face in eight or more, if it was not
 
   // What refinement took away besides details. What clustering joined is not known.
   struct Lost {

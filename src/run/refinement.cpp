@@ -21,24 +21,6 @@ namespace winnow {
 
 namespace {
 
-const char* name_of(StoppedBy reason) {
-  switch (reason) {
-    case StoppedBy::error:
-      return "error";
-    case StoppedBy::topology:
-      return "topology";
-    case StoppedBy::boundaries:
-      return "boundaries";
-    case StoppedBy::hubs:
-      return "hubs";
-    case StoppedBy::pieces:
-      return "pieces";
-    case StoppedBy::count:
-      break;
-  }
-  return "count";
-}
-
 const char* sentence_of(StoppedBy reason, bool free) {
   switch (reason) {
     case StoppedBy::boundaries:
@@ -57,19 +39,17 @@ const char* sentence_of(StoppedBy reason, bool free) {
                 "handles and holes, and meets the count";
 }
 
-// Notes why more faces are left than were wanted; returns the names of the reasons.
-std::vector<std::string> tell_reasons(Job& job, const RefineReport& done, std::uint64_t left,
-                                      std::uint64_t wanted, bool free) {
-  std::vector<std::string> names;
+// Notes why more faces are left than were wanted; returns the reasons.
+std::vector<StoppedBy> tell_reasons(Job& job, const RefineReport& done, std::uint64_t left,
+                                    std::uint64_t wanted, bool free) {
   const std::vector<StoppedBy> reasons = done.blocked.reasons();
   for (const StoppedBy reason : reasons) {
     const std::string sentence = sentence_of(reason, free);
     job.note(reason == reasons.front()
                  ? grouped(left) + " faces are left instead of " + grouped(wanted) + ": " + sentence
                  : "besides, " + sentence);
-    names.emplace_back(name_of(reason));
   }
-  return names;
+  return reasons;
 }
 
 // What a run holds at the most beside the tile that it works on, under a budget of any size.
@@ -148,7 +128,7 @@ Refinement refinement_of(Job& job, const StoredMesh& mesh, const RefineReport& d
   out.refine.tiles = done.tiles;
   out.refine.collapses = done.collapses;
   out.refine.max_error = done.largest_error;
-  out.refine.stopped_by = name_of(done.stopped_by);
+  out.refine.stopped_by = done.stopped_by;
   out.lost = {done.changes.pieces, done.changes.area, done.changes.handles, done.changes.holes};
   out.wanted = goal.faces;
   out.rounds_before = done.rounds_before;

@@ -31,7 +31,7 @@ void expect_beside_tile(Job& job, const StoredMesh& whole, const RefineSettings&
 struct Refinement {
   LevelReport::Refinement refine;
   LevelReport::Lost lost;
-  std::vector<std::string> missed_by;
+  std::vector<StoppedBy> missed_by;
   std::uint64_t wanted = 0;                           // faces; 0 where an error says how many
   std::uint64_t rounds_before = 0, tiles_before = 0;  // done when it went on from a checkpoint
 };

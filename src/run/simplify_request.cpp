@@ -65,6 +65,11 @@ class Put {
     for (const std::string& line : lines) text += line + "\n";
     manifest_.set(report_key(path), text);
   }
+  void operator()(const std::string& path, const std::vector<StoppedBy>& reasons) {
+    std::vector<std::string> names;
+    for (const StoppedBy reason : reasons) names.emplace_back(facts_of(reason).name);
+    (*this)(path, names);
+  }
 
  private:
   Manifest& manifest_;
@@ -111,6 +116,16 @@ class Get {
     lines.clear();
     std::istringstream text(manifest_.text(report_key(path)));
     for (std::string line; std::getline(text, line);) lines.push_back(line);
+  }
+  void operator()(const std::string& path, std::vector<StoppedBy>& reasons) {
+    reasons.clear();
+    std::vector<std::string> names;
+    (*this)(path, names);
+    for (const std::string& name : names) {
+      for (const StoppedBy reason : all_values<StoppedBy>()) {
+        if (facts_of(reason).name == name) reasons.push_back(reason);
+      }
+    }
   }
 
  private:

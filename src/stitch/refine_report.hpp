@@ -1,14 +1,14 @@
 // What refinement tells of itself.
 #pragma once
 
+#include <winnow/stopped_by.hpp>
+
 #include "decimate/collapser.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace winnow {
-
-enum class StoppedBy { count, error, topology, boundaries, hubs, pieces };
 
 // Faces that are left where the count was missed, by what keeps them: `topology` are those of no
 // other kind.

@@ -4,6 +4,7 @@
 #include <winnow/error.hpp>
 #include <winnow/mesh.hpp>
 #include <winnow/parts.hpp>
+#include <winnow/version.hpp>
 
 #include <array>
 #include <cstdint>
@@ -77,7 +78,10 @@ int main() {
                 static_cast<unsigned long long>(report.output.faces));
     const auto plausible = [](std::uint64_t faces) { return faces > 500 && faces <= 1'000; };
     const bool good = plausible(mesh.face_count()) && plausible(report.output.faces);
-    return good && gltf && comparing ? 0 : 1;
+    const bool same_version = winnow::version().major_number == WINNOW_VERSION_MAJOR &&
+                              winnow::version().minor_number == WINNOW_VERSION_MINOR &&
+                              winnow::version().patch_number == WINNOW_VERSION_PATCH;
+    return good && gltf && comparing && same_version ? 0 : 1;
   } catch (const winnow::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return error.exit_code();

@@ -67,8 +67,8 @@ TEST_CASE("a sieve that cannot become few faces keeps its shape and says so", "[
   CHECK(euler_of(out.output) == euler_of(out.input));
   CHECK(euler_of(out.output) == 2 - 2 * static_cast<std::int64_t>(n * n));
   CHECK(out.report.target_met == false);
-  CHECK(out.report.refine.stopped_by == "topology");
-  CHECK(out.report.missed_by == std::vector<std::string>{"topology"});
+  CHECK(out.report.refine.stopped_by == StoppedBy::topology);
+  CHECK(out.report.missed_by == std::vector{StoppedBy::topology});
   REQUIRE(out.report.notes.size() == 1);
   CHECK(out.report.notes[0].find("`topology` free") != std::string::npos);
   CHECK(out.report.lost.handles == 0);
@@ -99,7 +99,7 @@ TEST_CASE("a sieve keeps or loses its holes by every cost", "[shapes]") {
   const RefinedShape out = refine_shape(shape, {}, options);
   CHECK(is_closed(out));
   CHECK(euler_of(out.output) == euler_of(out.input));
-  CHECK(out.report.missed_by == std::vector<std::string>{"topology"});
+  CHECK(out.report.missed_by == std::vector{StoppedBy::topology});
   CHECK(volume(out.output).value() == Approx(volume(out.input).value()).epsilon(0.2));
   options.topology = Topology::free;
   const RefinedShape free = refine_shape(shape, {}, options);
@@ -127,14 +127,14 @@ TEST_CASE("kept boundaries and kept pieces are named where they keep the count f
   options.topology = GENERATE(Topology::keep, Topology::free);
   const RefinedShape disc = refine_shape(shapes::disc(60, 20), {}, options);
   CHECK(disc.report.target_met == false);
-  CHECK(disc.report.refine.stopped_by == "boundaries");
+  CHECK(disc.report.refine.stopped_by == StoppedBy::boundaries);
   CHECK(disc.output.faces.size() <= 62);
   REQUIRE(!disc.report.notes.empty());
   CHECK(disc.report.notes[0].find("`boundary` keep keeps") != std::string::npos);
   options.boundary = Boundary::weigh;
   options.keep_pieces = true;
   const RefinedShape soup = refine_shape(shapes::soup(100, 0.1), {}, options);
-  CHECK(soup.report.refine.stopped_by == "pieces");
+  CHECK(soup.report.refine.stopped_by == StoppedBy::pieces);
   CHECK(soup.output.faces.size() == 100);
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace winnow::cli {
@@ -60,13 +61,21 @@ inline Json json_of(const std::vector<ProgressiveInfo::Prefix>& prefixes) {
   return json;
 }
 
-inline Json json_of(Refine cost) {
-  return facts_of(cost).name;
+template <typename Value>
+requires std::is_enum_v<Value> Json json_of(const Value& value) {
+  return facts_of(value).name;
 }
 
 template <typename Value>
 Json json_of(const Value& value) {
   return value;
+}
+
+template <typename Value>
+requires std::is_enum_v<Value> Json json_of(const std::vector<Value>& values) {
+  Json json = Json::array();
+  for (const Value value : values) json.push_back(json_of(value));
+  return json;
 }
 
 template <typename Value>

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace winnow::python {
@@ -26,8 +27,15 @@ py::object value_of(bool value) {
 py::object value_of(const std::string& value) {
   return py::str(value);
 }
-py::object value_of(Refine cost) {
-  return py::str(facts_of(cost).name);
+template <typename Value>
+requires std::is_enum_v<Value> py::object value_of(Value value) {
+  return py::str(facts_of(value).name);
+}
+template <typename Value>
+requires std::is_enum_v<Value> py::object value_of(const std::vector<Value>& values) {
+  py::list list;
+  for (const Value value : values) list.append(value_of(value));
+  return list;
 }
 py::object value_of(const std::vector<std::string>& values) {
   py::list list;

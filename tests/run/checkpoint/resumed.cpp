@@ -59,7 +59,7 @@ TEST_CASE("a run goes on where it was stopped", "[faults]") {
     CHECK(report.input.faces == 160'000);
     CHECK(report.output.faces == 6'000);
     CHECK(report.refine.tiles > 2);
-    CHECK(report.refine.stopped_by == "count");
+    CHECK(report.refine.stopped_by == StoppedBy::count);
     CHECK(hash_of_file(test.output) == want);
     CHECK(std::filesystem::is_empty(checkpoint.directory));
     ::unlink(test.output.c_str());

@@ -49,7 +49,7 @@ TEST_CASE("each of several counts is met, and the finest is what it is alone", "
       CAPTURE(wanted);
       CHECK(told.target_faces == wanted);
       CHECK(told.target_met == true);
-      CHECK(told.refine.stopped_by == "count");
+      CHECK(told.refine.stopped_by == StoppedBy::count);
       CHECK(told.output.faces <= wanted);
       CHECK(told.output.faces + 1 >= wanted);
       TestJob test;
@@ -113,7 +113,7 @@ TEST_CASE("a level goes on where the one before could not meet its count") {
   CHECK(report.levels[0].target_met == true);
   CHECK(report.levels[0].missed_by.empty());
   CHECK(report.levels[2].target_met == false);
-  CHECK(report.levels[2].missed_by == std::vector<std::string>{"topology"});
+  CHECK(report.levels[2].missed_by == std::vector{StoppedBy::topology});
   CHECK(report.levels[2].output.faces > 4);
   CHECK(report.levels[2].output.faces <= report.levels[1].output.faces);
 }

@@ -41,7 +41,7 @@ TEST_CASE("a closed mesh gets the count or one less where that is odd") {
     CHECK(out.report.output.faces == wanted / 2 * 2);
     CHECK(out.mesh.faces.size() == out.report.output.faces);
     CHECK(out.mesh.vertices.size() == out.report.output.vertices);
-    CHECK(out.report.refine.stopped_by == "count");
+    CHECK(out.report.refine.stopped_by == StoppedBy::count);
     CHECK(out.report.refine.cost == Refine::quadric);
     CHECK(out.report.refine.collapses == (100'000 - wanted / 2 * 2) / 2);
     // Of the least count, that more than a hundredth of the area went.
@@ -58,11 +58,11 @@ TEST_CASE("a closed mesh without handles becomes a tetrahedron, one with handles
   for (const std::uint64_t wanted : {5, 4}) {
     const RefinedFile out = refine_file(directory, scan, to_faces(wanted));
     CHECK(out.report.output.faces == 4);
-    CHECK(out.report.refine.stopped_by == "count");
+    CHECK(out.report.refine.stopped_by == StoppedBy::count);
   }
   const RefinedFile cranium = refine_file(directory, whale(), to_faces(4));
   CHECK(cranium.report.output.faces > 4);
-  CHECK(cranium.report.refine.stopped_by == "topology");
+  CHECK(cranium.report.refine.stopped_by == StoppedBy::topology);
   CHECK(cranium.report.notes.size() == 2);  // the area that went, and why the count was missed
   const auto characteristic = [](const PlainMesh& mesh) {
     // Closed: three edges for every two faces.
@@ -151,9 +151,9 @@ TEST_CASE("below what kept pieces allow the fewest faces are left and it is said
   options.keep_pieces = true;
   const RefinedFile kept = refine_faces(directory, tetrahedra(50), options);
   CHECK(kept.report.output.faces == 200);
-  CHECK(kept.report.refine.stopped_by == "pieces");
+  CHECK(kept.report.refine.stopped_by == StoppedBy::pieces);
   CHECK(kept.report.target_met == false);
-  CHECK(kept.report.missed_by == std::vector<std::string>{"pieces"});
+  CHECK(kept.report.missed_by == std::vector{StoppedBy::pieces});
   CHECK(kept.report.lost.pieces == 0);
   REQUIRE(kept.report.notes.size() == 1);
   CHECK(kept.report.notes[0].find("200 faces are left instead of 10: `keep_pieces`") !=
@@ -168,7 +168,7 @@ TEST_CASE("more faces than there are leaves all of them, with normals and withou
   const RefinedFile out = refine_faces(directory, faces, options);
   CHECK(out.report.output.faces == faces.size());
   CHECK(out.report.refine.collapses == 0);
-  CHECK(out.report.refine.stopped_by == "count");
+  CHECK(out.report.refine.stopped_by == StoppedBy::count);
   // As a PLY, with vertices that no face uses: those go.
   const std::string ply = directory.file("lone.ply");
   write_file(ply,
@@ -201,7 +201,8 @@ TEST_CASE("a soup of any faces is refined without new faults") {
   CHECK(before.crowded > 1000);
   for (const std::uint64_t wanted : {all.report.output.faces - 100, all.report.output.faces / 2}) {
     const RefinedFile out = refine_faces(directory, faces, to_faces(wanted));
-    CHECK((out.report.output.faces <= wanted || out.report.refine.stopped_by == "topology"));
+    CHECK(
+        (out.report.output.faces <= wanted || out.report.refine.stopped_by == StoppedBy::topology));
     const Defects after = defects_of(out.mesh.faces);
     CHECK(after.crowded <= before.crowded);
     CHECK(after.duplicates == 0);

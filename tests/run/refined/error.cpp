@@ -36,7 +36,7 @@ void check_errors(const std::string& input) {
     // And it makes use of what it may: else any mesh would do.
     CHECK(compared.symmetric.rms > options.target.error()->value / 10);
     CHECK(out.report.output.faces < faces);
-    CHECK(out.report.refine.stopped_by == "error");
+    CHECK(out.report.refine.stopped_by == StoppedBy::error);
     CHECK(out.report.refine.max_error <= options.target.error()->value * (1 + 1e-9));
     CHECK(out.report.refine.max_error > options.target.error()->value / 2);
     CHECK_FALSE(out.report.target_faces);
