@@ -16,7 +16,7 @@ constexpr const char* done = "straight";
 
 constexpr const char* goal_count = "clustered.goals";
 constexpr const char* written_map = "written.map";
-constexpr const char* input_map = "input.map";  // what Clustered::map is kept as
+constexpr const char* input_map = "stage-input.map";  // what Clustered::map is kept as
 
 constexpr const char* attribute_count = "clustered.attributes";
 constexpr const char* rounding_relative = "clustered.rounding.relative";
