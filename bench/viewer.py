@@ -25,7 +25,7 @@ def section_viewer(bench):
     if node is None or chromium is None:
         raise Failed("Node.js or Chromium is missing; tools/setup checks installs them")
     table = Table("faces", "splits a second of processor time: read and applied", "taken back",
-                  "first picture, ms", "frames/s, drawn by the processor",
+                  "first picture, ms", "frames/s while the slider moves",
                   "the page's work a frame, ms: median", "95 %")
     result = {}
     for faces in options.viewer_faces:

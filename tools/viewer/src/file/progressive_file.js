@@ -5,7 +5,7 @@ import { fixedBytes, headerBytes, parseHeader } from "./header.js";
 import { VertexWords } from "./vertex_words.js";
 
 const firstBytes = 1 << 16;  // most headers are shorter
-const bytesAtOnce = 1 << 20;
+const mostBytesAtOnce = 1 << 20;
 const unpackedAtMost = 64;  // chunks that are kept unpacked
 
 export class ProgressiveFile {
@@ -14,14 +14,16 @@ export class ProgressiveFile {
     const size = headerBytes(head.subarray(0, Math.max(fixedBytes, head.length)));
     if (size > head.length) head = await source.read(0, size);
     if (head.length < size) throw new CutShort("its header is not whole");
-    return new ProgressiveFile(source, parseHeader(head.subarray(0, size)), size);
+    const file = new ProgressiveFile(source, parseHeader(head.subarray(0, size)));
+    file.keep(head, 0);
+    return file;
   }
 
-  constructor(source, header, size) {
+  constructor(source, header) {
     this.source = source;
     this.header = header;
     this.words = new VertexWords(header.form, header.attributes);
-    this.bytesRead = size;
+    this.bytesRead = 0;
     this.packed = [];  // of each chunk that was read
     this.open = new Map();  // chunks by number, the last used at the end: a promise or a chunk
     this.reading = Promise.resolve();
@@ -75,7 +77,7 @@ export class ProgressiveFile {
   // Chunks are read in the order of the file, many at once.
   async read(number) {
     while (this.packed.length <= number) {
-      this.reading = this.reading.then(() => this.readMore(number));
+      this.reading = this.reading.catch(() => {}).then(() => this.readMore(number));
       await this.reading;
     }
     return this.packed[number];
@@ -87,16 +89,21 @@ export class ProgressiveFile {
     if (first > number) return;
     let last = first;
     const { begin } = chunks[first];
-    while (last + 1 < chunks.length && chunks[last + 1].end.bytes - begin <= bytesAtOnce) ++last;
-    const bytes = await this.source.read(begin, chunks[last].end.bytes);
+    // Little at first, so that something is seen.
+    const most = begin + Math.min(this.bytesRead, mostBytesAtOnce);
+    while (last + 1 < chunks.length && chunks[last + 1].end.bytes <= most) ++last;
+    this.keep(await this.source.read(begin, chunks[last].end.bytes), begin);
+    if (this.packed.length <= number)
+      throw new CutShort(`it ends after ${this.bytesRead} bytes of ${this.header.full.bytes}`);
+  }
+
+  // The next chunks out of bytes that were read, as far as they are whole.
+  keep(bytes, begin) {
+    const { chunks } = this.header;
     this.bytesRead = Math.max(this.bytesRead, begin + bytes.length);
-    for (let i = first; i <= last; ++i) {
-      const { end } = chunks[i];
-      if (end.bytes - begin > bytes.length) {
-        if (i > number) return;
-        throw new CutShort(`it ends after ${this.bytesRead} bytes of ${this.header.full.bytes}`);
-      }
-      this.packed.push(bytes.subarray(chunks[i].begin - begin, end.bytes - begin));
+    for (let i = this.packed.length; i < chunks.length; ++i) {
+      if (chunks[i].end.bytes - begin > bytes.length) return;
+      this.packed.push(bytes.subarray(chunks[i].begin - begin, chunks[i].end.bytes - begin));
     }
   }
 }

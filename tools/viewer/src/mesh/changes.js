@@ -22,7 +22,7 @@ export class Changes {
   }
 
   mark(item) {
-    if (this.marked[item] !== 0) return;
+    if (this.all || this.marked[item] !== 0) return;
     this.marked[item] = 1;
     this.items[this.count++] = item;
     this.blocks[item >> shift] = 1;

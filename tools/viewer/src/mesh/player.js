@@ -7,15 +7,12 @@ import { SplitReader, beginning } from "./split_reader.js";
 import { StepLog } from "./step_log.js";
 
 const chunksAhead = 32;
-const reservedAtOnce = 4e6;  // faces; larger meshes grow, which holds up a frame now and then
 const stepsBetweenLooks = 128;  // at the clock
 
 export class Player {
   // Reads the base.
   static async open(file) {
     const player = new Player(file);
-    const { full } = file.header;
-    if (full.faces <= reservedAtOnce) player.mesh.reserve(full.vertices, full.faces);
     for (let number = 0; number < file.header.baseChunks; ++number) {
       await file.fetch(number);
       player.reader.chunk = file.chunk(number);
@@ -31,7 +28,7 @@ export class Player {
 
   constructor(file) {
     this.file = file;
-    this.mesh = new SplitMesh(file.words.width);
+    this.mesh = new SplitMesh(file.words.width, file.header.full);
     this.reader = new SplitReader();
     this.split = new Split();
     this.log = new StepLog(file.words.width);

@@ -11,10 +11,13 @@ import { noVertex } from "./split.js";
 const none = -1;
 const faceInts = 9;
 const next = 3, previous = 6;  // behind a corner's vertex
+const fewFaces = 3e4, manyFaces = 4e6;
 
 export class SplitMesh {
-  constructor(width) {
+  // `full`: of what it can become, { vertices, faces }.
+  constructor(width, full) {
     this.width = width;
+    this.full = full;
     this.vertexCount = 0;
     this.faceCount = 0;
     this.vertexRoom = 0;
@@ -27,8 +30,11 @@ export class SplitMesh {
   }
 
   reserve(vertices, faces) {
-    this.vertexRoom = roomFor(vertices, this.vertexRoom);
-    this.faceRoom = roomFor(faces, this.faceRoom);
+    // Little at first, so that something is seen; then for all, as to grow holds up a frame.
+    const { full } = this;
+    const all = faces > fewFaces && full.faces <= manyFaces;
+    this.vertexRoom = roomFor(all ? Math.max(vertices, full.vertices) : vertices, this.vertexRoom);
+    this.faceRoom = roomFor(all ? Math.max(faces, full.faces) : faces, this.faceRoom);
     this.words = grown(this.words, this.width * this.vertexRoom);
     this.first = grown(this.first, this.vertexRoom);
     this.faces = grown(this.faces, faceInts * this.faceRoom);
