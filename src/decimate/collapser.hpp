@@ -161,6 +161,7 @@ struct CollapseRules {
   bool keep_pieces = false;       // no piece goes as a whole
   // The topology may change and faces may turn by more, at a cost.
   bool free_topology = false;
+  bool exact = false;  // no piece goes that would leave fewer faces than one collapse can
 };
 
 // How far to go: down to so many faces, or up to this cost, whichever comes first.
@@ -215,7 +216,7 @@ class Collapser {
       const Candidate candidate = offers_.of(v);
       if (candidate.cost > limits.cost) return;
       if (candidate.partner == v) {
-        take_piece(v, candidate.cost, done);
+        take_piece(v, candidate.cost, limits, done);
         continue;
       }
       EvaluatedCollapse now = cost_.place(v, candidate.partner);
@@ -289,11 +290,12 @@ class Collapser {
   }
 
   // The last piece stays.
-  void take_piece(VertexNumber v, double cost,
+  void take_piece(VertexNumber v, double cost, const CollapseLimits& limits,
                   const std::function<void(const DoneCollapse&)>& done) {
     piece_.find(mesh_, v);
     offers_.set(v, {});
     if (piece_.faces.size() >= mesh_.live_faces()) return;
+    if (rules_.exact && mesh_.live_faces() - piece_.faces.size() + 1 < limits.faces) return;
     highest_ = std::max(highest_, cost);
     const auto faces = static_cast<unsigned>(piece_.faces.size());
     done({{v, v, mesh_.position(v)}, highest_, faces, cost_.largest_error()});
