@@ -93,6 +93,36 @@ def section_levels(bench):
     return result
 
 
+def section_fit(bench):
+    """Fitting to the original: distance and time of 0 to 3 passes"""
+    options = bench.options
+    result = {}
+    for source in (bench.generate(options.fidelity_faces), *real_meshes(options.data)):
+        warm(source)
+        print(f"**{source.name}**:\n")
+        table = Table("share", "passes", "RMS % of the diagonal", "relative", "max %", "relative",
+                      "flipped", "s", "relative")
+        result[source.name] = {}
+        for share in ("10%", "1%"):
+            passes = {fit: [] for fit in ("0", "1", "2", "3")}
+            runs = bench.in_turn({fit: lambda fit=fit, share=share:
+                                  bench.winnow(source, "--ratio", share, "--fit", fit)
+                                  for fit in passes})
+            for fit in passes:
+                bench.winnow(source, "--ratio", share, "--fit", fit)
+                judged = bench.compare(source, bench.out)["report"]
+                both = judged["distance"]["symmetric"]
+                found = [both["rms_percent"], both["max_percent"], median(runs[fit], "seconds")]
+                passes[fit] = found
+                base = passes["0"]
+                table.add(share, fit, found[0], found[0] / base[0], found[1], found[1] / base[1],
+                          judged["topology"]["flipped"], found[2],
+                          ratio(runs[fit], runs["0"]))
+            result[source.name][share] = passes
+        table.print()
+    return result
+
+
 def section_fidelity(bench):
     """Distance to the original at the same face count (% of the box diagonal)"""
     options = bench.options

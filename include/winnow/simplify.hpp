@@ -56,6 +56,10 @@ struct SimplifyOptions {
   bool keep_pieces = false;
   double max_normal_deviation =
       45;  // by which one collapse may turn a face, in degrees; in (0, 90]
+  // Passes over samples of the original, at the end: in each the vertices move to where the result
+  // is nearest to the samples, in the least-squares sense. Boundaries stay, and what is exact stays
+  // so. At most 100; only for a target of faces or ratio and Refine::quadric. Default: 0.
+  std::optional<std::uint64_t> fit;
 
   Placement placement = Placement::quadric;  // where in its cell the vertex goes
   bool normals = false;  // write vertex normals, computed from the result; those of the input are

@@ -60,6 +60,15 @@ struct LevelReport {
     // Where the count was missed, what keeps most of the faces; nothing without refinement.
     std::optional<StoppedBy> stopped_by;
   } refine;
+  // Of SimplifyOptions::fit; zeros without.
+  struct Fit {
+    std::uint64_t passes = 0;
+    std::uint64_t samples = 0;         // of the input that were near the result
+    std::uint64_t moved_vertices = 0;  // in all passes together
+    // Of the distances of the samples from the result before and after, in model units; one in
+    // sixteen tells of what is after.
+    double rms_before = 0, rms_after = 0;
+  } fit;
   std::optional<bool> target_met;    // with target_faces and refinement
   std::vector<StoppedBy> missed_by;  // all that keep one face in eight or more, if it was not
 
@@ -167,6 +176,11 @@ void for_each_level_field(Report& report, Field&& field) {
   field("refine.collapses", report.refine.collapses);
   field("refine.max_error", report.refine.max_error);
   field("refine.stopped_by", report.refine.stopped_by);
+  field("fit.passes", report.fit.passes);
+  field("fit.samples", report.fit.samples);
+  field("fit.moved_vertices", report.fit.moved_vertices);
+  field("fit.rms_before", report.fit.rms_before);
+  field("fit.rms_after", report.fit.rms_after);
   field("lost.pieces", report.lost.pieces);
   field("lost.piece_area", report.lost.piece_area);
   field("lost.handles", report.lost.handles);

@@ -58,6 +58,7 @@ inline constexpr Share used{1, 4};          // bits for vertices, while it is ma
 inline constexpr Share packing{1, 2};       // blocks of the output
 inline constexpr Share damage{1, 2};        // tiles that are looked at, and as much for sorting
 inline constexpr Share crowded_part{1, 2};  // records of one part that are more than expected
+inline constexpr Share samples{1, 16};      // of the original, while it is refined
 }  // namespace left
 
 // A mesh file that has vertices of its own: the part for vertices.
@@ -132,6 +133,12 @@ inline constexpr Share renumbering{1, 2}, sorting_vertices{1, 2};  // of lists, 
 static_assert(fit(renumbering, sorting_vertices));
 inline constexpr Share joined{1, 2};  // of lists, while vertices are joined
 }  // namespace refine
+
+// Fitting, of what refinement has for tiles, while samples look for their faces.
+namespace fitting {
+inline constexpr Share index{1, 2}, hits{1, 4}, placed{1, 4};
+static_assert(fit(index, hits, placed));
+}  // namespace fitting
 
 // What comes out of a round: the mesh, and faces on their way to it.
 namespace round {

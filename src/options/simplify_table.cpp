@@ -154,6 +154,9 @@ std::vector<Option<Options>> table() {
        "Let one collapse turn a face by at most this many degrees (default 45)",
        number<Options>(&Options::max_normal_deviation, "an angle like 60, in degrees",
                        {0, 90, true, false, "an angle above 0 and at most 90 degrees"})},
+      {"fit", "N", refinement,
+       "Move the vertices N times to where the result is nearest to the original (default 0)",
+       count<Options>(&Options::fit, 0, 100, "0 to 100 passes")},
 
       strict_option<Options>(),
       {"crop", "BOX", input_group,

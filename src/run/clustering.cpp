@@ -149,6 +149,8 @@ Clustered Clustering::run() {
   out.normals = reader_.facts().normals;
   out.double_positions = reader_.facts().double_positions;
   out.attributes = settings_.attributes.attributes;
+  if (fit_passes(options_) > 0)
+    out.samples = sample_faces(job_, reader_, std::min(target_, available_), report_.area.input);
   report_.cell_size = settings_.grid.cell;
   report_.input.vertices = reader_.facts().vertices.value_or(0);
   report_.input.bytes = reader_.bytes();

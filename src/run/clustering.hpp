@@ -7,6 +7,7 @@
 #include "cluster/cell_search.hpp"
 #include "cluster/clusterer.hpp"
 #include "cluster/resolution.hpp"
+#include "fit/samples.hpp"
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
 #include "run/attributes.hpp"
@@ -29,6 +30,7 @@ struct Clustered {
   bool normals = false;                 // of the input
   bool double_positions = false;        // likewise
   std::vector<Attribute> attributes{};  // that vertices carry
+  Samples samples{};                    // of the input, where the result is going to be fitted
   SimplifyReport report{};              // of the input, its attributes and the cells
   std::unique_ptr<Spool> map{};  // of each vertex of the input a Destination; only if asked for
 };

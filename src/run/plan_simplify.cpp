@@ -56,12 +56,20 @@ std::vector<std::string> passes_of(const InputProbe& probe, const SimplifyOption
   if (options.target.of_count() && !refine)
     passes.emplace_back("cluster them again, only if the sample misled by more than 10 %");
   if (!options.map.empty()) passes.emplace_back("find where the vertices of the input went");
+  if (fit_passes(options) > 0) passes.emplace_back("take samples of the faces");
   if (refine) passes.emplace_back("collapse edges, tile by tile");
+  if (fit_passes(options) > 0) {
+    passes.push_back("fit the result to the samples" +
+                     (fit_passes(options) == 1
+                          ? std::string()
+                          : ", " + std::to_string(fit_passes(options)) + " times"));
+  }
   passes.emplace_back("count the edges of the result");
   passes.emplace_back("write the result");
   if (!options.coarser.empty()) {
     const std::size_t more = options.coarser.size();
-    passes.push_back("collapse, count and write " + std::to_string(more) +
+    passes.push_back(std::string("collapse, ") + (fit_passes(options) > 0 ? "fit, " : "") +
+                     "count and write " + std::to_string(more) +
                      (more == 1 ? " more time" : " more times") + ", each from the result before");
   }
   return passes;

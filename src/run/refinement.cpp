@@ -5,6 +5,7 @@
 #include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "base/trigonometry.hpp"
+#include "fit/fit.hpp"
 #include "run/simplify_options.hpp"
 #include "stitch/collapse_log.hpp"
 #include "stitch/refine.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,24 +55,18 @@ std::vector<StoppedBy> tell_reasons(Job& job, const RefineReport& done, std::uin
 // What a run holds at the most beside the tile that it works on, under a budget of any size.
 class HeldBesideTile {
  public:
-  HeldBesideTile(const Job& job, const StoredMesh& whole, const RefineSettings& settings,
-                 PlanOf plan)
+  HeldBesideTile(const Job& job, const StoredMesh& whole, const Samples& samples,
+                 const RefineSettings& settings, PlanOf plan)
       : plan_(std::move(plan)), total_(job.budget.total()), fixed_(job.budget.used()) {
     const std::uint64_t vertices = whole.vertices->size();
     const std::uint64_t faces = whole.face_count;
-    for (const Spool* spool : whole.spools()) {
-      if (spool == nullptr) continue;
-      mesh_.push_back(
-          {spool->size(), spool->memory_limit() + mebibyte});  // limits are rounded down
-      if (spool->in_memory()) fixed_ -= spool->size();
-    }
+    for (const Spool* spool : whole.spools()) add(spool);
+    add(samples.points.get());
     if (std::max(vertices, faces) <= settings.tile_faces) return;
     // A face comes to two other tiles at the most, and a collapse takes away one face at the least.
     incoming_ = 2 * faces * sizeof(FaceVertices);
     log_ = faces * CollapseLog::entry_size;
-    later_mesh_ =
-        std::accumulate(mesh_.begin(), mesh_.end(), std::uint64_t{0},
-                        [](std::uint64_t sum, const Part& part) { return sum + part.size; });
+    for (const Spool* spool : whole.spools()) later_mesh_ += spool == nullptr ? 0 : spool->size();
     // A later round has its borders elsewhere: its largest tile may be larger by so much.
     other_tile_ = tile_memory(settings, settings.tile_faces, settings.tile_faces);
   }
@@ -81,7 +75,7 @@ class HeldBesideTile {
     const std::uint64_t fixed = fixed_ + plan_(total).fixed - plan_(total_).fixed;
     const double growth = static_cast<double>(total - fixed) / static_cast<double>(total_ - fixed_);
     std::uint64_t mesh = 0;
-    for (const Part& part : mesh_) {
+    for (const Part& part : held_) {
       const auto limit = static_cast<std::uint64_t>(growth * static_cast<double>(part.limit));
       if (part.size <= limit) mesh += std::min(limit, reserved_for(part.size));
     }
@@ -98,13 +92,19 @@ class HeldBesideTile {
     std::uint64_t size, limit;
   };
 
+  void add(const Spool* spool) {
+    if (spool == nullptr) return;
+    held_.push_back({spool->size(), spool->memory_limit() + mebibyte});  // limits are rounded down
+    if (spool->in_memory()) fixed_ -= spool->size();
+  }
+
   // Spools grow by an eighth more than they are asked to.
   static std::uint64_t reserved_for(std::uint64_t bytes) { return bytes + bytes / 8; }
 
   PlanOf plan_;
   std::uint64_t total_;
-  std::uint64_t fixed_;  // all but the mesh
-  std::vector<Part> mesh_;
+  std::uint64_t fixed_;     // all but the mesh
+  std::vector<Part> held_;  // what stays in memory while there is room
   std::uint64_t incoming_ = 0, log_ = 0, later_mesh_ = 0, other_tile_ = 0;  // of several tiles
 };
 
@@ -144,9 +144,9 @@ Refinement refinement_of(Job& job, const StoredMesh& mesh, const RefineReport& d
 
 }  // namespace
 
-void expect_beside_tile(Job& job, const StoredMesh& whole, const RefineSettings& settings,
-                        const PlanOf& plan) {
-  job.budget.expect_held(HeldBesideTile(job, whole, settings, plan));
+void expect_beside_tile(Job& job, const StoredMesh& whole, const Samples& samples,
+                        const RefineSettings& settings, const PlanOf& plan) {
+  job.budget.expect_held(HeldBesideTile(job, whole, samples, settings, plan));
 }
 
 void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& options, bool doubles,
@@ -166,12 +166,25 @@ void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& opt
   if (goals.front().error > 0) settings.decimation.error = goals.front().error;
   const RefineMemory memory = refine_memory(job.budget.left());
   StoredMesh whole = std::move(clustered.mesh);
-  expect_beside_tile(job, whole, settings, plan);
+  const Samples samples = std::move(clustered.samples);
+  expect_beside_tile(job, whole, samples, settings, plan);
   std::size_t level = 0;
-  refine_levels(job, std::move(whole), settings, goals, memory, checkpoint,
-                [&](const StoredMesh& mesh, const RefineReport& done) {
-                  take(mesh, refinement_of(job, mesh, done, goals[level++], options));
-                });
+  FitReport fitted;
+  MoveVertices move;
+  if (samples.count() > 0) {
+    move = [&](StoredMesh& mesh, const ReferenceMesh& reference) {
+      return fit(job, mesh, samples, fit_passes(options), reference, settings, memory, fitted);
+    };
+  }
+  refine_levels(
+      job, std::move(whole), settings, goals, memory, checkpoint,
+      [&](const StoredMesh& mesh, const RefineReport& done) {
+        Refinement refined = refinement_of(job, mesh, done, goals[level++], options);
+        refined.fit = {fitted.passes, fitted.samples, fitted.moved, fitted.rms_before,
+                       fitted.rms_after};
+        take(mesh, refined);
+      },
+      move);
   job.budget.expect_held({});
 }
 

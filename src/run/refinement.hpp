@@ -24,12 +24,13 @@ RefineMemory refine_memory(std::uint64_t left);
 using PlanOf = std::function<MemoryPlan(std::uint64_t total)>;
 
 // Messages of a tile that the budget has no room for then name one that has.
-void expect_beside_tile(Job& job, const StoredMesh& whole, const RefineSettings& settings,
-                        const PlanOf& plan);
+void expect_beside_tile(Job& job, const StoredMesh& whole, const Samples& samples,
+                        const RefineSettings& settings, const PlanOf& plan);
 
 // What is told of a level.
 struct Refinement {
   LevelReport::Refinement refine;
+  LevelReport::Fit fit;
   LevelReport::Lost lost;
   std::vector<StoppedBy> missed_by;
   std::uint64_t wanted = 0;                           // faces; 0 where an error says how many

@@ -202,6 +202,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const ResultSi
                       checkpoint.directory(),
                       [&](const StoredMesh& mesh, const Refinement& refined) {
                         report.refine = refined.refine;
+                        report.fit = refined.fit;
                         report.lost = refined.lost;
                         report.missed_by = refined.missed_by;
                         if (report.target_faces) {

@@ -5,6 +5,7 @@
 #include "base/memory_shares.hpp"
 #include "mesh/saved_mesh.hpp"
 
+#include <memory>
 #include <utility>
 
 namespace winnow {
@@ -19,6 +20,7 @@ constexpr const char* written_map = "written.map";
 constexpr const char* input_map = "stage-input.map";  // what Clustered::map is kept as
 
 constexpr const char* attribute_count = "clustered.attributes";
+constexpr const char* samples_file = "stage-0.samples";
 constexpr const char* rounding_relative = "clustered.rounding.relative";
 
 std::string written_key(std::size_t number) {
@@ -102,6 +104,11 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory) const {
     clustered.mesh.rounding = {manifest.real(rounding_relative),
                                manifest.real("clustered.rounding.absolute")};
   }
+  if (directory_->has(samples_file)) {
+    clustered.samples.points = std::make_unique<Spool>(
+        directory_->load(samples_file, share::left::samples(job.budget.left())));
+    clustered.samples.single = manifest.number("clustered.samples.single") != 0;
+  }
   for (std::size_t i = 0; i < manifest.number(attribute_count); ++i) {
     Attribute& attribute = clustered.attributes.emplace_back();
     attribute.name = manifest.text(attribute_key(i, "name"));
@@ -141,6 +148,10 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered) {
     if (attribute.no_data) manifest.set(attribute_key(i, "no_data"), *attribute.no_data);
   }
   if (clustered.map != nullptr) directory_->save(input_map, *clustered.map);
+  if (clustered.samples.points != nullptr) {
+    directory_->save(samples_file, *clustered.samples.points);
+    manifest.set("clustered.samples.single", std::uint64_t{clustered.samples.single});
+  }
   save_mesh(*directory_, clustered.mesh, 0, false);
   directory_->commit();
 }

@@ -71,11 +71,21 @@ void check(const SimplifyOptions& options) {
     throw Error(ErrorKind::usage,
                 "`keep_pieces` goes with refinement; clustering joins what is near");
   }
+  if (options.fit.value_or(0) > 0 &&
+      !(options.target.of_count() && cost_of(options) == Refine::quadric)) {
+    throw Error(ErrorKind::usage,
+                "`fit` goes with `faces` or `ratio` and `refine` quadric; other results keep an "
+                "error, a grid or vertices of the input");
+  }
   if (options.max_normal_deviation != SimplifyOptions{}.max_normal_deviation &&
       cost_of(options) == Refine::none) {
     throw Error(ErrorKind::usage,
                 "`max_normal_deviation` bounds what refinement does; it has no meaning without");
   }
+}
+
+unsigned fit_passes(const SimplifyOptions& options) {
+  return static_cast<unsigned>(options.fit.value_or(0));
 }
 
 bool welds(const SimplifyOptions& options) {

@@ -12,6 +12,8 @@ namespace winnow {
 void check(const SimplifyOptions& options);
 
 Refine cost_of(const SimplifyOptions& options);
+// How often vertices are fitted to the original at the end.
+unsigned fit_passes(const SimplifyOptions& options);
 // Vertices that are near each other, not only equal ones.
 bool welds(const SimplifyOptions& options);
 // `map`: whether somebody asks where vertices went.

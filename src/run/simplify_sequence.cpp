@@ -244,7 +244,7 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
   const std::uint64_t wanted = faces_wanted(options.target, sequence.mesh.face_count).value_or(0);
   const RefineSettings settings = settings_for(options, sequence, wanted, doubles);
   const RefineMemory memory = refine_memory(job.budget.left());
-  expect_beside_tile(job, sequence.mesh, settings, plan_of);
+  expect_beside_tile(job, sequence.mesh, {}, settings, plan_of);
   Refined refined = refine(job, std::move(sequence.mesh), settings, memory);
   job.budget.expect_held({});
   StoredMesh& mesh = refined.mesh;

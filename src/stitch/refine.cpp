@@ -24,8 +24,12 @@ namespace {
 class Refiner {
  public:
   Refiner(Job& job, RefineSettings settings, const RefineMemory& memory,
-          CheckpointDirectory* checkpoint)
-      : job_(job), settings_(std::move(settings)), memory_(memory), checkpoint_(checkpoint) {}
+          CheckpointDirectory* checkpoint, const MoveVertices& move)
+      : job_(job),
+        settings_(std::move(settings)),
+        memory_(memory),
+        checkpoint_(checkpoint),
+        move_(move) {}
 
   void run(StoredMesh whole, std::span<const LevelGoal> goals, const TakeLevel& take) {
     std::size_t level = 0;
@@ -163,24 +167,31 @@ class Refiner {
   void give(StoredMesh& whole, const RefineReport& report, const TakeLevel& take) {
     const bool changed = state_.collapses + state_.report.collapses > 0;
     if (!settings_.unfolds() || !changed || whole.face_count == 0) return take(whole, report);
-    std::unique_ptr<VertexIndex> collapsed = std::exchange(whole.vertices, unfolded(whole));
+    std::unique_ptr<VertexIndex> collapsed = moved(whole);
     take(whole, report);
     whole.vertices = std::move(collapsed);
   }
 
-  std::unique_ptr<VertexIndex> unfolded(const StoredMesh& whole) {
-    job_.progress.begin("unfold", whole.face_count, "faces");
+  // Moves vertices and returns them as they were.
+  std::unique_ptr<VertexIndex> moved(StoredMesh& whole) {
     if (checkpoint_ != nullptr) reference_ = load_reference(job_, *checkpoint_, memory_.mesh);
-    std::unique_ptr<VertexIndex> vertices =
-        unfolded_vertices(job_, whole, reference_, settings_, memory_);
+    std::unique_ptr<VertexIndex> before;
+    if (move_) {
+      const ReferenceMesh reference(job_, reference_, share::refine::boxes(memory_.lists));
+      before = move_(whole, reference);
+    }
+    std::unique_ptr<VertexIndex> folded = std::exchange(
+        whole.vertices, unfolded_vertices(job_, whole, reference_, settings_, memory_));
+    if (before == nullptr) before = std::move(folded);
     if (checkpoint_ != nullptr) reference_ = {};
-    return vertices;
+    return before;
   }
 
   Job& job_;
   RefineSettings settings_;
   RefineMemory memory_;
   CheckpointDirectory* checkpoint_;
+  const MoveVertices& move_;
   RoundsState state_;
   StoredMesh reference_;  // vertices and faces of the mesh that the first round began with
 };
@@ -191,7 +202,8 @@ Refined refine(Job& job, StoredMesh whole, const RefineSettings& settings,
                const RefineMemory& memory, CheckpointDirectory* checkpoint) {
   const LevelGoal goal{settings.faces, settings.decimation.error.value_or(0)};
   Refined out;
-  Refiner refiner(job, settings, memory, checkpoint);
+  const MoveVertices none;
+  Refiner refiner(job, settings, memory, checkpoint, none);
   refiner.run(std::move(whole), std::span(&goal, 1),
               [&](StoredMesh& mesh, const RefineReport& report) {
                 out.mesh = std::move(mesh);
@@ -203,8 +215,9 @@ Refined refine(Job& job, StoredMesh whole, const RefineSettings& settings,
 
 void refine_levels(Job& job, StoredMesh whole, const RefineSettings& settings,
                    std::span<const LevelGoal> goals, const RefineMemory& memory,
-                   CheckpointDirectory* checkpoint, const TakeLevel& take) {
-  Refiner(job, settings, memory, checkpoint).run(std::move(whole), goals, take);
+                   CheckpointDirectory* checkpoint, const TakeLevel& take,
+                   const MoveVertices& move) {
+  Refiner(job, settings, memory, checkpoint, move).run(std::move(whole), goals, take);
 }
 
 }  // namespace winnow

@@ -6,6 +6,7 @@
 #include "io/recent_blocks.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
+#include "stitch/smaller_mesh.hpp"
 
 #include <algorithm>
 #include <array>
@@ -266,6 +267,37 @@ void load_state_of_others(Tile& tile, const Spool& state, std::size_t state_size
     const std::span<const std::byte> record = records.record(v);
     std::copy(record.begin(), record.end(), into);
     into += state_size;
+  }
+}
+
+void lock_beside_hubs(Tile& tile) {
+  if (tile.hubs.empty()) return;
+  for (const FaceVertices& face : tile.faces) {
+    const bool at_hub = std::any_of(face.begin(), face.end(),
+                                    [&](VertexNumber v) { return tile.locked[v] == fixed_hub; });
+    for (const VertexNumber v : face) {
+      if (at_hub && tile.locked[v] == free_vertex) tile.locked[v] = closed_vertex;
+    }
+  }
+}
+
+void take_positions(Tile& tile, std::span<const VertexNumber> moved) {
+  std::vector<std::uint8_t> changed(tile.positions.size(), 0);
+  std::vector<Point> normals(tile.positions.size(), Point{});
+  for (const FaceVertices& face : tile.faces) {
+    const bool changes = std::any_of(face.begin(), face.end(), [&](VertexNumber v) {
+      return std::binary_search(moved.begin(), moved.end(), v);
+    });
+    const Point normal =
+        doubled_area({tile.positions[face[0]], tile.positions[face[1]], tile.positions[face[2]]});
+    for (const VertexNumber v : face) {
+      changed[v] |= static_cast<std::uint8_t>(changes);
+      normals[v] = normals[v] + normal;
+    }
+  }
+  for (VertexNumber v = 0; v < tile.own_vertices; ++v) {
+    tile.vertices[v].position = tile.positions[v];
+    if (changed[v] != 0) tile.vertices[v].normal = normal_along(normals[v]);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace winnow {
@@ -101,6 +102,14 @@ Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFace
 
 // In place of zeros: the positions of other tiles' vertices in later frames are a part of theirs.
 void load_state_of_others(Tile& tile, const Spool& state, std::size_t state_size);
+
+// A tile does not know all faces of a hub. Where vertices move, its normal has to stay, and so have
+// the vertices beside it.
+void lock_beside_hubs(Tile& tile);
+
+// When `positions` of these have changed: gives the tile's own vertices theirs, and those of
+// changed faces new normals. `moved`: ascending.
+void take_positions(Tile& tile, std::span<const VertexNumber> moved);
 
 // What the tile's own vertices carry.
 CarriedValues carried_values(Tile& tile, std::span<const Attribute> attributes);

@@ -103,6 +103,13 @@ void show(const SimplifyReport& report, std::ostream& out) {
                         facts_of(report.refine.cost).name + ", " + grouped(report.refine.tiles) +
                         (report.refine.tiles == 1 ? " tile" : " tiles"));
   }
+  if (report.fit.passes > 0) {
+    line("fitted", "RMS of " + grouped(report.fit.samples) + " samples " +
+                       show_length(report.fit.rms_before) + " -> " +
+                       show_length(report.fit.rms_after) +
+                       (report.fit.passes == 1 ? ", one pass"
+                                               : ", " + grouped(report.fit.passes) + " passes"));
+  }
   if (report.topology.output.total > 0) {
     std::string edges = describe(report.topology.output);
     if (report.topology.input) edges = describe(*report.topology.input) + " -> " + edges;

@@ -1,0 +1,84 @@
+// The faces of a result, asked which of them is nearest to a point.
+#pragma once
+
+#include "fit/box_tree.hpp"
+#include "io/job.hpp"
+#include "mesh/stored_mesh.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace winnow {
+
+// Faces come in the order of their vertices' keys, so those that follow each other are close. So
+// many of them are a page, with a tree of their boxes; the boxes of all pages are a tree as well.
+// All pages are in memory, and large, or each thread has the few that it used last.
+class FaceIndex {
+ public:
+  // `mesh` must stay. Uses at most `memory`, or what a few pages a thread need. Inside the job's
+  // arena.
+  FaceIndex(Job& job, const StoredMesh& mesh, std::uint64_t memory);
+
+  // Whether points may be asked for in any order; else those that follow each other should be near.
+  [[nodiscard]] bool in_memory() const { return !resident_.empty(); }
+  [[nodiscard]] std::size_t pages() const { return boxes_.size(); }
+  [[nodiscard]] double area() const { return area_; }
+  // The page whose box is nearest, or one that is.
+  [[nodiscard]] std::size_t page_near(const Point& point) const;
+
+  struct Nearest {
+    std::uint64_t face = 0;
+    Triangle corner{};
+    Point place{};  // on it
+    double squared = 0;
+  };
+
+ private:
+  struct Page {
+    std::vector<Triangle> faces;
+    std::optional<BoxTree> tree;
+    double area = 0;
+  };
+
+ public:
+  // For one thread.
+  class Reader {
+   public:
+    explicit Reader(const FaceIndex& index);
+    // Of several that are as near the one with the lowest number.
+    const Nearest& nearest(const Point& point);
+
+   private:
+    struct Slot {
+      std::size_t number = SIZE_MAX;
+      std::uint64_t used = 0;
+      Page page;
+    };
+    const Page& page(std::size_t number);
+
+    const FaceIndex& index_;
+    VertexIndex::Reader vertices_;
+    std::vector<Slot> slots_;
+    std::uint64_t turn_ = 0;
+    Nearest last_;
+  };
+
+ private:
+  static constexpr std::uint64_t page_bytes(std::uint64_t faces);
+  void load(std::size_t number, VertexIndex::Reader& vertices, Page& page) const;
+
+  Job& job_;
+  const StoredMesh& mesh_;
+  std::uint64_t page_faces_ = 0;
+  Reservation reserved_;
+  std::size_t slots_a_thread_ = 0;
+  std::vector<Page> resident_;
+  std::vector<Box> boxes_;  // of pages
+  std::optional<BoxTree> tree_;
+  double area_ = 0;
+};
+
+}  // namespace winnow

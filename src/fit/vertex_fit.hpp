@@ -1,0 +1,44 @@
+// Moves the vertices of a tile to where its surface is nearest to samples of the original, in the
+// least-squares sense (Hoppe et al. 1993, with the faces fixed).
+#pragma once
+
+#include "base/rounding.hpp"
+#include "base/vector.hpp"
+#include "fit/face_sums.hpp"
+#include "mesh/face_vertices.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace winnow {
+
+struct VertexFitSettings {
+  bool single = true;           // positions are rounded to floats
+  double least_cosine = 0;      // between the normals of a face before and after
+  CoordinateRounding rounding;  // of the samples
+  double far = 0;               // the largest distances of samples are about as large
+};
+
+// Which corners of a face that moved have made it farther from the original than before, and
+// farther than `far`.
+using FartherCorners =
+    std::function<std::array<bool, 3>(const Triangle& before, const Triangle& after)>;
+
+// The vertices that moved, ascending. `locked`: not 0 for vertices that stay. Vertices also stay
+// where an edge has one face or more than two, where a face has samples that all lie on it but for
+// rounding, and where a face would turn too far or become a line. `turn` is called now and then.
+std::vector<std::uint32_t> fit_vertices(std::vector<Point>& positions,
+                                        std::span<const FaceVertices> faces,
+                                        std::span<const FaceSums> sums,
+                                        std::span<const std::uint8_t> locked,
+                                        const VertexFitSettings& settings,
+                                        const FartherCorners& farther,
+                                        const std::function<void()>& turn);
+
+// Bytes in use at most, besides the mesh and the sums.
+std::uint64_t vertex_fit_memory(std::uint64_t vertices, std::uint64_t faces);
+
+}  // namespace winnow
