@@ -21,7 +21,7 @@ struct CompareSequenceArguments {
 };
 
 void show(const SequenceComparison& report, std::ostream& out) {
-  const Lines line(out, 10);
+  const Lines line(out, 12);
   line("frames", grouped(report.frames));
   line("rms", show_length(report.mean_rms) + " in the mean (" +
                   show_length(report.mean_rms_percent) + " % of the diagonal), " +

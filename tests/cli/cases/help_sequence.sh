@@ -1,0 +1,1 @@
+"$WINNOW" sequence --help
