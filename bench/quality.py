@@ -6,6 +6,7 @@ import shutil
 
 from bench import PEERS, VARIANTS, faces_in, faces_out, real_meshes
 from harness import MIB, Failed, Table, measure, mebibytes, median, ratio, short, warm
+from progressive import measure_progressive
 from speed import print_against
 
 
@@ -67,7 +68,7 @@ def section_collapse(bench):
 
 
 def section_levels(bench):
-    """Several results in one run, beside a run for each: time, and distance to the original"""
+    """Several results in one run, and a progressive file, beside a run for each"""
     options = bench.options
     result = {}
     shares = ["50%", "10%", "1%", "0.1%"]
@@ -90,6 +91,7 @@ def section_levels(bench):
               f"together, {alone_seconds:.2f} s one by one:\n")
         table.print()
         result[source.name]["seconds"] = [together["seconds"], alone_seconds]
+        result[source.name]["progressive"] = measure_progressive(bench, source, shares)
     return result
 
 

@@ -103,7 +103,10 @@ WINNOW_API ProgressiveReport progressive(Context& context, const std::vector<std
                                          const ProgressiveOptions& options);
 
 struct ExtractOptions {
-  Target target;         // faces or ratio; of all faces. It must be set.
+  Target target;  // faces or ratio; of all faces. It must be set.
+  // Leave folded faces as they are. By default vertices are moved a little where faces are flipped,
+  // but not at full count.
+  bool raw = false;
   bool normals = false;  // write vertex normals, computed from the result
   Format to = Format::automatic;
   Encoding encoding;   // how the output is written

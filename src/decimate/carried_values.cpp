@@ -15,6 +15,8 @@ constexpr double middle = 0.5;
 
 void CarriedValues::collapsed(const Collapse& edge) {
   if (attributes_.empty() || edge.of_piece()) return;
+  // A hub of another tile keeps what it carries, which is not known here.
+  if (edge.kept >= position_.size()) return;
   const Point& from = position_[edge.kept];
   const Point along = position_[edge.removed] - from;
   const double square = dot(along, along);

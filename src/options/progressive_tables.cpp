@@ -80,6 +80,10 @@ std::span<const Option<ExtractOptions>> extract_options() {
                           [=](const std::string& text, const std::string& option) {
                             return ratio_in(text, option, ratio_range);
                           })},
+        {"raw", "", result_group,
+         "Write vertices where the file has them; by default some are moved where faces are "
+         "flipped",
+         flag<Options>(&Options::raw)},
         {"normals", "", result_group, "Write vertex normals computed from the result",
          flag<Options>(&Options::normals)}};
     add_output_options(table);

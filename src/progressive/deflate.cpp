@@ -8,23 +8,36 @@ namespace winnow {
 
 namespace {
 
+// Bytes; a code takes some hundred bits.
+constexpr std::size_t worth_a_code = 200;
+
 [[noreturn]] void refuse_packed() {
   throw Error(ErrorKind::bad_input, "a chunk is damaged");
 }
 
 }  // namespace
 
-std::vector<std::byte> deflated(std::span<const std::uint8_t> raw) {
+std::vector<std::byte> deflated(std::span<const std::uint8_t> raw,
+                                std::span<const std::size_t> ends) {
   z_stream stream{};
-  // No header: what browsers call deflate-raw.
-  if (deflateInit2(&stream, 6, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+  if (deflateInit2(&stream, 6, Z_DEFLATED, -15, 9, Z_DEFAULT_STRATEGY) != Z_OK)
     throw Error(ErrorKind::resources, "there is no memory to compress with");
-  std::vector<std::byte> out(deflateBound(&stream, static_cast<uLong>(raw.size())));
+  std::vector<std::byte> out(deflateBound(&stream, static_cast<uLong>(raw.size())) +
+                             16 * ends.size() + 16);
   stream.next_in = const_cast<Bytef*>(raw.data());
-  stream.avail_in = static_cast<uInt>(raw.size());
   stream.next_out = reinterpret_cast<Bytef*>(out.data());
   stream.avail_out = static_cast<uInt>(out.size());
-  const int result = deflate(&stream, Z_FINISH);
+  std::size_t begin = 0;
+  int result = Z_OK;
+  for (const std::size_t end : ends) {
+    if (end - begin < worth_a_code) continue;
+    stream.avail_in = static_cast<uInt>(end - begin);
+    begin = end;
+    result = deflate(&stream, Z_BLOCK);
+    if (result != Z_OK || stream.avail_in > 0) break;
+  }
+  stream.avail_in += static_cast<uInt>(raw.size() - begin);
+  result = deflate(&stream, Z_FINISH);
   out.resize(stream.total_out);
   deflateEnd(&stream);
   if (result != Z_STREAM_END) throw Error(ErrorKind::failed, "a chunk could not be compressed");

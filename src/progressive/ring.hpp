@@ -28,34 +28,24 @@ void find_neighbours(std::span<const RingEntry> ring, std::vector<std::uint32_t>
   out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
-// The faces of a ring, which is in order, side by side from the neighbour `from` on, by their
-// places: no more than `most`, and no farther than to the neighbour `to` or to the end of the fan.
-// Nothing where a neighbour has two faces that could be the next.
+// The faces of a ring, which is in order, side by side from the one at `first` on, by their places:
+// no more than `most`, and no further than to the end of the fan, or to where a neighbour has two
+// faces that could be the next.
 template <typename RingEntry>
-void walk(std::span<const RingEntry> ring, std::uint32_t from, std::size_t most, std::uint32_t to,
+void walk(std::span<const RingEntry> ring, std::size_t first, std::size_t most,
           std::vector<std::uint32_t>& places) {
-  places.clear();
-  while (places.size() < most && (places.empty() || from != to)) {
+  places.assign(1, static_cast<std::uint32_t>(first));
+  while (places.size() < most) {
+    const std::uint32_t from = far_of(ring[places.back()])[1];
     const auto at = std::lower_bound(
         ring.begin(), ring.end(), from,
         [](const RingEntry& entry, std::uint32_t v) { return far_of(entry)[0] < v; });
     if (at == ring.end() || far_of(*at)[0] != from) return;
-    if (at + 1 != ring.end() && far_of(*(at + 1))[0] == from) return places.clear();
-    places.push_back(static_cast<std::uint32_t>(at - ring.begin()));
-    from = far_of(*at)[1];
+    if (at + 1 != ring.end() && far_of(*(at + 1))[0] == from) return;
+    const auto place = static_cast<std::uint32_t>(at - ring.begin());
+    if (std::find(places.begin(), places.end(), place) != places.end()) return;
+    places.push_back(place);
   }
-}
-
-// The neighbour at which the fan that ends at `to` begins; none where it is closed.
-template <typename RingEntry>
-std::uint32_t beginning_of(std::span<const RingEntry> ring, std::uint32_t to) {
-  for (std::size_t steps = 0; steps <= ring.size(); ++steps) {
-    const auto at = std::find_if(ring.begin(), ring.end(),
-                                 [to](const RingEntry& entry) { return far_of(entry)[1] == to; });
-    if (at == ring.end()) return to;
-    to = far_of(*at)[0];
-  }
-  return no_number;
 }
 
 }  // namespace winnow

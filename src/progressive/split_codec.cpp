@@ -15,10 +15,10 @@ namespace {
 // Kinds of splits. Of all but the last two the anchor moves, one vertex is new, and each face that
 // comes back has the anchor, the new vertex and a neighbour of the anchor.
 enum Kind : std::uint8_t {
-  // The faces that move are side by side.
+  // The faces that move are side by side, from b to a.
   both_sides,  // anchor, new, a; new, anchor, b
-  left_side,   // anchor, new, a; they end at a, and begin where the fan does
-  right_side,  // new, anchor, b; they begin at b, and end where the fan does
+  left_side,   // anchor, new, a
+  right_side,  // new, anchor, b
   // A bit for each face says whether it moves.
   no_side_by_bits,  // the surface comes apart
   both_sides_by_bits,
@@ -98,13 +98,30 @@ bool SplitEncoder::find_sides(const RingedSplit& ringed, std::uint32_t& left,
   return true;
 }
 
-// Whether those that move are the ones at these places.
-bool SplitEncoder::moves_those(const RingedSplit& ringed,
-                               std::vector<std::uint32_t>& places) const {
-  if (places.size() != ringed.split.moved.size()) return false;
-  std::sort(places.begin(), places.end());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (ringed.ring[places[i]] != ringed.split.moved[i]) return false;
+// Finds the faces that move side by side; false where they do not.
+bool SplitEncoder::find_walk(const RingedSplit& ringed, std::uint32_t left, std::uint32_t right) {
+  const std::vector<FarEdge>& moved = ringed.split.moved;
+  const std::vector<FarEdge>& ring = ringed.ring;
+  const auto leads_to = [&](std::uint32_t v) {
+    return std::any_of(moved.begin(), moved.end(), [v](const FarEdge& far) { return far[1] == v; });
+  };
+  // Of a closed fan it begins at the right neighbour, else where none leads to.
+  const auto first = std::find_if(moved.begin(), moved.end(), [&](const FarEdge& far) {
+    return right != no_number ? far[0] == right : !leads_to(far[0]);
+  });
+  if (first == moved.end()) return false;
+  const auto at = std::lower_bound(ring.begin(), ring.end(), *first);
+  walk(std::span(ring), static_cast<std::size_t>(at - ring.begin()), moved.size(), places_);
+  first_place_ = places_.front();
+  return (left == no_number || ring[places_.back()][1] == left) && moves_those(ringed);
+}
+
+// Whether the faces at places_ are those that move.
+bool SplitEncoder::moves_those(const RingedSplit& ringed) {
+  if (places_.size() != ringed.split.moved.size()) return false;
+  std::sort(places_.begin(), places_.end());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (ringed.ring[places_[i]] != ringed.split.moved[i]) return false;
   }
   return true;
 }
@@ -113,33 +130,27 @@ bool SplitEncoder::add_beside(const RingedSplit& ringed) {
   const Split& split = ringed.split;
   if (!split.moves || split.new_vertices != 1 || split.restored.size() > 2) return false;
   if (ringed.ring.empty() || ringed.ring.size() > most_ring_faces) return false;
-  const std::span<const FarEdge> ring(ringed.ring);
-  find_neighbours(ring, neighbours_);
+  find_neighbours(std::span<const FarEdge>(ringed.ring), neighbours_);
   std::uint32_t left = no_number, right = no_number;
   if (neighbours_.size() > 0x100 || !find_sides(ringed, left, right)) return false;
   const bool both = left != no_number && right != no_number;
-  Kind kind = both                 ? both_sides
-              : left != no_number  ? left_side
-              : right != no_number ? right_side
-                                   : no_side_by_bits;
-  places_.clear();
-  if (kind != no_side_by_bits) {
-    const std::uint32_t from = right != no_number ? right : beginning_of(ring, left);
-    walk(ring, from, both ? split.moved.size() : ring.size(), both ? no_number : left, places_);
-    const bool ends = !places_.empty() && (kind == right_side || ring[places_.back()][1] == left);
-    if (!ends || !moves_those(ringed, places_)) {
-      kind = both ? both_sides_by_bits : kind == left_side ? left_side_by_bits : right_side_by_bits;
+  if ((left != no_number || right != no_number) && find_walk(ringed, left, right)) {
+    kinds_.push_back(both ? both_sides : left != no_number ? left_side : right_side);
+    rings_.push_back(static_cast<std::uint8_t>(first_place_));
+    counts_.push_back(static_cast<std::uint8_t>(split.moved.size()));
+  } else {
+    if (!add_bits(ringed)) return false;
+    kinds_.push_back(both                 ? both_sides_by_bits
+                     : left != no_number  ? left_side_by_bits
+                     : right != no_number ? right_side_by_bits
+                                          : no_side_by_bits);
+    for (const std::uint32_t side : {left, right}) {
+      if (side == no_number) continue;
+      const auto at = std::lower_bound(neighbours_.begin(), neighbours_.end(), side);
+      rings_.push_back(static_cast<std::uint8_t>(at - neighbours_.begin()));
     }
   }
-  if (kind >= no_side_by_bits && !add_bits(ringed)) return false;
-  kinds_.push_back(kind);
   anchors_.push_back(split.anchor);
-  if (kind == both_sides) counts_.push_back(static_cast<std::uint8_t>(split.moved.size()));
-  for (const std::uint32_t side : {left, right}) {
-    if (side == no_number || (kind == both_sides && side == left)) continue;
-    const auto at = std::lower_bound(neighbours_.begin(), neighbours_.end(), side);
-    rings_.push_back(static_cast<std::uint8_t>(at - neighbours_.begin()));
-  }
   return true;
 }
 
@@ -197,15 +208,20 @@ std::vector<std::byte> SplitEncoder::finish(std::uint32_t& raw_bytes) {
                                         table.begin());
   put_planes(anchors, anchors_, bytes_for(table.size()));
   std::vector<std::uint8_t> raw;
+  std::vector<std::size_t> ends;
   for (const std::vector<std::uint8_t>* section :
        {&kinds_, &anchors, &rings_, &counts_, &varints_}) {
     put_u32(raw, static_cast<std::uint32_t>(section->size()));
     raw.insert(raw.end(), section->begin(), section->end());
+    ends.push_back(raw.size());
   }
-  for (const Words& values : values_) put_planes(raw, values);
+  for (const Words& values : values_) {
+    put_planes(raw, values);
+    for (std::size_t left = 4; left-- > 0;) ends.push_back(raw.size() - left * values.size());
+  }
   raw_bytes = static_cast<std::uint32_t>(raw.size());
   *this = SplitEncoder(width_);
-  return deflated(raw);
+  return deflated(raw, ends);
 }
 
 std::uint8_t SplitDecoder::Bytes::byte() {
@@ -289,37 +305,36 @@ void SplitDecoder::beside(const SplitMesh& mesh, unsigned kind, Split& split) {
   split.new_vertices = 1;
   mesh.find_ring(split.anchor, ring_);
   if (ring_.size() > most_ring_faces) refuse();
-  find_neighbours(std::span<const RingFace>(ring_), neighbours_);
-  if (kind >= no_side_by_bits) take_bits(split);
-  const auto neighbour = [&] {
-    const std::uint8_t number = rings_.byte();
-    if (number >= neighbours_.size()) refuse();
-    return neighbours_[number];
-  };
   std::uint32_t left = no_number, right = no_number;
-  if (kind == left_side || kind == both_sides_by_bits || kind == left_side_by_bits)
-    left = neighbour();
-  if (kind == both_sides || kind == right_side || kind == both_sides_by_bits ||
-      kind == right_side_by_bits)
-    right = neighbour();
-  if (kind < no_side_by_bits) take_walk(kind, left, right, split);
+  if (kind < no_side_by_bits) {
+    take_walk(split);
+    if (kind != right_side) left = ring_[places_.back()].far[1];
+    if (kind != left_side) right = ring_[places_.front()].far[0];
+  } else {
+    take_bits(split);
+    find_neighbours(std::span<const RingFace>(ring_), neighbours_);
+    if (kind == both_sides_by_bits || kind == left_side_by_bits) left = take_neighbour();
+    if (kind == both_sides_by_bits || kind == right_side_by_bits) right = take_neighbour();
+  }
   const std::uint32_t added = mesh.vertices();
   if (left != no_number) split.restored.push_back({split.anchor, added, left});
   if (right != no_number) split.restored.push_back({added, split.anchor, right});
 }
 
-// Faces side by side; finds the left neighbour where there is a right one too.
-void SplitDecoder::take_walk(unsigned kind, std::uint32_t& left, std::uint32_t right,
-                             Split& split) {
-  const std::span<const RingFace> ring(ring_);
-  const std::size_t most = kind == both_sides ? counts_.byte() : ring.size();
-  const std::uint32_t from = kind == left_side ? beginning_of(ring, left) : right;
-  walk(ring, from, most, left, places_);
-  if (places_.empty() || (kind == both_sides && places_.size() < most)) refuse();
-  if (kind == both_sides) left = ring[places_.back()].far[1];
-  std::sort(places_.begin(), places_.end());
-  if (std::adjacent_find(places_.begin(), places_.end()) != places_.end()) refuse();
-  for (const std::uint32_t place : places_) move(ring[place], split);
+std::uint32_t SplitDecoder::take_neighbour() {
+  const std::uint8_t number = rings_.byte();
+  if (number >= neighbours_.size()) refuse();
+  return neighbours_[number];
+}
+
+// Faces side by side.
+void SplitDecoder::take_walk(Split& split) {
+  const std::uint8_t first = rings_.byte();
+  const std::uint8_t count = counts_.byte();
+  if (first >= ring_.size() || count == 0) refuse();
+  walk(std::span<const RingFace>(ring_), first, count, places_);
+  if (places_.size() < count) refuse();
+  for (const std::uint32_t place : places_) move(ring_[place], split);
 }
 
 void SplitDecoder::take_bits(Split& split) {

@@ -42,7 +42,8 @@ class SplitEncoder {
  private:
   bool add_beside(const RingedSplit& ringed);
   bool find_sides(const RingedSplit& ringed, std::uint32_t& left, std::uint32_t& right) const;
-  bool moves_those(const RingedSplit& ringed, std::vector<std::uint32_t>& places) const;
+  bool find_walk(const RingedSplit& ringed, std::uint32_t left, std::uint32_t right);
+  bool moves_those(const RingedSplit& ringed);
   bool add_bits(const RingedSplit& ringed);
   void add_one_by_one(const RingedSplit& ringed);
   void add_values(const RingedSplit& ringed);
@@ -52,6 +53,7 @@ class SplitEncoder {
   std::vector<std::uint32_t> anchors_;
   std::vector<Words> values_;  // of each word of a vertex
   std::vector<std::uint32_t> neighbours_, places_;
+  std::size_t first_place_ = 0;
 };
 
 // Throws Error(bad_input) where the bytes are not what an encoder makes.
@@ -75,7 +77,8 @@ class SplitDecoder {
   Bytes section();
   void read_anchors(Bytes bytes);
   void beside(const SplitMesh& mesh, unsigned kind, Split& split);
-  void take_walk(unsigned kind, std::uint32_t& left, std::uint32_t right, Split& split);
+  void take_walk(Split& split);
+  std::uint32_t take_neighbour();
   void take_bits(Split& split);
   static void move(const RingFace& face, Split& split);
   void tell_one_by_one(const SplitMesh& mesh, bool moves, Split& split);

@@ -1,5 +1,6 @@
 // A level of a progressive file as a mesh.
 #include <winnow/error.hpp>
+#include <winnow/options.hpp>
 #include <winnow/progressive.hpp>
 
 #include "base/text.hpp"
@@ -10,8 +11,10 @@
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
 #include "run/played_mesh.hpp"
+#include "run/refinement.hpp"
 #include "run/result_sink.hpp"
 #include "run/write_mesh.hpp"
+#include "stitch/unfolded_mesh.hpp"
 
 #include <algorithm>
 #include <map>
@@ -63,8 +66,8 @@ bool writes_normals(const ExtractOptions& options, const ProgressiveHeader& head
   return header.normals && std::none_of(attributes.begin(), attributes.end(), names_normal);
 }
 
-// Plays the file to the count that is asked for, and returns that.
-std::uint64_t go_to_target(SplitPlayer& player, const std::string& name, const Target& target) {
+// The count that is asked for.
+std::uint64_t target_of(const SplitPlayer& player, const std::string& name, const Target& target) {
   const std::uint64_t all = player.header().all().faces;
   const std::uint64_t base = player.header().base().faces;
   if (all == 0) throw Error(ErrorKind::bad_input, "'" + name + "' has no face");
@@ -73,14 +76,50 @@ std::uint64_t go_to_target(SplitPlayer& player, const std::string& name, const T
     throw Error(ErrorKind::usage, "the coarsest mesh in '" + name + "' has " + grouped(base) +
                                       " faces, and " + grouped(wanted) +
                                       " are asked for; `simplify` makes fewer of it");
+  return wanted;
+}
+
+void go_to(SplitPlayer& player, const std::string& name, std::uint64_t wanted) {
   player.expect(wanted);
   player.go_to(wanted);
   const std::uint64_t there = player.mesh().faces();
   if (there < wanted && player.cut_short())
     throw Error(ErrorKind::bad_input, "'" + name + "' is cut short: it ends after " +
-                                          grouped(there) + " of its " + grouped(all) +
-                                          " faces, and " + grouped(wanted) + " are asked for");
-  return wanted;
+                                          grouped(there) + " of its " +
+                                          grouped(player.header().all().faces) + " faces, and " +
+                                          grouped(wanted) + " are asked for");
+}
+
+// Compares with the same surface in so many times the faces.
+constexpr std::uint64_t finer = 8;
+
+// What extracting takes at the most when the file is open, whatever fits into memory: the mesh that
+// is played and what it was before it grew, the meshes made of it, a tile.
+std::uint64_t memory_for(const SplitPlayer& player, std::uint64_t faces, bool unfolds) {
+  constexpr std::uint64_t tile = 48 * mebibyte;
+  const ProgressiveHeader& header = player.header();
+  const auto of = [&](std::uint64_t count) {
+    const ProgressiveHeader::Counts counts = header.counts(header.chunks_for(count));
+    const std::uint64_t stored =
+        counts.vertices * (sizeof(IndexedVertex) + header.attributes.size() * sizeof(double)) +
+        counts.faces * sizeof(FaceVertices);
+    return SplitMesh::memory(counts.vertices, counts.faces, player.words().width()) +
+           ordering_memory(counts.vertices, counts.faces) + stored + stored / 4;
+  };
+  return tile + of(faces) + (unfolds ? of(finer * faces) : 0);
+}
+
+// Turns flipped faces over. Plays the file further on.
+void unfold(Job& job, SplitPlayer& player, StoredMesh& mesh) {
+  const std::uint64_t faces = std::min(finer * mesh.face_count, player.header().all().faces);
+  player.expect(faces);
+  player.go_to(faces);
+  const StoredMesh reference = stored_mesh(job, player, {});
+  RefineSettings settings;
+  settings.decimation.single = !player.header().form.doubles;
+  job.progress.begin("unfold", mesh.face_count, "faces");
+  mesh.vertices =
+      unfolded_vertices(job, mesh, reference, settings, refine_memory(job.budget.left()));
 }
 
 ExtractReport extract_in_arena(Job& job, const std::string& input, const std::string& output,
@@ -97,7 +136,11 @@ ExtractReport extract_in_arena(Job& job, const std::string& input, const std::st
   const ProgressiveHeader& header = player.header();
   job.progress.begin("extract", 0, "faces");
   ExtractReport report;
-  report.target_faces = go_to_target(player, input, options.target);
+  const std::uint64_t all = header.all().faces;
+  report.target_faces = target_of(player, input, options.target);
+  const bool unfolds = !options.raw && report.target_faces < all;
+  job.budget.expect(memory_for(player, report.target_faces, unfolds));
+  go_to(player, input, report.target_faces);
   const Carried carried = carried_by(encoder, header.attributes, options.normals);
   AttributeSelection choice;
   choice.carried = carried.attributes;
@@ -106,7 +149,8 @@ ExtractReport extract_in_arena(Job& job, const std::string& input, const std::st
   report.input = {input, header.all().faces, player.bytes_read()};
   report.seconds.read = watch.seconds();
 
-  const StoredMesh mesh = stored_mesh(job, player, carried.numbers);
+  StoredMesh mesh = stored_mesh(job, player, carried.numbers);
+  if (unfolds && mesh.face_count < all) unfold(job, player, mesh);
   const bool doubles = writes_doubles(options.encoding, header.form.doubles);
   MeshShape shape =
       shape_of(job, mesh, encoder, writes_normals(options, header, encoder, carried.attributes),

@@ -14,16 +14,23 @@ namespace {
 
 constexpr std::size_t vertices_at_once = 4096;
 
+struct KeyedVertex {
+  CellKey key;
+  std::uint32_t vertex;
+
+  friend bool operator<(const KeyedVertex& a, const KeyedVertex& b) {
+    return a.key != b.key ? a.key < b.key : a.vertex < b.vertex;
+  }
+};
+
 class Ordering {
  public:
   Ordering(Job& job, const SplitPlayer& player)
       : job_(job),
         player_(player),
         mesh_(player.mesh()),
-        memory_(job.budget.reserve(
-            mesh_.vertices() * (sizeof(Keyed) + sizeof(std::uint32_t) + sizeof(Point)) +
-                mesh_.faces() * sizeof(FaceVertices),
-            "ordering so many faces")) {}
+        memory_(job.budget.reserve(ordering_memory(mesh_.vertices(), mesh_.faces()),
+                                   "ordering so many faces")) {}
 
   StoredMesh run(std::span<const std::size_t> carried) {
     order_vertices();
@@ -36,22 +43,13 @@ class Ordering {
   }
 
  private:
-  struct Keyed {
-    CellKey key;
-    std::uint32_t vertex;
-
-    friend bool operator<(const Keyed& a, const Keyed& b) {
-      return a.key != b.key ? a.key < b.key : a.vertex < b.vertex;
-    }
-  };
-
   void order_vertices() {
     const Grid lattice = lattice_over(player_.header().box);
     order_.reserve(mesh_.vertices());
     for (std::uint32_t v = 0; v < mesh_.vertices(); ++v) {
       if (mesh_.has_faces(v)) order_.push_back({key_of(lattice, position(v)), v});
     }
-    std::sort(order_.begin(), order_.end(), job_.progress.cancellable(std::less<Keyed>()));
+    std::sort(order_.begin(), order_.end(), job_.progress.cancellable(std::less<KeyedVertex>()));
     number_.assign(mesh_.vertices(), no_number);
     for (std::uint32_t i = 0; i < order_.size(); ++i) number_[order_[i].vertex] = i;
   }
@@ -84,14 +82,26 @@ class Ordering {
     out.finish_vertices();
   }
 
+  // By their lowest vertices, of which each has few.
   void put_faces(StoredMesh& out) const {
-    std::vector<FaceVertices> faces;
-    faces.reserve(mesh_.faces());
-    for (std::uint32_t f = 0; f < mesh_.faces(); ++f) {
+    std::vector<std::uint32_t> end(order_.size() + 1, 0);
+    const auto renumbered = [&](std::uint32_t f) {
       const FaceVertices& face = mesh_.face(f);
-      faces.push_back(lowest_first({number_[face[0]], number_[face[1]], number_[face[2]]}));
+      return lowest_first({number_[face[0]], number_[face[1]], number_[face[2]]});
+    };
+    for (std::uint32_t f = 0; f < mesh_.faces(); ++f) ++end[renumbered(f)[0] + 1];
+    for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
+    std::vector<FaceVertices> faces(mesh_.faces());
+    for (std::uint32_t f = 0; f < mesh_.faces(); ++f) {
+      const FaceVertices face = renumbered(f);
+      faces[end[face[0]]++] = face;
     }
-    std::sort(faces.begin(), faces.end(), job_.progress.cancellable(std::less<FaceVertices>()));
+    // `end` now is where each vertex's faces end.
+    std::uint32_t begin = 0;
+    for (std::size_t v = 0; v < order_.size(); begin = end[v++]) {
+      std::sort(faces.begin() + begin, faces.begin() + end[v]);
+      if (v % 65536 == 0) job_.progress.check_cancelled();
+    }
     out.append_faces(faces);
     out.finish_faces();
   }
@@ -104,12 +114,17 @@ class Ordering {
   const SplitPlayer& player_;
   const SplitMesh& mesh_;
   Reservation memory_;
-  std::vector<Keyed> order_;
+  std::vector<KeyedVertex> order_;
   std::vector<std::uint32_t> number_;  // of each vertex in the order
   std::vector<Point> normal_;
 };
 
 }  // namespace
+
+std::uint64_t ordering_memory(std::uint64_t vertices, std::uint64_t faces) {
+  return vertices * (sizeof(KeyedVertex) + 2 * sizeof(std::uint32_t) + sizeof(Point)) +
+         faces * sizeof(FaceVertices);
+}
 
 StoredMesh stored_mesh(Job& job, const SplitPlayer& player, std::span<const std::size_t> carried) {
   return Ordering(job, player).run(carried);

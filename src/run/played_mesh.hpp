@@ -11,6 +11,9 @@
 
 namespace winnow {
 
+// What stored_mesh() takes besides while it orders so many.
+std::uint64_t ordering_memory(std::uint64_t vertices, std::uint64_t faces);
+
 // Vertices that have a face, in the order of their keys, with the normals of their faces.
 // `carried`: which of the file's attributes they have.
 StoredMesh stored_mesh(Job& job, const SplitPlayer& player, std::span<const std::size_t> carried);

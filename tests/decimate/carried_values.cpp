@@ -55,6 +55,13 @@ TEST_CASE("an edge without a length gives the mean of its ends") {
   CHECK(values.of(0)[0] == 3);
 }
 
+TEST_CASE("a collapse into a hub of another tile changes nothing") {
+  CarriedValues values(one, {Point{0, 0, 0}, Point{1, 0, 0}}, {2, 4});
+  values.collapsed({7, 1, {3, 0, 0}});
+  CHECK(values.of(0)[0] == 2);
+  CHECK(values.of(1)[0] == 4);
+}
+
 TEST_CASE("nothing is carried where there is nothing to carry") {
   CarriedValues values;
   values.collapsed({0, 1, {}});

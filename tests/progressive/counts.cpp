@@ -67,6 +67,7 @@ TEST_CASE("steps lead to the base and back to all faces", "[progressive]") {
 
 TEST_CASE("a prefix of the file is enough for the count that the header tells", "[progressive]") {
   ProgressivePlace place;
+  place.raw = true;
   const std::string file = place.made(whale());
   const std::string bytes = bytes_of_file(file);
   const ProgressiveInfo told = progressive_info(place.context, file);

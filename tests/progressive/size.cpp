@@ -44,6 +44,9 @@ TEST_CASE("levels are as near to the mesh as runs of their own", "[progressive]"
     options.base = 100;
     const std::string file = place.made(mesh, options);
     for (const double ratio : {0.5, 0.1, 0.01, 0.001}) {
+      place.raw = true;
+      const std::string raw = place.extracted(file, Target::ratio(ratio), "raw.ply");
+      place.raw = false;
       const std::string level = place.extracted(file, Target::ratio(ratio));
       SimplifyOptions direct;
       direct.target = Target::faces(place.extract_report.target_faces);
@@ -52,9 +55,11 @@ TEST_CASE("levels are as near to the mesh as runs of their own", "[progressive]"
       const std::string own = place.directory.file("own.ply");
       simplify(place.context, mesh, own, direct);
       const double of_level = rms(place.context, mesh, level);
+      const double of_raw = rms(place.context, mesh, raw);
       const double of_own = rms(place.context, mesh, own);
-      CAPTURE(mesh, ratio, of_level, of_own);
+      CAPTURE(mesh, ratio, of_level, of_raw, of_own);
       CHECK(of_level <= 1.05 * of_own);
+      CHECK(of_raw <= 1.05 * of_own);
     }
   }
 }

@@ -39,6 +39,7 @@ struct ProgressivePlace {
                         const std::string& name = "level.ply") {
     ExtractOptions options;
     options.target = target;
+    options.raw = raw;
     options.force = true;
     extract_report = extract(context, file, directory.file(name), options);
     return directory.file(name);
@@ -46,6 +47,7 @@ struct ProgressivePlace {
 
   Directory directory;
   Context context;
+  bool raw = false;
   ProgressiveReport report;
   ExtractReport extract_report;
 };
