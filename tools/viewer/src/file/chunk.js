@@ -19,16 +19,20 @@ export async function openChunk(packed, entry, width) {
 async function inflated(packed, rawBytes) {
   const raw = new Uint8Array(rawBytes);
   let at = 0;
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
-  const reader = stream.getReader();
+  const stream = new DecompressionStream("deflate-raw");
+  const writer = stream.writable.getWriter();
+  const reader = stream.readable.getReader();
+  const ignore = () => {};  // the reader hears of it too
   try {
+    writer.write(packed).catch(ignore);
+    writer.close().catch(ignore);
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
       if (at + part.value.length > rawBytes) throw new Error("too long");
       raw.set(part.value, at);
       at += part.value.length;
     }
   } catch {
-    reader.cancel().catch(() => {});
+    reader.cancel().catch(ignore);
     throw new Damaged("it cannot be unpacked");
   }
   if (at !== rawBytes) throw new Damaged("it cannot be unpacked");
@@ -47,8 +51,8 @@ function anchorsOf(bytes) {
   const anchors = new Int32Array(count);
   for (let i = 0; i < count; ++i) {
     let index = 0;
-    for (let k = 0; k < planes; ++k) index += bytes[cursor.at + k * count + i] * 2 ** (8 * k);
-    if (index >= table.length) throw new Damaged("it names what is not there");
+    for (let k = 0; k < planes; ++k) index |= bytes[cursor.at + k * count + i] << 8 * k;
+    if (index >>> 0 >= table.length) throw new Damaged("it names what is not there");
     anchors[i] = table[index];
   }
   return anchors;
@@ -73,11 +77,11 @@ function joined(planes, width) {
 // `cursor.at` goes on behind it.
 export function takeVarint(bytes, cursor) {
   let value = 0;
-  for (let shift = 0; shift < 35; shift += 7) {
+  for (let shift = 0, scale = 1; shift < 35; shift += 7, scale *= 128) {
     if (cursor.at >= bytes.length) throw new Damaged("it ends within a number");
     const part = bytes[cursor.at++];
     if (shift === 28 && part > 15) break;
-    value += (part & 0x7f) * 2 ** shift;
+    value += (part & 0x7f) * scale;
     if (part < 0x80) return value;
   }
   throw new Damaged("it has a number that is too long");

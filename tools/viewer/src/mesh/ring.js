@@ -16,6 +16,7 @@ export class Ring {
     this.nearCount = 0;
     this.walked = new Int32Array(mostFaces);  // places in the ring
     this.walkedCount = 0;
+    this.used = 0;  // of what was fetched, so that nothing is left out
     this.fetched = new Int32Array(fetchedAtOnce);
   }
 
@@ -99,16 +100,22 @@ export class Ring {
   // faces at a time: one walk alone waits for each.
   fetch(mesh, vertices, begin) {
     const { fetched } = this;
-    let count = 0;
+    let count = 0, used = 0;
     const end = Math.min(begin + fetchedAtOnce, vertices.length);
     for (let i = begin; i < end; ++i) {
       const v = vertices[i];
-      if (v >= 0 && v < mesh.vertexCount) fetched[count++] = mesh.first[v];
+      if (v < 0 || v >= mesh.vertexCount) continue;
+      fetched[count++] = mesh.first[v];
+      used ^= mesh.words[mesh.width * v];
     }
     for (let step = 0; step < fetchedFaces; ++step) {
       for (let i = 0; i < count; ++i) {
-        if (fetched[i] !== -1) fetched[i] = mesh.nextCorner(fetched[i]);
+        const corner = fetched[i];
+        if (corner === -1) continue;
+        fetched[i] = mesh.nextCorner(corner);
+        used ^= mesh.touchFace(corner);
       }
     }
+    this.used = used;
   }
 }

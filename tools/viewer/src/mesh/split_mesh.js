@@ -141,6 +141,11 @@ export class SplitMesh {
     return this.faces[corner + next];
   }
 
+  // Reads both ends of what is known of a face.
+  touchFace(corner) {
+    return this.faces[corner + previous] ^ this.faces[corner - corner % faceInts];
+  }
+
   // Corner `i` of face `f`.
   vertexOf(f, i) {
     return this.faces[faceInts * f + i];
