@@ -44,8 +44,8 @@ TEST_CASE("every field of a report has a place of its own") {
             more_in<Report::Input, BadFaces, Report::Weld, Report::Attributes, Report::Clustered,
                     Report::Seconds>() +
             field_count<LevelReport>() +
-            more_in<LevelReport::Output, LevelReport::Refinement, LevelReport::Lost,
-                    LevelReport::Topology, LevelReport::Area>());
+            more_in<LevelReport::Output, LevelReport::Refinement, LevelReport::Fit,
+                    LevelReport::Lost, LevelReport::Topology, LevelReport::Area>());
   CHECK(places<SimplifyPlan>() == field_count<SimplifyPlan>());
   CHECK(places<ConvertReport>() ==
         field_count<ConvertReport>() +
