@@ -79,3 +79,23 @@ def test_positions_have_the_type_of_the_input_unless_another_is_wanted():
     assert winnow.simplify(POINTS.astype(float), FACES, target_count=800)[0].dtype == np.float64
     points, _ = winnow.simplify(POINTS, FACES, target_count=800, positions="double")
     assert points.dtype == np.float64
+
+
+@pytest.mark.parametrize("options", [{"target_count": 800}, {"cell": 2}, {"target_count": 90}])
+def test_the_map_leads_from_each_point_to_a_new_one(options):
+    points, faces, where = winnow.simplify(POINTS, FACES, return_map=True, **options)
+    again = winnow.simplify(POINTS, FACES, **options)
+    assert np.array_equal(points, again[0]) and np.array_equal(faces, again[1])
+    assert where.shape == (len(POINTS),) and where.dtype == np.int64 and where.flags.owndata
+    assert where.min() >= -1 and np.array_equal(np.unique(where[where >= 0]), range(len(points)))
+    # Each face that is left is where one of the input went.
+    images = {tuple(sorted(face)) for face in where[FACES].tolist()}
+    assert all(tuple(sorted(face)) in images for face in faces.tolist())
+
+
+def test_the_map_comes_beside_a_mesh():
+    mesh, where = winnow.simplify(winnow.Mesh(POINTS, FACES), target_count=800, return_map=True)
+    assert np.array_equal(mesh.points, WANTED[0])
+    unused = np.append(POINTS, [[1, 2, 3]], axis=0).astype(POINTS.dtype)
+    *_, longer = winnow.simplify(unused, FACES, target_count=800, return_map=True)
+    assert len(longer) == len(where) + 1 and longer[-1] == -1 and longer[0] >= 0

@@ -67,6 +67,7 @@ import winnow
 
 points, faces = winnow.simplify(np.zeros((9, 3)), np.zeros((3, 3), int), target_count=4)
 reveal_type(points)
+*arrays, where = winnow.simplify(points, faces, target_count=4, return_map=True)
 mesh = winnow.simplify(winnow.Mesh(points, faces), target_reduction=0.5, normals=True)
 reveal_type(mesh.report)
 winnow.simplify_file("a.ply", "b.ply", faces="1M", progress=print).output.faces

@@ -79,4 +79,9 @@ py::tuple arrays_of(Mesh mesh) {
   return py::make_tuple(points, faces, attributes);
 }
 
+py::array array_of(VertexMap map) {
+  const auto count = static_cast<py::ssize_t>(map.size());
+  return owned(std::move(map), {count});
+}
+
 }  // namespace winnow::python

@@ -25,5 +25,6 @@ MeshView view_of(const pybind11::array& points, const pybind11::array& faces,
 // Arrays that own their memory: points, faces, and a dict of attributes. The mesh is let go piece
 // by piece.
 pybind11::tuple arrays_of(Mesh mesh);
+pybind11::array array_of(VertexMap map);
 
 }  // namespace winnow::python

@@ -11,7 +11,7 @@ HEAD = '''\
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from types import TracebackType
-from typing import Any, overload
+from typing import Any, Literal, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -73,7 +73,7 @@ def type_of(option):
         return "int | str | None = ..."
     if option.takes in NUMBERS:
         return "float | str | None = ..."
-    if option.field in ("colored", "picture", "scratch"):
+    if option.field in ("colored", "picture", "map", "scratch"):
         return "_Path | None = ..."
     if option.field in ("attributes", "crop", "view"):
         return "str | Sequence[Any] | None = ..."
@@ -116,7 +116,14 @@ def stubs():
     arrays = {"points": "npt.ArrayLike", "faces": "npt.ArrayLike", "like": "None = ..."}
     of_mesh = {"points": "Any", "faces": "None = ...", "like": "None = ..."}
     like = {"points": "Any", "faces": "npt.ArrayLike | None = ...", "like": "object"}
-    for own, returned in ((arrays, "tuple[_Array, _Array]"), (of_mesh, "Mesh"), (like, "Any")):
+    plain, mapped = {"return_map": "Literal[False] = ..."}, {"return_map": "Literal[True]"}
+    for own, returned in (
+        (arrays | plain, "tuple[_Array, _Array]"),
+        (arrays | mapped, "tuple[_Array, _Array, _Array]"),
+        (of_mesh | plain, "Mesh"),
+        (of_mesh | mapped, "tuple[Mesh, _Array]"),
+        (like | {"return_map": "bool = ..."}, "Any"),
+    ):
         text += stub_of("simplify", winnow.simplify, options, returned, own, overloaded=True)
     several = {"input": "_Path | Sequence[_Path]"}
     text += stub_of("simplify_file", winnow.simplify_file, options, "Report", several)

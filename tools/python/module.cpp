@@ -28,7 +28,7 @@ SimplifyOptions simplify_options_of(const Texts& options) {
 }
 
 py::tuple simplify_arrays(const py::array& points, const py::array& faces,
-                          const NamedArrays& attributes, const Texts& options,
+                          const NamedArrays& attributes, bool return_map, const Texts& options,
                           const Texts& surroundings, const py::object& progress) {
   Context context;
   read(context, context_options(), surroundings);
@@ -36,8 +36,10 @@ py::tuple simplify_arrays(const py::array& points, const py::array& faces,
   const MeshView view = view_of(points, faces, attributes);
   SimplifyReport report;
   Mesh mesh;
-  run(context, progress, [&] { mesh = simplify(context, view, wanted, &report); });
-  return py::make_tuple(arrays_of(std::move(mesh)), dict_of(report));
+  VertexMap map;
+  run(context, progress,
+      [&] { mesh = simplify(context, view, wanted, &report, return_map ? &map : nullptr); });
+  return py::make_tuple(arrays_of(std::move(mesh)), array_of(std::move(map)), dict_of(report));
 }
 
 // What a call of the library tells, made with these surroundings and this progress.

@@ -12,7 +12,7 @@ from ._options import with_options
 from ._report import Report
 
 # Of an array these mean nothing, or have another name.
-OF_FILES = ("from", "to", "ascii", "compress", "quantize", "up", "force")
+OF_FILES = ("from", "to", "ascii", "compress", "quantize", "up", "map", "force")
 RENAMED = {"faces": "target_count", "ratio": "target_reduction"}
 
 
@@ -75,6 +75,7 @@ def simplify(
     target_count=None,
     target_reduction=None,
     like=None,
+    return_map=False,
     progress=None,
     options,
     surroundings,
@@ -88,12 +89,14 @@ def simplify(
     target_count: exactly so many faces; 4 or more.
     target_reduction: this part of the faces goes; from 0 to below 1.
     like: a mesh of the kind that is returned.
+    return_map: also where the points went: array (n), int64, of each point of the input the number
+        of the new point that it became a part of; -1 where there is none.
     progress: called with a stage, how much is done, of how much (0: not known), and the unit.
 
     Returns (points, faces) for arrays, and a `winnow.Mesh` with attributes and report for a mesh,
-    unless `like` is given. The arrays own their memory; faces have the type of the input's. The
-    input is not copied where the numbers of a row stand side by side, and must not change
-    meanwhile.
+    unless `like` is given; with `return_map` the map comes behind. The arrays own their memory;
+    faces have the type of the input's. The input is not copied where the numbers of a row stand
+    side by side, and must not change meanwhile.
 
     Raises TypeError and ValueError for arrays of other types and shapes, naming them, and
     winnow.Error. What `progress` raises ends the call, and so does Ctrl-C.
@@ -116,10 +119,11 @@ def simplify(
         mesh = _mesh.mesh_of(points)
     add_targets(options, target_count, target_reduction)
     with renamed():
-        arrays, report = _winnow.simplify_arrays(
+        arrays, where, report = _winnow.simplify_arrays(
             mesh.points,
             mesh.faces,
             list(mesh.attributes.items()),
+            bool(return_map),
             options,
             beside("", surroundings),
             progress,
@@ -127,10 +131,11 @@ def simplify(
     new_points, new_faces, attributes = arrays
     new_faces = of_type(new_faces, mesh.faces)
     if faces is not None and like is None:
-        return new_points, new_faces
+        return (new_points, new_faces, where) if return_map else (new_points, new_faces)
     report["notes"] = [in_array_words(note) for note in report["notes"]]
     small = Mesh(new_points, new_faces, attributes, Report(report))
-    return small if like is None else _mesh.same_kind(small, like)
+    small = small if like is None else _mesh.same_kind(small, like)
+    return (small, where) if return_map else small
 
 
 simplify.__doc__ = in_array_words(simplify.__doc__)
