@@ -41,7 +41,6 @@ export class Ring {
       corner[i] = at;
     }
     this.count = count;
-    this.findNear();
   }
 
   findNear() {
@@ -61,39 +60,21 @@ export class Ring {
     this.nearCount = count;
   }
 
-  // Faces side by side from the corner `from` on: at most so many, up to the corner `to` or to
-  // where no face follows. None where two could be the next. Gives the corner at which they end.
-  walk(from, most, to) {
+  // So many faces side by side, the first at a place of the ring; fewer where not one face is next.
+  walk(first, most) {
     const { a, count, walked } = this;
     let steps = 0;
-    while (steps < most && (steps === 0 || from !== to)) {
-      let i = 0;
-      while (i < count && a[i] < from) ++i;
-      if (i === count || a[i] !== from) break;
-      if (i + 1 < count && a[i + 1] === from) {
-        steps = 0;
-        break;
-      }
+    for (let at = first; steps < most;) {
       for (let k = 0; k < steps; ++k) {
-        if (walked[k] === i) throw new Damaged("it has a split that cannot be");
+        if (walked[k] === at) throw new Damaged("it has a split that cannot be");
       }
-      walked[steps++] = i;
-      from = this.b[i];
+      walked[steps++] = at;
+      const from = this.b[at];
+      at = 0;
+      while (at < count && a[at] < from) ++at;
+      if (at === count || a[at] !== from || (at + 1 < count && a[at + 1] === from)) break;
     }
     this.walkedCount = steps;
-    return from;
-  }
-
-  // The corner at which the faces begin that end at `to`; -1 where they close.
-  beginningOf(to) {
-    const { b, count } = this;
-    for (let steps = 0; steps <= count; ++steps) {
-      let i = 0;
-      while (i < count && b[i] !== to) ++i;
-      if (i === count) return to;
-      to = this.a[i];
-    }
-    return -1;
   }
 
   // Walks around the next vertices from `begin` on side by side, so that the processor fetches many

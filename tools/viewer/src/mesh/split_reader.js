@@ -7,11 +7,11 @@ import { noVertex } from "./split.js";
 // Kinds of splits. Of all but the last two the anchor moves, one vertex is new, and the faces that
 // come back have both of them and a neighbour on the left, on the right, on both sides or on none.
 // The faces that move are side by side, or told by bits.
-const bothSides = 0, leftSide = 1, rightSide = 2;
-const noSideByBits = 3, bothSidesByBits = 4, leftSideByBits = 5;
+const leftSide = 1, rightSide = 2;
+const noSideByBits = 3, bothSidesByBits = 4, leftSideByBits = 5, rightSideByBits = 6;
 const oneByOne = 7, oneByOneThatMoves = 8;
 const restored = [2, 1, 1, 0, 2, 1, 1];  // faces that come back, by kind
-const ringBytes = [1, 1, 1, 0, 2, 1, 1];  // neighbours that are told of
+const ringBytes = [1, 1, 1, 0, 2, 1, 1];  // that are told of
 
 export const beginning = { split: 0, anchor: 0, ring: 0, count: 0, varint: 0, row: 0 };
 
@@ -107,32 +107,36 @@ export class SplitReader {
     split.moved = 0;
     split.restored = 0;
     ring.find(mesh, anchor);
-    if (kind >= noSideByBits) this.takeBits(split);
     let left = noVertex, right = noVertex;
-    if (kind === leftSide || kind === bothSidesByBits || kind === leftSideByBits)
-      left = this.takeNeighbour();
-    if (kind !== leftSide && kind !== leftSideByBits && kind !== noSideByBits)
-      right = this.takeNeighbour();
     if (kind < noSideByBits) {
-      const end = this.takeWalk(kind, left, right, split);
-      if (kind === bothSides) left = end;
+      this.takeWalk(split);
+      const { walked, walkedCount } = ring;
+      if (kind !== rightSide) left = ring.b[walked[walkedCount - 1]];
+      if (kind !== leftSide) right = ring.a[walked[0]];
+    } else {
+      this.takeBits(split);
+      ring.findNear();
+      if (kind === bothSidesByBits || kind === leftSideByBits) left = this.takeNeighbour();
+      if (kind === bothSidesByBits || kind === rightSideByBits) right = this.takeNeighbour();
     }
     const added = mesh.vertexCount;
     if (left !== noVertex) restore(split, anchor, added, left);
     if (right !== noVertex) restore(split, added, anchor, right);
   }
 
-  // Faces side by side; gives the neighbour at which they end.
-  takeWalk(kind, left, right, split) {
-    const { ring } = this;
-    const most = kind === bothSides ? this.takeCount() : ring.count;
-    const end = ring.walk(kind === leftSide ? ring.beginningOf(left) : right, most, left);
-    const count = ring.walkedCount;
-    if (count === 0 || (kind === bothSides && count < most))
+  // Faces side by side.
+  takeWalk(split) {
+    const { at, ring } = this;
+    const { rings } = this.chunk;
+    if (at.ring >= rings.length) throw new Damaged("it ends within a split");
+    const first = rings[at.ring++];
+    const count = this.takeCount();
+    if (first >= ring.count || count === 0 || count > ring.count)
       throw new Damaged("it has a split that cannot be");
+    ring.walk(first, count);
+    if (ring.walkedCount < count) throw new Damaged("it has a split that cannot be");
     for (let i = 0; i < count; ++i) split.corners[i] = ring.corner[ring.walked[i]];
     split.moved = count;
-    return end;
   }
 
   takeBits(split) {
