@@ -79,7 +79,7 @@ void add_sequence(CLI::App& app) {
   command->footer(
       "All frames of the result have the same faces. An edge is collapsed where that costs least "
       "in the\n"
-      "sum over frames, and only if no face of any frame turns over.\n"
+      "sum over frames, and only if it turns no face of any frame by more than 90 degrees.\n"
       "Examples:\n"
       "  winnow sequence frame-*.ply -o 'small-{frame}.ply' --faces 5k\n"
       "  winnow sequence walk/*.obj -o 'small/{frame}.ply.zst' --ratio 10% --memory 2G\n"
