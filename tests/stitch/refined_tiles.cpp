@@ -116,7 +116,7 @@ TEST_CASE("many tiles of a surface that can become no smaller stop") {
     CAPTURE(keep);
     settings.decimation.keep_pieces = keep;
     TestJob test;
-    const auto [left, report] =
+    const auto [left, report, reference] =
         refine(test.job, welded(test.job, faces), settings, divided(test.job));
     CHECK(left.face_count == (keep ? 4000 : 8));
     CHECK(report.stopped_by == (keep ? StoppedBy::pieces : StoppedBy::count));
