@@ -71,9 +71,13 @@ export class Page {
     await this.settled();
   }
 
-  // The picture, to be compared.
-  picture() {
-    return this.page.locator("#canvas").screenshot();
+  // The picture, to be compared: drawn again and read at once, as a busy browser shows it late.
+  async picture() {
+    return Buffer.from(await this.page.evaluate(() => {
+      const { stage } = globalThis.viewer;
+      stage.draw();
+      return stage.canvas.toDataURL();
+    }));
   }
 
   async press(key) {
