@@ -129,8 +129,8 @@ class MeshReader {
 struct ReaderMemory {
   std::uint64_t vertices = 0;      // for stored or mapped vertices
   std::size_t batch_faces = 8192;  // faces a raw batch
-  bool polygons_as_fans = false;   // around their first corners, wherever those are
   bool any_order = false;  // of faces will do, where another than that of the file is faster
+  bool polygons_as_fans = false;  // around their first corners, wherever those are
 };
 
 // Finds the format by content where `from` says automatic. Takes the source; copies it to scratch

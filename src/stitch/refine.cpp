@@ -180,6 +180,7 @@ class Refiner {
       const ReferenceMesh reference(job_, reference_, share::refine::boxes(memory_.lists));
       before = move_(whole, reference);
     }
+    job_.progress.begin("unfold", whole.face_count, "faces");
     std::unique_ptr<VertexIndex> folded = std::exchange(
         whole.vertices, unfolded_vertices(job_, whole, reference_, settings_, memory_));
     if (before == nullptr) before = std::move(folded);
