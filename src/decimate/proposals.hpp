@@ -57,11 +57,18 @@ class Proposals {
     double bound = 0;  // none of them costs as much
   };
   // Of the counted ones so many, and those that cost nearly as much as the last: cheaper classes
-  // first, those of a class in the order of the vertices. Once for each count().
-  Cheapest cheapest(std::span<const VertexNumber> vertices, std::size_t wanted) {
+  // first, those of a class in the order of the vertices. Beyond `usual` of them none that costs
+  // more than `factor` times as much. Once for each count().
+  Cheapest cheapest(std::span<const VertexNumber> vertices, std::size_t wanted, std::size_t usual,
+                    double factor) {
     std::uint32_t end = 0;
     std::uint32_t count = 0;
-    for (; end < cost_classes && count < wanted; ++end) count += std::exchange(counts_[end], count);
+    std::uint32_t last = cost_classes;
+    for (; end < last && count < wanted; ++end) {
+      count += std::exchange(counts_[end], count);
+      if (count < usual || last < cost_classes || end + 1 == cost_classes) continue;
+      last = std::max(end + 1, cost_class(factor * least_of_cost_class(end + 1)));
+    }
     sorted_.resize(count);
     for (const VertexNumber v : vertices) {
       if (!proposes(v)) continue;

@@ -3,6 +3,7 @@
 
 #include "support/surfaces.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -35,7 +36,7 @@ TEST_CASE("vertices propose their cheapest edges, the cheapest come first") {
     REQUIRE(proposed ==
             static_cast<std::size_t>(std::count_if(least.begin(), least.end(), finite)));
     const std::size_t wanted = 1 + random.below(2 * proposed);
-    const auto [cheapest, bound] = proposals.cheapest(vertices, wanted);
+    const auto [cheapest, bound] = proposals.cheapest(vertices, wanted, wanted, 2);
     CHECK((cheapest.size() >= wanted || std::isinf(bound)));
     double highest = 0;
     for (const VertexNumber low : cheapest) {
@@ -46,6 +47,26 @@ TEST_CASE("vertices propose their cheapest edges, the cheapest come first") {
     const auto cheaper = [bound = bound](double cost) { return cost < bound; };
     CHECK(cheapest.size() ==
           static_cast<std::size_t>(std::count_if(least.begin(), least.end(), cheaper)));
+  }
+}
+
+TEST_CASE("what costs far more than usual is not among the cheapest") {
+  // Half of the vertices propose a flat edge, the others one that has a shape.
+  constexpr VertexNumber count = 100;
+  std::vector<VertexNumber> vertices(count);
+  std::iota(vertices.begin(), vertices.end(), 0U);
+  for (const double flat : {0.0, 1e-210, 1e-6}) {
+    Proposals proposals(count);
+    for (VertexNumber v = 0; v < count; ++v) {
+      EvaluatedEdge edge;
+      edge.cost = v % 2 == 0 ? flat : 1;
+      edge.high = v + 1;
+      proposals.add(v, edge);
+    }
+    REQUIRE(proposals.count(vertices) == count);
+    const auto [cheapest, bound] = proposals.cheapest(vertices, 80, 30, 256);
+    CHECK(cheapest.size() == 50);
+    CHECK(bound <= std::max(1e-300, 300 * flat));
   }
 }
 

@@ -1,6 +1,8 @@
-# The browser is told to open the address, where there is a desktop; else a line says to. A signal ends the server, and that is no failure.
+# The browser is told to open the address, where there is a desktop; else a line says to. A signal
+# ends the server, and that is no failure.
 "$WINNOW" generate scan --faces 5k -o scan.ply -q
 "$WINNOW" progressive scan.ply -o scan.wpm --base 100 -q
+"$WINNOW" view scan.wpm --export page.html -q || exit 1  # built without the viewer
 mkdir bin
 printf '#!/bin/sh\necho "$1" >opened.part\nmv opened.part opened\n' >bin/xdg-open
 chmod +x bin/xdg-open
