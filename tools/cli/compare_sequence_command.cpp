@@ -81,7 +81,7 @@ void add_compare_sequence(CLI::App& app) {
       "of\n"
       "the original is measured at the points where the simplified vertices lie in the first "
       "frame.\n"
-      "Example:\n"
+      "Examples:\n"
       "  winnow compare-sequence frame-*.ply -- small-*.ply --json\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
       "interrupted.");
