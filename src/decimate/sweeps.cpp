@@ -67,9 +67,9 @@ bool Sweeps::run(const CollapseLimits& limits, const std::function<void(const Do
                                                   : share_of_fine_sweep;
     const auto proposed = static_cast<double>(proposals_.count(vertices_));
     const auto share = static_cast<std::uint64_t>(part * proposed);
-    const auto [cheapest, bound] = proposals_.cheapest(
-        vertices_, std::min(share, (left - limits.sweeps_to) / 2 + 1),
-        1 + static_cast<std::uint64_t>(usual_share * proposed), beside_usual);
+    const auto [cheapest, bound] =
+        proposals_.cheapest(vertices_, std::min(share, (left - limits.sweeps_to) / 2 + 1),
+                            1 + static_cast<std::uint64_t>(usual_share * proposed), beside_usual);
     std::size_t made = 0;
     for (const VertexNumber low : cheapest) {
       if (turns++ % turns_between == 0 && turn) turn();

@@ -129,7 +129,7 @@ class MeshReader {
 struct ReaderMemory {
   std::uint64_t vertices = 0;      // for stored or mapped vertices
   std::size_t batch_faces = 8192;  // faces a raw batch
-  bool any_order = false;  // of faces will do, where another than that of the file is faster
+  bool any_order = false;         // of faces will do, where another than that of the file is faster
   bool polygons_as_fans = false;  // around their first corners, wherever those are
 };
 

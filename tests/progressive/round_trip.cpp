@@ -53,7 +53,7 @@ TEST_CASE("what vertices carry comes back to the bit", "[progressive][attributes
   }
 }
 
-TEST_CASE("meshes of all kinds come back to the bit", "[progressive]") {
+TEST_CASE("meshes of all kinds come back to the bit", "[progressive][long]") {
   for (const char* name :
        {"A_cad/1002_tray_bottom.STL", "A_cad/thingi10k_520644.stl", "A_cad/counter.unitsmm.STL",
         "A_classic/fandisk.off", "A_classic/block.off", "A_classic/tower_holes.obj",

@@ -36,7 +36,7 @@ TEST_CASE("positions of a scan take at most 12 bytes a face, and 6 on a lattice"
   }
 }
 
-TEST_CASE("levels are as near to the mesh as runs of their own", "[progressive]") {
+TEST_CASE("levels are as near to the mesh as runs of their own", "[progressive][long]") {
   ProgressivePlace place;
   generate("scan", 300'000, place.directory.file("scan.ply"));
   for (const std::string& mesh : {place.directory.file("scan.ply"), whale()}) {

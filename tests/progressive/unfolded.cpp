@@ -17,7 +17,7 @@ CompareReport judged(Context& context, const std::string& original, const std::s
 
 }  // namespace
 
-TEST_CASE("extracted levels have fewer flipped faces than the file", "[progressive]") {
+TEST_CASE("extracted levels have fewer flipped faces than the file", "[progressive][long]") {
   const std::string mesh = large_mesh("A_classic/dragon_vrip_ascii.ply");
   if (mesh.empty()) return;
   ProgressivePlace place;
