@@ -1,4 +1,5 @@
-// A mesh in memory takes hardly more time than its file without reading and writing.
+// A mesh in memory takes hardly more time than its file without reading and writing. A measurement,
+// so it is run by hand on a quiet machine: run_tests "[.timed]"
 #include <winnow/mesh.hpp>
 
 #include "support/files.hpp"
@@ -53,7 +54,7 @@ struct Times {
 
 }  // namespace
 
-TEST_CASE("memory to memory takes as long as the file without reading and writing", "[library]") {
+TEST_CASE("memory to memory takes as long as the file without reading and writing", "[.timed]") {
   constexpr double most = 1.05;
   const Directory directory;
   Context context;
