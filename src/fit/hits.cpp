@@ -69,7 +69,8 @@ std::array<double, 2> weights_at(const Point& place, const Triangle& t) {
 // Sums of one face in whole numbers of 2^-bits, so that their order does not matter.
 class ExactFaceSums {
  public:
-  ExactFaceSums(std::uint32_t face, unsigned bits) : face_(face), scale_(std::ldexp(1.0, bits)) {}
+  ExactFaceSums(std::uint32_t face, unsigned bits)
+      : face_(face), scale_(std::ldexp(1.0, static_cast<int>(bits))) {}
 
   [[nodiscard]] std::uint32_t face() const { return face_; }
   [[nodiscard]] std::uint64_t count() const { return count_; }

@@ -35,7 +35,7 @@ class SplitEncoder {
   explicit SplitEncoder(std::size_t width) : width_(width), values_(width) {}
 
   // Sorts the ring and the faces of the split.
-  void add(RingedSplit& split);
+  void add(RingedSplit& ringed);
   // Everything that was added, compressed. Begins anew.
   std::vector<std::byte> finish(std::uint32_t& raw_bytes);
 

@@ -52,7 +52,8 @@ Carried carried_by(const MeshEncoder& encoder, const std::vector<Attribute>& all
       out.attributes.push_back(all[i]);
     } else {
       std::string& list = names[why];
-      list += (list.empty() ? "" : ", ") + all[i].name;
+      if (!list.empty()) list += ", ";
+      list += all[i].name;
     }
   }
   for (const auto& [why, list] : names) out.dropped.push_back(why + " " + list);

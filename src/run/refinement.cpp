@@ -42,7 +42,7 @@ const char* sentence_of(StoppedBy reason, bool free) {
 // Notes why more faces are left than were wanted; returns the reasons.
 std::vector<StoppedBy> tell_reasons(Job& job, const RefineReport& done, std::uint64_t left,
                                     std::uint64_t wanted, bool free) {
-  const std::vector<StoppedBy> reasons = done.blocked.reasons();
+  std::vector<StoppedBy> reasons = done.blocked.reasons();
   for (const StoppedBy reason : reasons) {
     const std::string sentence = sentence_of(reason, free);
     job.note(reason == reasons.front()

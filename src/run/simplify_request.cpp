@@ -67,6 +67,7 @@ class Put {
   }
   void operator()(const std::string& path, const std::vector<StoppedBy>& reasons) {
     std::vector<std::string> names;
+    names.reserve(reasons.size());
     for (const StoppedBy reason : reasons) names.emplace_back(facts_of(reason).name);
     (*this)(path, names);
   }

@@ -164,10 +164,10 @@ RefineSettings settings_for(const SequenceOptions& options, const SequenceMesh& 
 // What is done to each frame by itself.
 class FrameFinisher {
  public:
-  FrameFinisher(Job& job, const RefineSettings& settings, std::uint64_t wanted,
-                StoredMesh reference, const OriginalFrames& original)
+  FrameFinisher(Job& job, RefineSettings settings, std::uint64_t wanted, StoredMesh reference,
+                const OriginalFrames& original)
       : job_(job),
-        settings_(settings),
+        settings_(std::move(settings)),
         reference_(std::move(reference)),
         first_(std::move(reference_.vertices)),
         original_(original) {

@@ -124,7 +124,7 @@ void export_page(const Context& context, std::string_view page, const std::vecto
   const std::size_t mark = page.find(mesh_mark);
   out.write(page.substr(0, mark));
   for (const ShownFile& file : files) {
-    out.write("<script type=\"application/base64\" data-mesh=\"" + escaped(file.shown()) + "\">");
+    out.write(R"(<script type="application/base64" data-mesh=")" + escaped(file.shown()) + R"(">)");
     write_file(context, file, out);
     out.write("</script>\n");
   }
