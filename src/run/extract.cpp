@@ -56,7 +56,7 @@ Carried carried_by(const MeshEncoder& encoder, const std::vector<Attribute>& all
       list += all[i].name;
     }
   }
-  for (const auto& [why, list] : names) out.dropped.push_back(why + " " + list);
+  for (const auto& [why, list] : names) out.dropped.emplace_back(why).append(" ").append(list);
   return out;
 }
 
