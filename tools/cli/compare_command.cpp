@@ -89,18 +89,12 @@ void run_compare(const CompareArguments& arguments) {
     throw Error(ErrorKind::usage, "`view` goes with `picture`");
   Context context;
   prepare(context, arguments.common, options.colored.empty() ? "-" : options.colored);
-  CompareReport report;
-  {
-    const ProgressBar bar(context, arguments.common);
-    report = compare(context, arguments.original, arguments.simplified, options);
-  }
+  const CompareReport report = with_progress(context, arguments.common, [&] {
+    return compare(context, arguments.original, arguments.simplified, options);
+  });
   const bool mesh_on_output = options.colored == "-" || options.picture == "-";
   std::ostream& out = report_stream(mesh_on_output ? "-" : "");
-  if (arguments.common.json) {
-    print(json_of_report(report), arguments.common, out);
-  } else if (!arguments.common.quiet) {
-    show(report, out);
-  }
+  tell(report, arguments.common, out, show);
   if (!report.limit || !report.limit->exceeded) return;
   out.flush();
   tell_error("the RMS distance of " + show_length(report.symmetric.rms) + " (" +

@@ -41,16 +41,10 @@ void run_compare_sequence(const CompareSequenceArguments& arguments) {
   arguments.options.read(options);
   Context context;
   prepare(context, arguments.common, "-");
-  SequenceComparison report;
-  {
-    const ProgressBar bar(context, arguments.common);
-    report = compare_sequence(context, arguments.originals, arguments.simplified, options.samples);
-  }
-  if (arguments.common.json) {
-    print(json_of_report(report), arguments.common, std::cout);
-  } else if (!arguments.common.quiet) {
-    show(report, std::cout);
-  }
+  const SequenceComparison report = with_progress(context, arguments.common, [&] {
+    return compare_sequence(context, arguments.originals, arguments.simplified, options.samples);
+  });
+  tell(report, arguments.common, std::cout, show);
 }
 
 }  // namespace

@@ -42,17 +42,10 @@ void run_convert(const ConvertArguments& arguments) {
   arguments.options.read(options);
   Context context;
   prepare(context, arguments.common, arguments.output);
-  ConvertReport report;
-  {
-    const ProgressBar bar(context, arguments.common);
-    report = convert(context, arguments.input, arguments.output, options);
-  }
-  std::ostream& out = report_stream(arguments.output);
-  if (arguments.common.json) {
-    print(json_of_report(report), arguments.common, out);
-  } else if (!arguments.common.quiet) {
-    show(report, out);
-  }
+  const ConvertReport report = with_progress(context, arguments.common, [&] {
+    return convert(context, arguments.input, arguments.output, options);
+  });
+  tell(report, arguments.common, report_stream(arguments.output), show);
 }
 
 }  // namespace

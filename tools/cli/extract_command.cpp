@@ -40,17 +40,10 @@ void run_extract(const ExtractArguments& arguments) {
   arguments.options.read(options);
   Context context;
   prepare(context, arguments.common, arguments.output);
-  ExtractReport report;
-  {
-    const ProgressBar bar(context, arguments.common);
-    report = extract(context, arguments.input, arguments.output, options);
-  }
-  std::ostream& out = report_stream(arguments.output);
-  if (arguments.common.json) {
-    print(json_of_report(report), arguments.common, out);
-  } else if (!arguments.common.quiet) {
-    show(report, out);
-  }
+  const ExtractReport report = with_progress(context, arguments.common, [&] {
+    return extract(context, arguments.input, arguments.output, options);
+  });
+  tell(report, arguments.common, report_stream(arguments.output), show);
 }
 
 }  // namespace

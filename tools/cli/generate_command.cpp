@@ -17,26 +17,22 @@ struct GenerateArguments {
   CommonOptions common;
 };
 
+void show(const GenerateReport& report, std::ostream& out) {
+  out << "  made      " << grouped(report.faces) << " faces, " << grouped(report.vertices)
+      << " vertices, " << human_bytes(report.bytes) << "\n  time      "
+      << show_seconds(report.seconds) << "  ("
+      << show_rate(static_cast<double>(report.faces) / report.seconds) << "faces/s)\n";
+}
+
 void run_generate(const GenerateArguments& arguments) {
   GenerateOptions options;
   arguments.options.read(options);
 
   Context context;
   prepare(context, arguments.common, arguments.output);
-  GenerateReport report;
-  {
-    const ProgressBar bar(context, arguments.common);
-    report = generate(context, arguments.output, options);
-  }
-  std::ostream& out = report_stream(arguments.output);
-  if (arguments.common.json) {
-    print(json_of_report(report), arguments.common, out);
-  } else if (!arguments.common.quiet) {
-    out << "  made      " << grouped(report.faces) << " faces, " << grouped(report.vertices)
-        << " vertices, " << human_bytes(report.bytes) << "\n  time      "
-        << show_seconds(report.seconds) << "  ("
-        << show_rate(static_cast<double>(report.faces) / report.seconds) << "faces/s)\n";
-  }
+  const GenerateReport report = with_progress(
+      context, arguments.common, [&] { return generate(context, arguments.output, options); });
+  tell(report, arguments.common, report_stream(arguments.output), show);
 }
 
 }  // namespace

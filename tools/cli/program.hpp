@@ -39,6 +39,13 @@ class ProgressBar {
   std::shared_ptr<State> state_;
 };
 
+// What call() returns, which shows progress meanwhile.
+template <typename Call>
+auto with_progress(Context& context, const CommonOptions& options, const Call& call) {
+  const ProgressBar bar(context, options);
+  return call();
+}
+
 // Fills `context` and lets SIGINT and SIGTERM cancel it. `output` decides where scratch goes by
 // default: beside a regular file, else to TMPDIR or /var/tmp (/tmp may be memory). Throws
 // Error(usage).

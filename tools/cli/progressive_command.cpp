@@ -43,17 +43,10 @@ void run_progressive(const ProgressiveArguments& arguments) {
   arguments.options.read(options);
   Context context;
   prepare(context, arguments.common, arguments.output);
-  ProgressiveReport report;
-  {
-    const ProgressBar bar(context, arguments.common);
-    report = progressive(context, arguments.inputs, arguments.output, options);
-  }
-  std::ostream& out = report_stream(arguments.output);
-  if (arguments.common.json) {
-    print(json_of_report(report), arguments.common, out);
-  } else if (!arguments.common.quiet) {
-    show(report, out);
-  }
+  const ProgressiveReport report = with_progress(context, arguments.common, [&] {
+    return progressive(context, arguments.inputs, arguments.output, options);
+  });
+  tell(report, arguments.common, report_stream(arguments.output), show);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -130,6 +131,17 @@ Json json_of_report(const Report& report) {
   JsonFields fields;
   for_each_field(report, fields);
   return fields.json();
+}
+
+// As JSON, or as show() writes it for people, or not at all.
+template <typename Report>
+void tell(const Report& report, const CommonOptions& options, std::ostream& out,
+          void (*show)(const Report&, std::ostream&)) {
+  if (options.json) {
+    print(json_of_report(report), options, out);
+  } else if (!options.quiet) {
+    show(report, out);
+  }
 }
 
 }  // namespace winnow::cli

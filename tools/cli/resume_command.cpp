@@ -19,11 +19,8 @@ void run_resume(const ResumeArguments& arguments) {
   prepare(context, arguments.common, "-");
   if (!arguments.common.surroundings.given("scratch"))
     context.scratch.clear();  // that is the checkpoint's directory
-  SimplifyReport report;
-  {
-    const ProgressBar bar(context, arguments.common);
-    report = resume(context, arguments.checkpoint);
-  }
+  const SimplifyReport report = with_progress(
+      context, arguments.common, [&] { return resume(context, arguments.checkpoint); });
   tell(report, arguments.common);
 }
 

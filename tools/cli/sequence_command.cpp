@@ -44,16 +44,10 @@ void run_sequence(const SequenceArguments& arguments) {
   arguments.options.read(options);
   Context context;
   prepare(context, arguments.common, arguments.output);
-  SequenceReport report;
-  {
-    const ProgressBar bar(context, arguments.common);
-    report = simplify_sequence(context, arguments.inputs, arguments.output, options);
-  }
-  if (arguments.common.json) {
-    print(json_of_report(report), arguments.common, std::cout);
-  } else if (!arguments.common.quiet) {
-    show(report, std::cout);
-  }
+  const SequenceReport report = with_progress(context, arguments.common, [&] {
+    return simplify_sequence(context, arguments.inputs, arguments.output, options);
+  });
+  tell(report, arguments.common, std::cout, show);
 }
 
 }  // namespace

@@ -173,12 +173,7 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
 }  // namespace
 
 void tell(const SimplifyReport& report, const CommonOptions& options) {
-  std::ostream& out = report_stream(report.output.name);
-  if (options.json) {
-    print(json_of_report(report), options, out);
-  } else if (!options.quiet) {
-    show(report, out);
-  }
+  tell(report, options, report_stream(report.output.name), show);
 }
 
 void tell(const SimplifyPlan& plan, const CommonOptions& options) {
