@@ -14,7 +14,7 @@
 
 namespace winnow::test {
 
-// Simplifies until the `time`th progress line that names `stage`, and is stopped there. Two
+// Simplifies until `stage` begins for the `time`th time, and is stopped there. Two
 // threads; the directory "kept" in `directory` is what is left.
 inline Checkpoint stopped_at(const Directory& directory, const std::vector<std::string>& inputs,
                              const std::string& output, const SimplifyOptions& options,
@@ -22,7 +22,8 @@ inline Checkpoint stopped_at(const Directory& directory, const std::vector<std::
   Context context;
   context.threads = 2;
   context.progress = [&](const Progress& progress) {
-    if (progress.stage == stage && --time == 0) context.cancel();
+    // A sign of life in between comes sooner or later, or not at all.
+    if (progress.done == 0 && progress.stage == stage && --time == 0) context.cancel();
   };
   const Checkpoint checkpoint{directory.file("kept")};
   const Error error = error_of([&] { simplify(context, inputs, output, options, checkpoint); });

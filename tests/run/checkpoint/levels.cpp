@@ -22,7 +22,7 @@ TEST_CASE("a run to several counts goes on in any of them", "[faults][long]") {
     const char* stage;
     int time;
   } places[] = {{"weld", 1},  {"refine", 1}, {"write", 1},  {"refine", 3},
-                {"write", 2}, {"refine", 5}, {"unfold", 3}, {"write", 3}};
+                {"write", 2}, {"refine", 4}, {"unfold", 3}, {"write", 3}};
   for (const auto& place : places) {
     INFO(place.stage << " " << place.time);
     const Checkpoint checkpoint =

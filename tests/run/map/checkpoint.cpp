@@ -29,7 +29,7 @@ TEST_CASE("a run that goes on writes the same map", "[map]") {
       const char* stage;
       int time;
     } places[] = {
-        {"map vertices", 1}, {"refine", 1}, {"refine", 3}, {"write", 1}, {"write map", 1}};
+        {"map vertices", 1}, {"refine", 1}, {"refine", 2}, {"write", 1}, {"write map", 1}};
     for (const auto& place : places) {
       INFO(place.stage << " " << place.time);
       const Checkpoint checkpoint =
