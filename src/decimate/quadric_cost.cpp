@@ -35,7 +35,8 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& 
       farthest_(std::move(witnesses)),
       at_boundary_(mesh.vertex_count(), 0),
       evaluate_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))),
-      largest_square_(largest_square) {
+      largest_square_(largest_square),
+      beside_(mesh) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_boundary_[v] = !mesh.all_edges_even(v);
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
     if (mesh.removed(f)) continue;
@@ -73,23 +74,6 @@ void QuadricCost::add_boundary(VertexNumber a, VertexNumber b, double sign) {
   const Point edge = mesh_.position(b) - mesh_.position(a);
   add_line(planes_[a], edge, sign * boundary_line_weight);
   add_line(planes_[b], edge, sign * boundary_line_weight);
-}
-
-// The lines of edges that a collapse changes: all of them are at an end. Of a hub, only those at a
-// face that goes.
-void QuadricCost::take_boundaries(const Collapse& edge, const EdgeStar& star) {
-  for (const VertexNumber w : mesh_.open_neighbours(edge.removed))
-    add_boundary(edge.removed, w, -1);
-  if (!into_hub_) {
-    for (const VertexNumber w : mesh_.open_neighbours(edge.kept)) {
-      if (w != edge.removed) add_boundary(edge.kept, w, -1);
-    }
-    return;
-  }
-  for (const StarFace& face : star.of_kept()) {
-    const VertexNumber across = face.w == edge.removed ? face.x : face.w;
-    if (mesh_.faces_at(edge.kept, across, 2) == 1) add_boundary(edge.kept, across, -1);
-  }
 }
 
 EvaluatedCollapse QuadricCost::place(VertexNumber low, VertexNumber high) {
@@ -197,36 +181,20 @@ void QuadricCost::collapsing(const EvaluatedCollapse& now, const EdgeStar& star)
   if (bound_) bound_->collapsing(now.edge);
   const double weight = weight_of(planes_[kept]) + weight_of(planes_[removed]);
   if (weight > 0) largest_square_ = std::max(largest_square_, now.cost / weight);
-  into_hub_ = mesh_.hub(kept);
-  handed_over_.clear();
+  beside_.begin(now.edge, star);
   const auto faces = star.faces();
   at_boundary_now_ = (at_boundary_[kept] | at_boundary_[removed]) != 0;
-  if (at_boundary_now_) take_boundaries(now.edge, star);
-  planes_of_kept_ = into_hub_ ? planes_[kept] : VertexPlanes{};
+  if (at_boundary_now_) {
+    beside_.for_each_open_before(
+        now.edge, star, [&](VertexNumber end, VertexNumber w) { add_boundary(end, w, -1); });
+  }
+  planes_of_kept_ = beside_.into_hub() ? planes_[kept] : VertexPlanes{};
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const VertexPlanes change = star.change(i);
     add(planes_[faces[i].w], change);
     add(planes_[faces[i].x], change);
     // A hub's own faces stay as they are, but for those at the edge.
-    add(planes_of_kept_, into_hub_ && !faces[i].stays ? change : star.planes(i));
-  }
-  if (into_hub_) handed_over_.assign(faces.begin(), faces.end());
-}
-
-// changed(vertex) for each one beside the collapse.
-template <typename Changed>
-void QuadricCost::for_each_changed(const Collapse& edge, const Changed& changed) {
-  if (!into_hub_) {
-    for (const VertexNumber w : mesh_.neighbours(edge.kept)) changed(w);
-    return;
-  }
-  mesh_.mark_anew();
-  mesh_.mark(edge.kept);
-  mesh_.mark(edge.removed);
-  for (const auto& [number, w, x, stays] : handed_over_) {
-    for (const VertexNumber v : {w, x}) {
-      if (mesh_.mark(v)) changed(v);
-    }
+    add(planes_of_kept_, beside_.into_hub() && !faces[i].stays ? change : star.planes(i));
   }
 }
 
@@ -235,24 +203,13 @@ void QuadricCost::collapsed(const Collapse& edge) {
   planes_[kept] = planes_of_kept_;
   at_boundary_[kept] |= at_boundary_[edge.removed];
   if (!at_boundary_now_) return;
-  if (into_hub_) {
-    for_each_changed(edge, [&](VertexNumber v) {
-      if (mesh_.faces_at(kept, v, 2) == 1) add_boundary(kept, v, 1);
-    });
-  } else {
-    for (const VertexNumber w : mesh_.open_neighbours(kept)) add_boundary(kept, w, 1);
-  }
+  beside_.for_each_open_after(edge,
+                              [&](VertexNumber end, VertexNumber w) { add_boundary(end, w, 1); });
 }
 
 void QuadricCost::collapsed(const Collapse& edge, Offers& offers) {
   collapsed(edge);
-  for_each_changed(edge, [&](VertexNumber v) { offers.make_stale(v); });
-  if (into_hub_) {
-    // It may be one no more.
-    offers.make_stale(edge.kept);
-  } else {
-    offers.set(edge.kept, best(edge.kept, Candidate::none_yet()));
-  }
+  beside_.renew(edge, offers, [&] { return best(edge.kept, Candidate::none_yet()); });
 }
 
 void QuadricCost::repeat(const Collapse& edge, EdgeStar& star, const SurfaceChange* change) {

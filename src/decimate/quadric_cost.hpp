@@ -5,6 +5,7 @@
 // witness_points.hpp.
 #pragma once
 
+#include "decimate/beside_collapse.hpp"
 #include "decimate/collapser.hpp"
 #include "decimate/edge_batch.hpp"
 #include "decimate/error_bound.hpp"
@@ -72,9 +73,6 @@ class QuadricCost {
   [[nodiscard]] VertexPlanes planes_of(FaceNumber f) const;
   void take_anew(VertexNumber v);
   void add_boundary(VertexNumber a, VertexNumber b, double sign);
-  void take_boundaries(const Collapse& edge, const EdgeStar& star);
-  template <typename Changed>
-  void for_each_changed(const Collapse& edge, const Changed& changed);
 
   TileMesh& mesh_;
   bool single_;
@@ -87,9 +85,8 @@ class QuadricCost {
   EdgeBatch batch_{};
   double largest_square_ = 0;
   // Of the collapse that is being made.
-  VertexPlanes planes_of_kept_;        // afterwards
-  std::vector<StarFace> handed_over_;  // to a hub
-  bool into_hub_ = false;
+  VertexPlanes planes_of_kept_;  // afterwards
+  BesideCollapse beside_;
   bool at_boundary_now_ = false;
 };
 

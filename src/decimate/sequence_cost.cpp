@@ -55,7 +55,8 @@ SequenceCost::SequenceCost(TileMesh& mesh, Frames& frames, const DecimationSetti
       to_(frames.count()),
       flat_(frames.count()),
       witness_(frames.count()),
-      planes_of_kept_(frames.count()) {
+      planes_of_kept_(frames.count()),
+      beside_(mesh) {
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_boundary_[v] = !mesh.all_edges_even(v);
   for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
     if (mesh.removed(f)) continue;
@@ -236,64 +237,33 @@ void SequenceCost::add_boundary(VertexNumber a, VertexNumber b, double sign) {
   }
 }
 
-// As QuadricCost::take_boundaries().
-void SequenceCost::take_boundaries(const Collapse& edge, const EdgeStar& star) {
-  for (const VertexNumber w : mesh_.open_neighbours(edge.removed))
-    add_boundary(edge.removed, w, -1);
-  if (!into_hub_) {
-    for (const VertexNumber w : mesh_.open_neighbours(edge.kept)) {
-      if (w != edge.removed) add_boundary(edge.kept, w, -1);
-    }
-    return;
-  }
-  for (const StarFace& face : star.of_kept()) {
-    const VertexNumber across = face.w == edge.removed ? face.x : face.w;
-    if (mesh_.faces_at(edge.kept, across, 2) == 1) add_boundary(edge.kept, across, -1);
-  }
-}
-
 void SequenceCost::collapsing(const EvaluatedCollapse& now, EdgeStar& star) {
   const VertexNumber kept = now.edge.kept;
   const VertexNumber removed = now.edge.removed;
-  into_hub_ = mesh_.hub(kept);
+  beside_.begin(now.edge, star);
   at_boundary_now_ = (at_boundary_[kept] | at_boundary_[removed]) != 0;
   for (std::size_t t = 0; t < frames_.count(); ++t) {
     const double weight = weight_of(planes(kept, t)) + weight_of(planes(removed, t));
     if (weight > 0) largest_square_ = std::max(largest_square_, costs_[t] / weight);
   }
-  if (at_boundary_now_) take_boundaries(now.edge, star);
+  if (at_boundary_now_) {
+    beside_.for_each_open_before(
+        now.edge, star, [&](VertexNumber end, VertexNumber w) { add_boundary(end, w, -1); });
+  }
   const auto faces = star.faces();
   for (std::size_t t = 0; t < frames_.count(); ++t) {
     star.move(frames_.places(t), to_[t], least_cosine_);
     VertexPlanes& of_kept = planes_of_kept_[t];
-    of_kept = into_hub_ ? planes(kept, t) : VertexPlanes{};
+    of_kept = beside_.into_hub() ? planes(kept, t) : VertexPlanes{};
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const VertexPlanes change = star.change(i);
       add(planes(faces[i].w, t), change);
       add(planes(faces[i].x, t), change);
       // A hub's own faces stay as they are, but for those at the edge.
-      add(of_kept, into_hub_ && !faces[i].stays ? change : star.planes(i));
+      add(of_kept, beside_.into_hub() && !faces[i].stays ? change : star.planes(i));
     }
   }
   frames_.set_witnesses(kept, witness_);
-  handed_over_.clear();
-  if (into_hub_) handed_over_.assign(faces.begin(), faces.end());
-}
-
-template <typename Changed>
-void SequenceCost::for_each_changed(const Collapse& edge, const Changed& changed) {
-  if (!into_hub_) {
-    for (const VertexNumber w : mesh_.neighbours(edge.kept)) changed(w);
-    return;
-  }
-  mesh_.mark_anew();
-  mesh_.mark(edge.kept);
-  mesh_.mark(edge.removed);
-  for (const StarFace& face : handed_over_) {
-    for (const VertexNumber v : {face.w, face.x}) {
-      if (mesh_.mark(v)) changed(v);
-    }
-  }
 }
 
 void SequenceCost::collapsed(const Collapse& edge) {
@@ -302,24 +272,13 @@ void SequenceCost::collapsed(const Collapse& edge) {
   for (std::size_t t = 0; t < frames_.count(); ++t) planes(kept, t) = planes_of_kept_[t];
   at_boundary_[kept] |= at_boundary_[edge.removed];
   if (!at_boundary_now_) return;
-  if (into_hub_) {
-    for_each_changed(edge, [&](VertexNumber v) {
-      if (mesh_.faces_at(kept, v, 2) == 1) add_boundary(kept, v, 1);
-    });
-  } else {
-    for (const VertexNumber w : mesh_.open_neighbours(kept)) add_boundary(kept, w, 1);
-  }
+  beside_.for_each_open_after(edge,
+                              [&](VertexNumber end, VertexNumber w) { add_boundary(end, w, 1); });
 }
 
 void SequenceCost::collapsed(const Collapse& edge, Offers& offers) {
   collapsed(edge);
-  for_each_changed(edge, [&](VertexNumber v) { offers.make_stale(v); });
-  if (into_hub_) {
-    // It may be one no more.
-    offers.make_stale(edge.kept);
-  } else {
-    offers.set(edge.kept, best(edge.kept, Candidate::none_yet()));
-  }
+  beside_.renew(edge, offers, [&] { return best(edge.kept, Candidate::none_yet()); });
 }
 
 void SequenceCost::repeat(const Collapse& edge, const Legality& legality, EdgeStar& star) {

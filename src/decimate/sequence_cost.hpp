@@ -9,6 +9,7 @@
 // do, the collapse costs more: of many frames there is nearly always one that would forbid it.
 #pragma once
 
+#include "decimate/beside_collapse.hpp"
 #include "decimate/collapser.hpp"
 #include "decimate/decimation.hpp"
 #include "decimate/edge_batch.hpp"
@@ -57,10 +58,7 @@ class SequenceCost {
     return planes_[v * frames_.count() + frame];
   }
   void add_boundary(VertexNumber a, VertexNumber b, double sign);
-  void take_boundaries(const Collapse& edge, const EdgeStar& star);
   void collapsed(const Collapse& edge);
-  template <typename Changed>
-  void for_each_changed(const Collapse& edge, const Changed& changed);
 
   TileMesh& mesh_;
   Frames& frames_;
@@ -82,8 +80,7 @@ class SequenceCost {
   std::vector<Point> witness_;      // afterwards
   // Of the collapse that is being made.
   std::vector<VertexPlanes> planes_of_kept_;  // afterwards
-  std::vector<StarFace> handed_over_;         // to a hub
-  bool into_hub_ = false;
+  BesideCollapse beside_;
   bool at_boundary_now_ = false;
 };
 
