@@ -12,6 +12,7 @@
 #include "run/input.hpp"
 #include "run/plain_mesh.hpp"
 #include "run/plan.hpp"
+#include "run/take_usage.hpp"
 #include "run/write_blocks.hpp"
 #include "run/write_mesh.hpp"
 #include "write/formats.hpp"
@@ -107,12 +108,7 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   report.attributes = {descriptions(facts.choice), facts.choice.dropped};
   report.welded = !facts.vertices;
   report.doubled_faces = counts.faces - counts.bad.total() - mesh.face_count;
-  report.spilled_bytes = job.scratch.written();
-  report.peak_scratch_bytes = job.scratch.peak();
-  report.peak_memory_bytes = peak_resident_bytes();
-  report.seconds.total = watch.seconds();
-  report.seconds.write = report.seconds.total - report.seconds.read;
-  report.notes = job.notes;
+  take_usage(job, watch, report);
   return report;
 }
 

@@ -13,6 +13,7 @@
 #include "run/played_mesh.hpp"
 #include "run/refinement.hpp"
 #include "run/result_sink.hpp"
+#include "run/take_usage.hpp"
 #include "run/write_mesh.hpp"
 #include "stitch/unfolded_mesh.hpp"
 
@@ -164,12 +165,7 @@ ExtractReport extract_in_arena(Job& job, const std::string& input, const std::st
                    mesh.face_count, mesh.vertices->size(),
                    written,         encoder.position_error(shape)};
   report.attributes = {descriptions(choice), choice.dropped};
-  report.spilled_bytes = job.scratch.written();
-  report.peak_scratch_bytes = job.scratch.peak();
-  report.peak_memory_bytes = peak_resident_bytes();
-  report.seconds.total = watch.seconds();
-  report.seconds.write = report.seconds.total - report.seconds.read;
-  report.notes = job.notes;
+  take_usage(job, watch, report);
   return report;
 }
 

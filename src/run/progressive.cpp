@@ -15,6 +15,7 @@
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
 #include "run/simplify_options.hpp"
+#include "run/take_usage.hpp"
 #include "stitch/record_rounds.hpp"
 #include "write/formats.hpp"
 
@@ -166,12 +167,7 @@ ProgressiveReport progressive_in_arena(Job& job, const std::vector<std::string>&
   report.output.name = output;
   make_file(job, std::move(clustered), options, reading, sink, report, watch);
 
-  report.spilled_bytes = job.scratch.written();
-  report.peak_scratch_bytes = job.scratch.peak();
-  report.peak_memory_bytes = peak_resident_bytes();
-  report.seconds.total = watch.seconds();
-  report.seconds.write = report.seconds.total - report.seconds.read - report.seconds.refine;
-  report.notes = job.notes;
+  take_usage(job, watch, report);
   return report;
 }
 

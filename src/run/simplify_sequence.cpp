@@ -15,6 +15,7 @@
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
 #include "run/result_sink.hpp"
+#include "run/take_usage.hpp"
 #include "run/write_blocks.hpp"
 #include "run/write_mesh.hpp"
 #include "sequence/frame_intake.hpp"
@@ -274,12 +275,7 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
     job.note(grouped(report.output.faces) + " faces are left instead of " + grouped(wanted) +
              ": fewer would change the topology or turn faces over in some frame");
   report.output.format = output.format();
-  report.spilled_bytes = job.scratch.written();
-  report.peak_scratch_bytes = job.scratch.peak();
-  report.peak_memory_bytes = peak_resident_bytes();
-  report.seconds.total = watch.seconds();
-  report.seconds.write = report.seconds.total - report.seconds.read - report.seconds.refine;
-  report.notes = job.notes;
+  take_usage(job, watch, report);
   return report;
 }
 
