@@ -1,7 +1,6 @@
 // The face that is nearest to a point, against a look at every face.
 #include "base/closest_point.hpp"
 #include "fit/face_index.hpp"
-#include "io/spool_records.hpp"
 #include "support/files.hpp"
 #include "support/job.hpp"
 #include "support/program.hpp"
@@ -14,25 +13,13 @@
 
 namespace winnow::test {
 
-namespace {
-
-std::vector<Triangle> faces_in(const StoredMesh& mesh) {
-  VertexIndex::Reader vertices(*mesh.vertices);
-  std::vector<Triangle> all;
-  for (const auto& [a, b, c] : read_records<FaceVertices>(*mesh.faces, 0, mesh.face_count))
-    all.push_back({vertices.position(a), vertices.position(b), vertices.position(c)});
-  return all;
-}
-
-}  // namespace
-
 TEST_CASE("the nearest face of all is found, with few pages in memory or all") {
   const Directory directory;
   const std::string scan = directory.file("scan.ply");
   generate("scan", 60'000, scan);
   TestJob test;
   const StoredMesh mesh = welded(test.job, scan);
-  const std::vector<Triangle> all = faces_in(mesh);
+  const std::vector<Triangle> all = triangles_of(mesh);
   Random random(1);
   std::vector<Point> points;
   for (int i = 0; i < 60; ++i) {

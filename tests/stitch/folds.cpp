@@ -15,13 +15,6 @@ namespace winnow::test {
 
 namespace {
 
-std::vector<Triangle> triangles_of(const Shape& shape) {
-  std::vector<Triangle> triangles;
-  for (const auto& [a, b, c] : shape.faces)
-    triangles.push_back({shape.vertices[a], shape.vertices[b], shape.vertices[c]});
-  return triangles;
-}
-
 struct Looked {
   PlainMesh mesh;
   Damage damage;

@@ -1,7 +1,6 @@
 // The faces near a place, against a look at every face.
 #include "stitch/reference_mesh.hpp"
 
-#include "io/spool_records.hpp"
 #include "support/files.hpp"
 #include "support/job.hpp"
 #include "support/program.hpp"
@@ -17,14 +16,6 @@
 namespace winnow::test {
 
 namespace {
-
-std::vector<Triangle> triangles_of(const StoredMesh& mesh) {
-  VertexIndex::Reader vertices(*mesh.vertices);
-  std::vector<Triangle> all;
-  for (const auto& [a, b, c] : read_records<FaceVertices>(*mesh.faces, 0, mesh.face_count))
-    all.push_back({vertices.position(a), vertices.position(b), vertices.position(c)});
-  return all;
-}
 
 bool meets(const Triangle& t, const Box& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -28,15 +28,6 @@ inline Shape with_own_corners(const Shape& shape) {
   return soup;
 }
 
-inline std::vector<Triangle> triangles_of(const Shape& shape) {
-  std::vector<Triangle> triangles;
-  for (const auto& face : shape.faces) {
-    triangles.push_back(
-        {shape.vertices[face[0]], shape.vertices[face[1]], shape.vertices[face[2]]});
-  }
-  return triangles;
-}
-
 using FaceSet = std::set<std::array<std::int64_t, 3>>;
 
 inline std::array<std::int64_t, 3> any_winding(std::array<std::int64_t, 3> face) {

@@ -1,6 +1,7 @@
 #include "support/refining.hpp"
 
 #include "io/arena.hpp"
+#include "io/spool_records.hpp"
 #include "meshes.hpp"
 #include "support/sources.hpp"
 #include "support/stl_file.hpp"
@@ -40,6 +41,14 @@ ClusteredMesh welded(Job& job, const std::vector<Triangle>& faces) {
 
 ClusteredMesh welded_content(Job& job, const std::string& content, ClusterCounts& counts) {
   return weld_source(job, std::make_unique<MemorySource>(content), counts);
+}
+
+std::vector<Triangle> triangles_of(const StoredMesh& mesh) {
+  VertexIndex::Reader vertices(*mesh.vertices);
+  std::vector<Triangle> all;
+  for (const auto& [a, b, c] : read_records<FaceVertices>(*mesh.faces, 0, mesh.face_count))
+    all.push_back({vertices.position(a), vertices.position(b), vertices.position(c)});
+  return all;
 }
 
 std::string whale() {

@@ -34,6 +34,9 @@ struct Defects {
 };
 Defects defects_of(const std::vector<FaceVertices>& faces);
 
+// The faces of a mesh in its order.
+std::vector<Triangle> triangles_of(const StoredMesh& mesh);
+
 // One tile of everything.
 TileMesh whole_tile(const PlainMesh& mesh);
 

@@ -388,4 +388,11 @@ Shape joined(Shape shape, const Shape& other) {
   return shape;
 }
 
+std::vector<Triangle> triangles_of(const Shape& shape) {
+  std::vector<Triangle> triangles;
+  for (const auto& [a, b, c] : shape.faces)
+    triangles.push_back({shape.vertices[a], shape.vertices[b], shape.vertices[c]});
+  return triangles;
+}
+
 }  // namespace winnow::test

@@ -77,4 +77,6 @@ Shape turned(Shape shape, double angle);
 Shape inside_out(Shape shape);
 Shape joined(Shape shape, const Shape& other);
 
+std::vector<Triangle> triangles_of(const Shape& shape);
+
 }  // namespace winnow::test
