@@ -101,7 +101,8 @@ bool shows_its_back(const std::array<IndexedVertex, 3>& corner) {
 
 template <typename Sum>
 void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& settings,
-                    ClusteredMesh& mesh) {
+                    ClusterResult& result) {
+  StoredMesh& mesh = result.mesh;
   const bool states = mesh.state != nullptr;
   const std::size_t carried = mesh.layout.attributes;
   Sum next{};
@@ -128,9 +129,9 @@ void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& set
                more_boundaries = cells.boundaries->next(boundary)) {
             if (boundary.cell == cell.key()) cell.add(boundary);
           }
-          ++mesh.cells;
+          ++result.cells;
           if (!cell.used()) {
-            if (mesh.vanished != nullptr) chunk.vanished.push_back(cell.key());
+            if (result.vanished != nullptr) chunk.vanished.push_back(cell.key());
             continue;
           }
           chunk.cells.push_back(cell);
@@ -153,10 +154,10 @@ void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& set
       [&](const Chunk& chunk) {
         mesh.append_vertices(chunk.vertices, std::as_bytes(std::span(chunk.states)),
                              chunk.attributes);
-        if (!chunk.vanished.empty()) append_records<CellKey>(*mesh.vanished, chunk.vanished);
+        if (!chunk.vanished.empty()) append_records<CellKey>(*result.vanished, chunk.vanished);
       });
   mesh.finish_vertices();
-  if (mesh.vanished != nullptr) mesh.vanished->finish();
+  if (result.vanished != nullptr) result.vanished->finish();
   if (mesh.vertices->size() > UINT32_MAX) {
     throw Error(
         ErrorKind::failed,
@@ -166,11 +167,12 @@ void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& set
 }
 
 template void build_vertices<CellSum>(Job&, MergedCells<CellSum>, const ClusterSettings&,
-                                      ClusteredMesh&);
+                                      ClusterResult&);
 template void build_vertices<QuadricCellSum>(Job&, MergedCells<QuadricCellSum>,
-                                             const ClusterSettings&, ClusteredMesh&);
+                                             const ClusterSettings&, ClusterResult&);
 
-void build_faces(Job& job, RecordCursor<CellFace>& faces, bool turn, ClusteredMesh& mesh) {
+void build_faces(Job& job, RecordCursor<CellFace>& faces, bool turn, ClusterResult& result) {
+  StoredMesh& mesh = result.mesh;
   FaceFuser fuser(faces);
   PerSlot<VertexIndex::Reader> readers(
       job.threads, [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
@@ -185,7 +187,7 @@ void build_faces(Job& job, RecordCursor<CellFace>& faces, bool turn, ClusteredMe
       [&](Chunk& chunk) {
         FusedFaces fused = fuser.chunk();
         job.progress.check_cancelled();
-        mesh.fused += fused.fused;
+        result.fused += fused.fused;
         chunk.faces = std::move(fused.faces);
         return !chunk.faces.empty();
       },
@@ -207,18 +209,18 @@ void build_faces(Job& job, RecordCursor<CellFace>& faces, bool turn, ClusteredMe
             ++turned_here;
           }
           chunk.numbers.push_back(number);
-          if (mesh.several != nullptr && triple.along + triple.against > 1)
+          if (result.several != nullptr && triple.along + triple.against > 1)
             chunk.several.push_back({number, counted(triple.along), counted(triple.against)});
         }
         turned += turned_here;
       },
       [&](const Chunk& chunk) {
         mesh.append_faces(chunk.numbers);
-        if (!chunk.several.empty()) append_records<FusedFace>(*mesh.several, chunk.several);
+        if (!chunk.several.empty()) append_records<FusedFace>(*result.several, chunk.several);
       });
   mesh.finish_faces();
-  if (mesh.several != nullptr) mesh.several->finish();
-  mesh.turned = turned;
+  if (result.several != nullptr) result.several->finish();
+  result.turned = turned;
 }
 
 }  // namespace winnow

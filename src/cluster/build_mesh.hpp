@@ -21,14 +21,14 @@ struct MergedCells {
   std::unique_ptr<AttributeCursor> attributes;
 };
 
-// Cells that no output face uses leave no vertex. Fills the vertices of `mesh` and what is beside
+// Cells that no output face uses leave no vertex. Fills the vertices of the mesh and what is beside
 // them. Throws Error(failed) beyond 2^32 - 1 vertices.
 template <typename Sum>
 void build_vertices(Job& job, MergedCells<Sum> cells, const ClusterSettings& settings,
-                    ClusteredMesh& mesh);
+                    ClusterResult& result);
 
 // Faces come in key order; the same three cells give one face. Each is turned to agree with the
-// normals of its cells, if `turn`. Fills the rest of `mesh`.
-void build_faces(Job& job, RecordCursor<CellFace>& faces, bool turn, ClusteredMesh& mesh);
+// normals of its cells, if `turn`. Fills the rest.
+void build_faces(Job& job, RecordCursor<CellFace>& faces, bool turn, ClusterResult& result);
 
 }  // namespace winnow

@@ -167,18 +167,18 @@ class ClustererOf final : public Clusterer {
     return sum;
   }
 
-  ClusteredMesh finish() override {
+  ClusterResult finish() override {
     empty_caches();
-    ClusteredMesh mesh{{job_, settings_.layout(), {memory_.vertices, memory_.result}}};
+    ClusterResult result{{job_, settings_.layout(), {memory_.vertices, memory_.result}}};
     if (settings_.for_refinement) {
-      mesh.vanished = std::make_unique<Spool>(job_, share::cluster::vanished(memory_.vertices));
-      mesh.several = std::make_unique<Spool>(job_, share::cluster::several(memory_.result));
+      result.vanished = std::make_unique<Spool>(job_, share::cluster::vanished(memory_.vertices));
+      result.several = std::make_unique<Spool>(job_, share::cluster::several(memory_.result));
     }
-    build_vertices(job_, cells(), settings_, mesh);
+    build_vertices(job_, cells(), settings_, result);
     release_cells();
     MergedCursor<CellFace> all = faces();
-    build_faces(job_, all, !settings_.for_refinement, mesh);
-    return mesh;
+    build_faces(job_, all, !settings_.for_refinement, result);
+    return result;
   }
 
  private:

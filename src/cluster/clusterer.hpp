@@ -56,12 +56,12 @@ struct FusedFace {
   std::uint32_t along = 0, against = 0;
 };
 
-// The mesh with what was found on the way.
-struct ClusteredMesh : StoredMesh {
+// The mesh of cells, and what was found on the way.
+struct ClusterResult {
+  StoredMesh mesh;
   std::uint64_t cells = 0;
   std::uint64_t turned = 0;
-  std::uint64_t fused = 0;       // pairs of opposite faces that left one face
-  std::uint64_t flat_pairs = 0;  // those without area that left none; only where welded
+  std::uint64_t fused = 0;  // pairs of opposite faces that left one face
   // Only where clustered for refinement: the faces that several fell onto, a FusedFace each, in the
   // order of faces; and the keys of cells that no face of three cells touches, in ascending order.
   std::unique_ptr<Spool> several{};
@@ -104,7 +104,7 @@ class Clusterer {
   virtual ClusterCounts counts() = 0;
 
   // Builds the mesh; the last call.
-  virtual ClusteredMesh finish() = 0;
+  virtual ClusterResult finish() = 0;
 };
 
 }  // namespace winnow

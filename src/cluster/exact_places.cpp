@@ -16,7 +16,7 @@
 namespace winnow {
 
 bool place_exactly(Job& job, const NearFaces& near, const SplitCells& names, bool single,
-                   std::uint64_t memory, std::uint64_t vertices, ClusteredMesh& mesh) {
+                   std::uint64_t memory, std::uint64_t vertices, StoredMesh& mesh) {
   ThreadedRecords<KeyedPosition> positions(job, memory);
   PerSlot<RecentPositions> recent(job.threads, [] { return std::make_unique<RecentPositions>(); });
   near.for_each_batch([&](const FaceBatch& faces) {

@@ -15,6 +15,6 @@ namespace winnow {
 // positions. `single`: positions are rounded to floats. Sorts within `memory`; `vertices`: of the
 // mesh.
 bool place_exactly(Job& job, const NearFaces& near, const SplitCells& names, bool single,
-                   std::uint64_t memory, std::uint64_t vertices, ClusteredMesh& mesh);
+                   std::uint64_t memory, std::uint64_t vertices, StoredMesh& mesh);
 
 }  // namespace winnow

@@ -27,7 +27,7 @@ using Numbers = FaceVertices;
 // Vertices of a mesh in order, with what is beside them in other spools.
 class VertexCursor {
  public:
-  VertexCursor(const Job& job, const ClusteredMesh& mesh, std::size_t attributes)
+  VertexCursor(const Job& job, const StoredMesh& mesh, std::size_t attributes)
       : vertices_(job, mesh.vertices->records()), carried(attributes) {
     if (mesh.state != nullptr) states_.emplace(job, *mesh.state);
     if (attributes > 0) attributes_.emplace(job, *mesh.attributes);
@@ -125,7 +125,7 @@ class NamesInOrder {
 
 class Joiner {
  public:
-  Joiner(Job& job, const ClusteredMesh& coarse, unsigned shift, const ClusteredMesh& fine,
+  Joiner(Job& job, const ClusterResult& coarse, unsigned shift, const ClusterResult& fine,
          const SplitCells& names, const CellSet& split, std::size_t attributes,
          const MeshMemory& memory)
       : job_(job),
@@ -135,16 +135,16 @@ class Joiner {
         split_(split),
         shift_(shift),
         attributes_(attributes),
-        reserved_(job.budget.reserve(BufferedVertices::memory(coarse.vertices->size()) +
-                                         BufferedVertices::memory(fine.vertices->size()) +
+        reserved_(job.budget.reserve(BufferedVertices::memory(coarse.mesh.vertices->size()) +
+                                         BufferedVertices::memory(fine.mesh.vertices->size()) +
                                          64 * split.size(),
                                      "joining parts of cells")),
-        kept_coarse_(coarse.vertices->size()),
-        kept_fine_(fine.vertices->size()),
+        kept_coarse_(coarse.mesh.vertices->size()),
+        kept_fine_(fine.mesh.vertices->size()),
         memory_(memory.faces),
-        out_{{job, coarse.layout, {memory.vertices, share::split::joined(memory.faces)}}} {}
+        out_{{job, coarse.mesh.layout, {memory.vertices, share::split::joined(memory.faces)}}} {}
 
-  ClusteredMesh run() {
+  ClusterResult run() {
     out_.cells = coarse_.cells;
     join_vertices();
     join_faces();
@@ -155,10 +155,10 @@ class Joiner {
   [[nodiscard]] bool splits(CellKey name) const { return split_.has(names_.cell_of(name)); }
 
   void join_vertices() {
-    const bool states = coarse_.state != nullptr;
-    Appender<IndexedVertex, VertexIndex> vertices(job_, *out_.vertices);
-    VertexCursor coarse(job_, coarse_, attributes_);
-    VertexCursor fine(job_, fine_, attributes_);
+    const bool states = coarse_.mesh.state != nullptr;
+    Appender<IndexedVertex, VertexIndex> vertices(job_, *out_.mesh.vertices);
+    VertexCursor coarse(job_, coarse_.mesh, attributes_);
+    VertexCursor fine(job_, fine_.mesh, attributes_);
     NamesInOrder folded_coarse(coarse_.folds.vertices, shift_);
     NamesInOrder folded_fine(fine_.folds.vertices, 0);
     const auto next_coarse = [&] {
@@ -181,8 +181,8 @@ class Joiner {
       if ((take_coarse || take_fine) && !folded_fine.has(name)) {
         const VertexCursor& from = take_fine ? fine : coarse;
         vertices.add(from.vertex);
-        if (states) append_records<CellState>(*out_.state, std::span(&from.state, 1));
-        if (attributes_ > 0) append_records<double>(*out_.attributes, from.carried);
+        if (states) append_records<CellState>(*out_.mesh.state, std::span(&from.state, 1));
+        if (attributes_ > 0) append_records<double>(*out_.mesh.attributes, from.carried);
         if (take_fine) {
           kept_fine_.keep(fine.number(), from_coarse);
           ++from_fine;
@@ -195,17 +195,17 @@ class Joiner {
       if (in_fine) more_fine = fine.next();
     }
     vertices.flush();
-    out_.finish_vertices();
-    if (out_.vertices->size() > UINT32_MAX) {
+    out_.mesh.finish_vertices();
+    if (out_.mesh.vertices->size() > UINT32_MAX) {
       throw Error(ErrorKind::failed,
-                  "the result has " + grouped(out_.vertices->size()) +
+                  "the result has " + grouped(out_.mesh.vertices->size()) +
                       " vertices, more than output formats can count; choose fewer faces");
     }
   }
 
   // chosen(face, new numbers) for the faces of a mesh, from several threads: whether it counts.
   template <typename Chosen>
-  std::unique_ptr<Spool> renumbered(const ClusteredMesh& mesh, std::uint64_t memory,
+  std::unique_ptr<Spool> renumbered(const ClusterResult& from, std::uint64_t memory,
                                     const Chosen& chosen) {
     auto faces = std::make_unique<Spool>(job_, memory);
     struct Chunk {
@@ -216,15 +216,15 @@ class Joiner {
         2 * std::size_t{job_.threads},
         [&](Chunk& chunk) {
           const std::uint64_t count =
-              std::min<std::uint64_t>(chunk_records, mesh.face_count - next);
-          chunk.old = mesh.read_faces(next, count);
+              std::min<std::uint64_t>(chunk_records, from.mesh.face_count - next);
+          chunk.old = from.mesh.read_faces(next, count);
           next += count;
           job_.progress.check_cancelled();
           return count > 0;
         },
         [&](Chunk& chunk) {
           chunk.now.clear();
-          FoldedFaces folds(mesh.folds);
+          FoldedFaces folds(from.folds);
           for (const Numbers& face : chunk.old) {
             Numbers now{};
             if (!folds.has(face) && chosen(face, now)) chunk.now.push_back(now);
@@ -250,8 +250,9 @@ class Joiner {
       Readers(const VertexIndex& from, const VertexIndex& to) : old(from), now(to) {}
       VertexIndex::Reader old, now;
     };
-    PerSlot<Readers> readers(
-        job_.threads, [&] { return std::make_unique<Readers>(*fine_.vertices, *out_.vertices); });
+    PerSlot<Readers> readers(job_.threads, [&] {
+      return std::make_unique<Readers>(*fine_.mesh.vertices, *out_.mesh.vertices);
+    });
     const std::unique_ptr<Spool> fine =
         renumbered(fine_, share::split::kept_fine(memory_), [&](const Numbers& face, Numbers& now) {
           if (!kept_fine_.has(face[0]) && !kept_fine_.has(face[1]) && !kept_fine_.has(face[2]))
@@ -267,25 +268,25 @@ class Joiner {
           }
           return true;
         });
-    Appender<Numbers> append(job_, *out_.faces);
+    Appender<Numbers> append(job_, *out_.mesh.faces);
     SpoolCursor<Numbers> from_coarse(job_, *coarse);
     SpoolCursor<Numbers> from_fine(job_, *fine);
     Numbers a{};
     Numbers b{};
     bool more_a = from_coarse.next(a);
     bool more_b = from_fine.next(b);
-    for (; more_a || more_b; ++out_.face_count) {
+    for (; more_a || more_b; ++out_.mesh.face_count) {
       const bool take_b = !more_a || (more_b && b < a);
       append.add(take_b ? b : a);
       (take_b ? more_b : more_a) = take_b ? from_fine.next(b) : from_coarse.next(a);
     }
     append.flush();
-    out_.finish_faces();
+    out_.mesh.finish_faces();
   }
 
   Job& job_;
-  const ClusteredMesh& coarse_;
-  const ClusteredMesh& fine_;
+  const ClusterResult& coarse_;
+  const ClusterResult& fine_;
   const SplitCells& names_;
   const CellSet& split_;
   unsigned shift_;
@@ -293,13 +294,13 @@ class Joiner {
   Reservation reserved_;
   BufferedVertices kept_coarse_, kept_fine_;
   std::uint64_t memory_;  // for faces
-  ClusteredMesh out_;
+  ClusterResult out_;
 };
 
 }  // namespace
 
-ClusteredMesh joined(Job& job, const ClusteredMesh& coarse, unsigned shift,
-                     const ClusteredMesh& fine, const SplitCells& names, const CellSet& split,
+ClusterResult joined(Job& job, const ClusterResult& coarse, unsigned shift,
+                     const ClusterResult& fine, const SplitCells& names, const CellSet& split,
                      std::size_t attributes, const MeshMemory& memory) {
   return Joiner(job, coarse, shift, fine, names, split, attributes, memory).run();
 }

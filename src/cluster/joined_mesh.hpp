@@ -13,8 +13,8 @@ namespace winnow {
 // has `coarse`, or keys of cells, which become names when they are shifted by `shift` bits. Folds
 // of either are left out. Of `fine` the vertices count that are in cells of `split`, or not in
 // `coarse`, and the faces that have one for a corner; of `coarse` all others.
-ClusteredMesh joined(Job& job, const ClusteredMesh& coarse, unsigned shift,
-                     const ClusteredMesh& fine, const SplitCells& names, const CellSet& split,
+ClusterResult joined(Job& job, const ClusterResult& coarse, unsigned shift,
+                     const ClusterResult& fine, const SplitCells& names, const CellSet& split,
                      std::size_t attributes, const MeshMemory& memory);
 
 }  // namespace winnow

@@ -156,7 +156,7 @@ class VertexNumbers {
 template <typename Real>
 void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const MostPositions& most,
                    std::uint64_t positions, const WeldMemory& memory, VertexNumbers& numbers,
-                   ClusteredMesh& mesh) {
+                   StoredMesh& mesh) {
   using Position = NumberedPosition<Real>;
   job.progress.begin("weld", reader.facts().vertices.value_or(0), "positions");
   const PartsPlan plan =
@@ -231,12 +231,12 @@ void weld_vertices(Job& job, MeshReader& reader, const Grid& grid, const MostPos
                                        " different positions, more than one mesh can number; "
                                        "`detail` 6 clusters them");
   }
-  mesh.cells = mesh.vertices->size();
 }
 
 // Two-sided faces go to `sided`, too.
 void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, Spool& sided,
-                   ClusteredMesh& mesh) {
+                   WeldResult& result) {
+  StoredMesh& mesh = result.mesh;
   Appender<FaceVertices> append(job, *mesh.faces);
   Appender<TwoSidedFace> append_sided(job, sided);
   VertexIndex::Reader vertices(*mesh.vertices);
@@ -247,14 +247,14 @@ void collect_faces(Job& job, PartedRecords<NumberedCorners>& faces, Spool& sided
   };
   const auto settle = [&](const WeldedFaces& face) {
     if (face.balanced() && !has_area(face.vertex)) {
-      mesh.flat_pairs += face.count[0];
+      result.flat_pairs += face.count[0];
       return;
     }
     const auto [a, b, c] = face.vertex;
     if (face.balanced())
       append_sided.add({mesh.face_count, std::min(face.first[0], face.first[1])});
     append.add(face.against() ? std::array{a, c, b} : face.vertex);
-    mesh.fused += std::min(face.count[0], face.count[1]);
+    result.fused += std::min(face.count[0], face.count[1]);
     ++mesh.face_count;
   };
   std::optional<WeldedFaces> last;  // more of it may come
@@ -305,15 +305,15 @@ void collect_attributes(Job& job, AttributeMeans& means, StoredMesh& mesh) {
 
 }  // namespace
 
-ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, WeldMemory memory,
-                   std::uint64_t available, ClusterCounts& counts) {
+WeldResult weld(Job& job, MeshReader& reader, const WeldSettings& settings, WeldMemory memory,
+                std::uint64_t available) {
   const CarriedAttributes& attributes = settings.attributes;
-  ClusteredMesh mesh;
+  WeldResult result;
+  StoredMesh& mesh = result.mesh;
   const std::uint64_t positions = reader.facts().vertices.value_or(available);
   const MostPositions most = measure_most(job, reader, positions);
-  if (most.box.empty) return mesh;
-  static_cast<StoredMesh&>(mesh) = {
-      job, {0, attributes.attributes.size()}, {memory.vertices, memory.faces}};
+  if (most.box.empty) return result;
+  mesh = {job, {0, attributes.attributes.size()}, {memory.vertices, memory.faces}};
   const Grid grid = lattice_over(most.box);
   if (settings.lattice != nullptr) *settings.lattice = grid;
   // A third of what the lists would take, on a surface.
@@ -379,16 +379,16 @@ ClusteredMesh weld(Job& job, MeshReader& reader, const WeldSettings& settings, W
       stop)) {
     means->spill();
   }
-  for (const Worker* worker : workers.all()) counts.add(worker->counts);
+  for (const Worker* worker : workers.all()) result.counts.add(worker->counts);
   if (settings.area != nullptr) *settings.area = area.value();
   reader.release_memory();
   numbers = {};
   Spool sided(job, share::weld::two_sided(memory.faces));
-  collect_faces(job, *faces, sided, mesh);
+  collect_faces(job, *faces, sided, result);
   faces.reset();
   agree_on_sides(job, sided, memory.lists, mesh);
   if (means != nullptr) collect_attributes(job, *means, mesh);
-  return mesh;
+  return result;
 }
 
 }  // namespace winnow

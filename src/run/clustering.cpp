@@ -67,18 +67,18 @@ std::uint64_t count_faces(Job& job, MeshReader& reader) {
 }
 
 // What welding made of pairs of opposite faces.
-void note_pairs(Job& job, const ClusteredMesh& mesh) {
-  if (mesh.fused == 0 && mesh.flat_pairs == 0) return;
-  const std::uint64_t pairs = mesh.fused + mesh.flat_pairs;
+void note_pairs(Job& job, const WeldResult& welded) {
+  if (welded.fused == 0 && welded.flat_pairs == 0) return;
+  const std::uint64_t pairs = welded.fused + welded.flat_pairs;
   std::string line = grouped(pairs) + (pairs == 1 ? " face" : " faces");
   line += " stood twice, once in each sense: ";
   const char* kept = "one side of each was kept, that of the first";
-  if (mesh.flat_pairs == 0) {
+  if (welded.flat_pairs == 0) {
     line += kept;
-  } else if (mesh.fused == 0) {
+  } else if (welded.fused == 0) {
     line += "they have no area and were left out";
   } else {
-    line += grouped(mesh.flat_pairs) + " without area were left out; of the others " + kept;
+    line += grouped(welded.flat_pairs) + " without area were left out; of the others " + kept;
   }
   job.note(line);
 }
@@ -140,11 +140,7 @@ Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& opti
 
 Clustered Clustering::run() {
   Clustered out;
-  ClusteredMesh mesh = as_asked();
-  report_.cells = mesh.cells;
-  report_.reoriented_faces = mesh.turned;
-  report_.merged_opposite_faces = mesh.fused;
-  out.mesh = std::move(mesh);
+  out.mesh = as_asked();
   out.goals = std::move(goals_);
   out.normals = reader_.facts().normals;
   out.double_positions = reader_.facts().double_positions;
@@ -169,13 +165,13 @@ std::unique_ptr<Spool> Clustering::map(MeshReader& unwelded, const Clustered& cl
                       share::left::map(job_.budget.left()));
 }
 
-ClusteredMesh Clustering::as_asked() {
+StoredMesh Clustering::as_asked() {
   if (cost_of(options_) == Refine::none) report_.clustered = {true, clustering_alone};
   if (options_.target.of_cells()) {
     settings_.grid = options_.target.cell() ? grid_of_cell() : grid_of_box();
-    ClusteredMesh mesh = once();
-    if (mesh.face_count == 0) refuse_result(mesh);
-    return mesh;
+    ClusterResult clustered = once();
+    if (clustered.mesh.face_count == 0) refuse_result(clustered);
+    return reported(std::move(clustered));
   }
   available_ = count_faces(job_, reader_);
   if (available_ == 0) refuse_empty();
@@ -184,7 +180,7 @@ ClusteredMesh Clustering::as_asked() {
     goals_.push_back({faces_wanted(target, available_).value_or(0), 0});
   target_ = goals_.front().faces;
   report_.target_faces = target_;
-  return cost_of(options_) == Refine::none ? to_count(sample(target_), target_, tolerance)
+  return cost_of(options_) == Refine::none ? reported(to_count(sample(target_), target_, tolerance))
                                            : to_detail();
 }
 
@@ -200,7 +196,7 @@ Grid Clustering::grid_of_box() {
   return Grid::over(box, Grid::edge_for(box, *options_.target.grid()));
 }
 
-ClusteredMesh Clustering::to_error() {
+StoredMesh Clustering::to_error() {
   const Box box =
       options_.target.error()->relative
           ? measure_box_of_faces(job_, reader_)
@@ -215,16 +211,16 @@ ClusteredMesh Clustering::to_error() {
   if (cell >= Grid::edge_for(box, axis_cells / 2)) {
     report_.clustered = {true, "cells of 1.5 times the error leave less than half of the faces"};
     settings_.grid = Grid::over(box, cell);
-    ClusteredMesh mesh = once();
-    if (mesh.face_count < available_ / 2) {
-      std::optional<SafeMesh> safe = safely(box, std::move(mesh));
-      return safe ? std::move(safe->mesh) : welded(much_damage);
+    ClusterResult coarse = once();
+    if (coarse.mesh.face_count < available_ / 2) {
+      std::optional<SafeMesh> safe = safely(box, std::move(coarse));
+      return safe ? reported(std::move(safe->result)) : welded(much_damage);
     }
   }
   return welded("cells of 1.5 times the error would leave half of the faces or more");
 }
 
-ClusteredMesh Clustering::to_detail() {
+StoredMesh Clustering::to_detail() {
   const Detail detail = detail_for(options_, available_, target_);
   if (detail.welded) return welded(detail.reason);
   report_.clustered = {true, detail.reason};
@@ -233,7 +229,7 @@ ClusteredMesh Clustering::to_detail() {
   if (cells.expected_faces(cells.cell_for(wanted)) >= fine_enough * wanted) {
     std::optional<SafeMesh> safe =
         safely(cells.box(), to_count(cells, detail.faces, detail_tolerance));
-    return safe ? std::move(safe->mesh) : welded(much_damage);
+    return safe ? reported(std::move(safe->result)) : welded(much_damage);
   }
   job_.note(
       "the finest cells in a box of " + shortest(cells.box().longest_side()) +
@@ -241,7 +237,7 @@ ClusteredMesh Clustering::to_detail() {
   return welded("the finest cells are too coarse");
 }
 
-std::optional<SafeMesh> Clustering::safely(const Box& box, ClusteredMesh coarse) {
+std::optional<SafeMesh> Clustering::safely(const Box& box, ClusterResult coarse) {
   std::optional<SafeMesh> safe =
       without_damage(job_, reader_, settings_, plan_.cluster, box, available_, std::move(coarse),
                      std::move(open_cells_));
@@ -256,7 +252,7 @@ std::optional<SafeMesh> Clustering::safely(const Box& box, ClusteredMesh coarse)
   return safe;
 }
 
-ClusteredMesh Clustering::welded(const std::string& reason) {
+StoredMesh Clustering::welded(const std::string& reason) {
   report_.clustered = {false, reason};
   cells_.reset();
   settings_.grid = {};
@@ -265,12 +261,12 @@ ClusteredMesh Clustering::welded(const std::string& reason) {
                           plan_.cluster.result,
                           {plan_.cluster.attributes, plan_.cluster.table_parts}};
   if (report_.seconds.read == 0) report_.seconds.read = watch_.seconds();
-  ClusterCounts counts;
   const WeldSettings settings{settings_.attributes, !settings_.double_positions,
                               &report_.area.input, &lattice_.emplace()};
-  ClusteredMesh mesh = weld(job_, reader_, settings, memory, available_, counts);
-  take_counts(counts);
-  note_pairs(job_, mesh);
+  WeldResult result = weld(job_, reader_, settings, memory, available_);
+  take_counts(result.counts);
+  note_pairs(job_, result);
+  StoredMesh& mesh = result.mesh;
   if (mesh.face_count == 0) refuse_empty();
   // A third of the edges is sorted, in eight bytes each.
   if (mesh.face_count <= always_full || 16 * mesh.face_count <= plan_.cluster.table) {
@@ -278,7 +274,9 @@ ClusteredMesh Clustering::welded(const std::string& reason) {
     report_.topology.input = surface.edges;
     report_.topology.input_pieces = surface.pieces;
   }
-  return mesh;
+  report_.cells = mesh.vertices->size();
+  report_.merged_opposite_faces = result.fused;
+  return std::move(mesh);
 }
 
 CellCounts Clustering::sample(std::uint64_t target) {
@@ -290,7 +288,7 @@ CellCounts Clustering::sample(std::uint64_t target) {
 // Cells that were tried and how many faces they gave. On most surfaces the sample is right the
 // first time. On others the count is searched for between the nearest cells on either side, as if
 // it were a power of the cell.
-ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t target,
+ClusterResult Clustering::to_count(const CellCounts& sample, std::uint64_t target,
                                    double tolerated) {
   const auto wanted = static_cast<double>(target);
   // What is refined afterwards may miss, so the old cost of a few runs is the limit there.
@@ -298,24 +296,25 @@ ClusteredMesh Clustering::to_count(const CellCounts& sample, std::uint64_t targe
   CellSearch search(sample, wanted);
   for (report_.cluster_passes = 1;; ++report_.cluster_passes) {
     settings_.grid = Grid::over(sample.box(), search.next());
-    ClusteredMesh mesh = once();
-    search.add(settings_.grid.cell, mesh.face_count);
-    const double miss = static_cast<double>(mesh.face_count) / wanted;
-    if (std::abs(miss - 1) <= tolerated) return mesh;
+    ClusterResult clustered = once();
+    const std::uint64_t faces = clustered.mesh.face_count;
+    search.add(settings_.grid.cell, faces);
+    const double miss = static_cast<double>(faces) / wanted;
+    if (std::abs(miss - 1) <= tolerated) return clustered;
     const bool last = report_.cluster_passes == runs || search.exhausted();
     if (!last) {
-      job_.note("the sample misled: " + grouped(mesh.face_count) + " faces instead of " +
-                grouped(target) + "; the faces were clustered again");
+      job_.note("the sample misled: " + grouped(faces) + " faces instead of " + grouped(target) +
+                "; the faces were clustered again");
       continue;
     }
     if (search.best() != settings_.grid.cell) {
       ++report_.cluster_passes;
       settings_.grid = Grid::over(sample.box(), search.best());
-      mesh = once();
+      clustered = once();
     }
-    if (mesh.face_count == 0 && !settings_.for_refinement) refuse_result(mesh);
-    note_missed_count(search, mesh.face_count, target);
-    return mesh;
+    if (clustered.mesh.face_count == 0 && !settings_.for_refinement) refuse_result(clustered);
+    note_missed_count(search, clustered.mesh.face_count, target);
+    return clustered;
   }
 }
 
@@ -337,7 +336,7 @@ void Clustering::note_missed_count(const CellSearch& search, std::uint64_t faces
   }
 }
 
-ClusteredMesh Clustering::once() {
+ClusterResult Clustering::once() {
   ClusterMemory memory = settings_.for_refinement ? safe_memory(plan_.cluster) : plan_.cluster;
   std::optional<OpenCells> open;
   if (settings_.for_refinement &&
@@ -387,8 +386,15 @@ void Clustering::refuse_empty() const {
                   (joined_ ? "; `weld` joined too many vertices, choose a smaller distance" : ""));
 }
 
-void Clustering::refuse_result(const ClusteredMesh& mesh) const {
-  if (mesh.cells == 0) refuse_empty();
+StoredMesh Clustering::reported(ClusterResult clustered) {
+  report_.cells = clustered.cells;
+  report_.reoriented_faces = clustered.turned;
+  report_.merged_opposite_faces = clustered.fused;
+  return std::move(clustered.mesh);
+}
+
+void Clustering::refuse_result(const ClusterResult& clustered) const {
+  if (clustered.cells == 0) refuse_empty();
   if (!options_.target.of_cells()) {
     throw Error(ErrorKind::failed,
                 "no face is left: all cells that were tried, down to " +
@@ -397,8 +403,8 @@ void Clustering::refuse_result(const ClusteredMesh& mesh) const {
                     "vertices are far off");
   }
   throw Error(ErrorKind::failed,
-              "no face is left: the whole model falls into " + grouped(mesh.cells) + " cells of " +
-                  shortest(settings_.grid.cell) + "; choose smaller cells" +
+              "no face is left: the whole model falls into " + grouped(clustered.cells) +
+                  " cells of " + shortest(settings_.grid.cell) + "; choose smaller cells" +
                   (options_.target.cell() ? "" : ", or `crop` if some vertices are far off"));
 }
 

@@ -64,20 +64,21 @@ class Clustering {
   std::unique_ptr<Spool> map(MeshReader& unwelded, const Clustered& clustered);
 
  private:
-  ClusteredMesh as_asked();
+  StoredMesh as_asked();
   Grid grid_of_cell();
   Grid grid_of_box();
-  ClusteredMesh to_error();
-  ClusteredMesh to_detail();
+  StoredMesh to_error();
+  StoredMesh to_detail();
   CellCounts sample(std::uint64_t target);
-  ClusteredMesh to_count(const CellCounts& sample, std::uint64_t target, double tolerated);
+  ClusterResult to_count(const CellCounts& sample, std::uint64_t target, double tolerated);
   void note_missed_count(const CellSearch& search, std::uint64_t faces, std::uint64_t target);
-  ClusteredMesh once();
-  std::optional<SafeMesh> safely(const Box& box, ClusteredMesh coarse);
-  ClusteredMesh welded(const std::string& reason);  // why nothing is clustered
+  ClusterResult once();
+  std::optional<SafeMesh> safely(const Box& box, ClusterResult coarse);
+  StoredMesh welded(const std::string& reason);  // why nothing is clustered
   void take_counts(const ClusterCounts& counts);
   [[noreturn]] void refuse_empty() const;
-  [[noreturn]] void refuse_result(const ClusteredMesh& mesh) const;
+  StoredMesh reported(ClusterResult clustered);
+  [[noreturn]] void refuse_result(const ClusterResult& clustered) const;
 
   Job& job_;
   MeshReader& reader_;

@@ -34,11 +34,11 @@ StoredMesh mesh_of(Job& job, MeshReader& reader, const MemoryPlan& plan, Cluster
     const std::uint64_t left = plan.cluster.table - std::min(under_way.bytes(), plan.cluster.table);
     return plain_mesh(job, reader, {left, plan.cluster.result}, counts);
   }
-  ClusteredMesh welded =
+  WeldResult welded =
       weld(job, reader, {}, {plan.cluster.table, plan.cluster.vertices, plan.cluster.result, {}},
-           reader.facts().faces.value_or(0), counts);
-  StoredMesh& mesh = welded;
-  return std::move(mesh);
+           reader.facts().faces.value_or(0));
+  counts = welded.counts;
+  return std::move(welded.mesh);
 }
 
 // Whatever the output's format can hold.

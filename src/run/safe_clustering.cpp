@@ -54,14 +54,14 @@ struct Level {
 
   CellSet split, beside;
   NearFaces near;
-  ClusteredMesh mesh;
+  ClusterResult result;
 };
 
 class DamageSplitter {
  public:
   DamageSplitter(Job& job, MeshReader& reader, const ClusterSettings& settings,
                  const ClusterMemory& memory, const Box& box, std::uint64_t faces,
-                 ClusteredMesh coarse, std::unique_ptr<Spool> open)
+                 ClusterResult coarse, std::unique_ptr<Spool> open)
       : job_(job),
         reader_(reader),
         settings_(settings),
@@ -108,7 +108,7 @@ class DamageSplitter {
     Names cells;
     SpoolCursor<CellKey> vanished(job_, *whole_.vanished);
     for (CellKey key = 0; vanished.next(key);) cells.push_back(names_.name_of(key));
-    VertexIndex::Reader vertices(*whole_.vertices);
+    VertexIndex::Reader vertices(*whole_.mesh.vertices);
     for (const std::uint32_t v : damage->vertices)
       cells.push_back(names_.name_of(vertices.at(v).key));
     for (const std::uint32_t v : damage->at_boundaries)
@@ -123,15 +123,15 @@ class DamageSplitter {
     return cells;
   }
 
-  std::optional<Damage> look_at(ClusteredMesh& mesh, std::uint64_t most) {
-    job_.progress.begin("look for damage", mesh.face_count, "faces");
+  std::optional<Damage> look_at(ClusterResult& found, std::uint64_t most) {
+    job_.progress.begin("look for damage", found.mesh.face_count, "faces");
     std::optional<Damage> damage =
-        find_damage(job_, mesh, most, fold_reach * settings_.grid.cell,
+        find_damage(job_, found.mesh, found.several.get(), most, fold_reach * settings_.grid.cell,
                     std::min(tile_share, share::left::damage(job_.budget.left())));
     if (!damage) return damage;
-    mesh.folds.faces = std::move(damage->folds);
-    VertexIndex::Reader vertices(*mesh.vertices);
-    for (const std::uint32_t v : damage->folded) mesh.folds.vertices.push_back(vertices.at(v).key);
+    found.folds.faces = std::move(damage->folds);
+    VertexIndex::Reader vertices(*found.mesh.vertices);
+    for (const std::uint32_t v : damage->folded) found.folds.vertices.push_back(vertices.at(v).key);
     return damage;
   }
 
@@ -161,12 +161,12 @@ class DamageSplitter {
         level.near.take(std::prev(levels.end(), 2)->near, settings_.grid, level.split,
                         level.beside);
       }
-      level.mesh = cluster_near(level, first ? whole_ : std::prev(levels.end(), 2)->mesh,
-                                first ? shift_ : 0);
+      level.result = cluster_near(level, first ? whole_ : std::prev(levels.end(), 2)->result,
+                                  first ? shift_ : 0);
       if (keeps_boundaries() &&
           !place_exactly(job_, level.near, names_, !settings_.double_positions,
                          share::split::positions(memory_.table),
-                         share::split::vertices(memory_.vertices), level.mesh))
+                         share::split::vertices(memory_.vertices), level.result.mesh))
         return std::nullopt;
       deeper.clear();
       Names finest;
@@ -180,15 +180,15 @@ class DamageSplitter {
     while (!levels.empty()) {
       const Level& last = levels.back();
       const bool first = levels.size() == 1;
-      ClusteredMesh& into = first ? whole_ : std::prev(levels.end(), 2)->mesh;
-      join(into, first ? shift_ : 0, last.mesh, last.split);
+      ClusterResult& into = first ? whole_ : std::prev(levels.end(), 2)->result;
+      join(into, first ? shift_ : 0, last.result, last.split);
       levels.pop_back();
     }
     shift_ = 0;
     return Names(damaged_beside.begin(), damaged_beside.end());
   }
 
-  void join(ClusteredMesh& into, unsigned shift, const ClusteredMesh& parts, const CellSet& split) {
+  void join(ClusterResult& into, unsigned shift, const ClusterResult& parts, const CellSet& split) {
     into = joined(job_, into, shift, parts, names_, split, attributes_,
                   {memory_.vertices, memory_.result});
   }
@@ -223,7 +223,7 @@ class DamageSplitter {
 
   // The faces near the level's cells; and of the mesh those that are not, but touch a cell beside
   // one, so that all faces around these are there.
-  ClusteredMesh cluster_near(Level& level, const ClusteredMesh& around, unsigned shift) {
+  ClusterResult cluster_near(Level& level, const ClusterResult& around, unsigned shift) {
     const std::unique_ptr<Spool> ring = ring_of(level, around, shift);
     job_.progress.begin("split cells", level.near.size(), "faces");
     const std::unique_ptr<Clusterer> clusterer =
@@ -242,7 +242,8 @@ class DamageSplitter {
     return clusterer->finish();
   }
 
-  std::unique_ptr<Spool> ring_of(const Level& level, const ClusteredMesh& mesh, unsigned shift) {
+  std::unique_ptr<Spool> ring_of(const Level& level, const ClusterResult& around, unsigned shift) {
+    const StoredMesh& mesh = around.mesh;
     const std::uint64_t vertices = mesh.vertices->size();
     const Reservation reserved = job_.budget.reserve(vertices / 4 + 16, "cells beside damage");
     std::vector<bool> split(vertices, false);
@@ -258,7 +259,7 @@ class DamageSplitter {
     VertexIndex::Reader reader(*mesh.vertices);
     Appender<NamedFace> append(job_, *ring);
     SpoolCursor<FaceVertices> faces = mesh.face_cursor(job_);
-    FoldedFaces folds(mesh.folds);
+    FoldedFaces folds(around.folds);
     for (FaceVertices face{}; faces.next(face);) {
       const auto [a, b, c] = face;
       if (folds.has(face)) continue;
@@ -273,19 +274,19 @@ class DamageSplitter {
   // Sorts what is damaged: what is to be split deeper, what cannot be, and what is beside, from
   // which that goes which is damaged no more.
   void look_around(Level& level, Names& deeper, Names& finest, std::set<CellKey>& damaged_beside) {
-    const Damage damage = *look_at(level.mesh, UINT64_MAX);
-    const std::uint64_t vertices = level.mesh.vertices->size();
+    const Damage damage = *look_at(level.result, UINT64_MAX);
+    const std::uint64_t vertices = level.result.mesh.vertices->size();
     const Reservation reserved = job_.budget.reserve(vertices / 4 + 16, "parts of cells");
     std::vector<bool> split(vertices, false);
     std::vector<bool> known(vertices, false);  // with all faces around it
     const auto for_each_vertex = [&](const auto& each) {
-      SpoolCursor<IndexedVertex> cursor(job_, level.mesh.vertices->records());
+      SpoolCursor<IndexedVertex> cursor(job_, level.result.mesh.vertices->records());
       IndexedVertex vertex;
       for (std::uint64_t v = 0; cursor.next(vertex); ++v) each(v, vertex.key);
     };
     for_each_vertex(
         [&](std::uint64_t v, CellKey name) { split[v] = level.split.has(names_.cell_of(name)); });
-    SpoolCursor<FaceVertices> faces = level.mesh.face_cursor(job_);
+    SpoolCursor<FaceVertices> faces = level.result.mesh.face_cursor(job_);
     for (FaceVertices face{}; faces.next(face);) {
       const auto [a, b, c] = face;
       if (split[a] || split[b] || split[c]) known[a] = known[b] = known[c] = true;
@@ -302,11 +303,11 @@ class DamageSplitter {
         (names_.part_of(name).depth < names_.bits() ? deeper : finest).push_back(name);
       }
     };
-    SpoolCursor<CellKey> vanished(job_, *level.mesh.vanished);
+    SpoolCursor<CellKey> vanished(job_, *level.result.vanished);
     for (CellKey name = 0; vanished.next(name);) {
       if (level.split.has(names_.cell_of(name))) tell(name);
     }
-    VertexIndex::Reader reader(*level.mesh.vertices);
+    VertexIndex::Reader reader(*level.result.mesh.vertices);
     for (const std::uint32_t v : damage.vertices) {
       if (known[v]) tell(reader.at(v).key);
     }
@@ -343,7 +344,7 @@ class DamageSplitter {
   std::size_t attributes_;
   SplitCells names_;
   unsigned shift_;  // of the keys of whole_, to names
-  ClusteredMesh whole_;
+  ClusterResult whole_;
   std::unique_ptr<Spool> open_cells_;  // null where boundaries may move
   BatchBoxes boxes_;
   bool was_read_ = false;
@@ -360,7 +361,7 @@ ClusterMemory safe_memory(ClusterMemory memory) {
 
 std::optional<SafeMesh> without_damage(Job& job, MeshReader& reader,
                                        const ClusterSettings& settings, const ClusterMemory& memory,
-                                       const Box& box, std::uint64_t faces, ClusteredMesh coarse,
+                                       const Box& box, std::uint64_t faces, ClusterResult coarse,
                                        std::unique_ptr<Spool> open) {
   return DamageSplitter(job, reader, settings, memory, box, faces, std::move(coarse),
                         std::move(open))

@@ -13,7 +13,7 @@
 namespace winnow {
 
 struct SafeMesh {
-  ClusteredMesh mesh;
+  ClusterResult result;
   SplitCells cells;
   unsigned shift = 0;  // keys of vertices are names of cells without so many of the lowest bits
 };
@@ -28,7 +28,7 @@ ClusterMemory safe_memory(ClusterMemory memory);
 // split any more.
 std::optional<SafeMesh> without_damage(Job& job, MeshReader& reader,
                                        const ClusterSettings& settings, const ClusterMemory& memory,
-                                       const Box& box, std::uint64_t faces, ClusteredMesh coarse,
+                                       const Box& box, std::uint64_t faces, ClusterResult coarse,
                                        std::unique_ptr<Spool> open);
 
 }  // namespace winnow

@@ -58,14 +58,14 @@ Fan fan_of(std::vector<Sides>& sides, std::vector<VertexNumber>& ends) {
 // The faces that fell together, and what the tiles find out about each.
 class FallenFaces {
  public:
-  FallenFaces(Job& job, const ClusteredMesh& mesh) {
-    if (mesh.several == nullptr) return;
-    const std::uint64_t count = record_count<FusedFace>(*mesh.several);
+  FallenFaces(Job& job, const StoredMesh& mesh, const Spool* fused) {
+    if (fused == nullptr) return;
+    const std::uint64_t count = record_count<FusedFace>(*fused);
     reserved_ = job.budget.reserve(
         count * (sizeof(FusedFace) + sizeof(Finding)) + mesh.vertices->size() / 8,
         "faces that fell together");
     faces_.resize(count);
-    mesh.several->read(0, std::as_writable_bytes(std::span(faces_)));
+    fused->read(0, std::as_writable_bytes(std::span(faces_)));
     std::sort(faces_.begin(), faces_.end(),
               [](const FusedFace& a, const FusedFace& b) { return a.vertices < b.vertices; });
     findings_.resize(count);
@@ -267,11 +267,10 @@ std::uint64_t memory_of(std::uint64_t vertices, std::uint64_t faces) {
 
 }  // namespace
 
-std::optional<Damage> find_damage(Job& job, const ClusteredMesh& whole, std::uint64_t most,
-                                  double reach, std::uint64_t memory) {
-  if (whole.several != nullptr && record_count<FusedFace>(*whole.several) > most)
-    return std::nullopt;
-  FallenFaces fallen(job, whole);
+std::optional<Damage> find_damage(Job& job, const StoredMesh& whole, const Spool* fused,
+                                  std::uint64_t most, double reach, std::uint64_t memory) {
+  if (fused != nullptr && record_count<FusedFace>(*fused) > most) return std::nullopt;
+  FallenFaces fallen(job, whole, fused);
   const Tiling tiling(whole, damage_tile_faces);
   const IncomingFaces incoming(job, whole, tiling, memory, damage_hub_faces);
   const std::uint64_t largest = largest_tile(tiling, incoming, memory_of);

@@ -23,10 +23,11 @@ struct Damage {
   std::vector<std::uint32_t> folded;         // vertices that have no face but a fold; ascending
 };
 
+// `fused`: where given, the faces that several fell onto, a FusedFace each, in the order of faces.
 // Nothing where more than `most` vertices are to be told, or more faces fell together. `reach`: a
 // vertex farther from the edge that stays of its only fold is damaged. `memory`: for tiles at work,
 // and as much again for sorting.
-std::optional<Damage> find_damage(Job& job, const ClusteredMesh& whole, std::uint64_t most,
-                                  double reach, std::uint64_t memory);
+std::optional<Damage> find_damage(Job& job, const StoredMesh& whole, const Spool* fused,
+                                  std::uint64_t most, double reach, std::uint64_t memory);
 
 }  // namespace winnow

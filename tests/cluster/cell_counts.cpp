@@ -39,7 +39,7 @@ std::uint64_t faces_at(Job& job, MeshReader& reader, const Grid& grid) {
     const auto clusterer = Clusterer::make(job, {grid, Placement::mean, true}, style.memory);
     reader.begin_faces();
     for_each_face_batch(job, reader, [&](const FaceBatch& faces) { clusterer->add(faces); }, {});
-    return clusterer->finish().face_count;
+    return clusterer->finish().mesh.face_count;
   });
 }
 

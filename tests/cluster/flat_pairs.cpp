@@ -52,11 +52,11 @@ TEST_CASE("faces without area that lie upon each other leave a closed mesh") {
     for (const std::size_t n : {2, 7, 40}) {
       CAPTURE(angle, n);
       TestJob test;
-      const ClusteredMesh mesh = welded(test.job, capped_cube(n, angle));
-      CHECK(mesh.flat_pairs == 3 * (n - 1));
-      CHECK(mesh.fused == 0);
-      CHECK(mesh.face_count == 6 * (4 * n - 2) - 2 * mesh.flat_pairs);
-      const Defects defects = defects_of(plain(mesh).faces);
+      const WeldResult result = weld(test.job, capped_cube(n, angle));
+      CHECK(result.flat_pairs == 3 * (n - 1));
+      CHECK(result.fused == 0);
+      CHECK(result.mesh.face_count == 6 * (4 * n - 2) - 2 * result.flat_pairs);
+      const Defects defects = defects_of(plain(result).faces);
       CHECK(defects.crowded == 0);
       CHECK(defects.boundary_edges == 0);
       CHECK(defects.discords == 0);
@@ -83,10 +83,10 @@ TEST_CASE("faces without area are left out by pairs alone, and those with area n
     for (int i = 0; i < along; ++i) faces.push_back(face);
     for (int i = 0; i < against; ++i) faces.push_back(turned(face));
     TestJob test;
-    const ClusteredMesh mesh = welded(test.job, faces);
-    CHECK(mesh.face_count == others + left);
-    CHECK(mesh.flat_pairs == flat_pairs);
-    CHECK(mesh.fused == fused);
+    const WeldResult result = weld(test.job, faces);
+    CHECK(result.mesh.face_count == others + left);
+    CHECK(result.flat_pairs == flat_pairs);
+    CHECK(result.fused == fused);
   }
 }
 

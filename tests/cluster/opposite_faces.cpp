@@ -93,7 +93,7 @@ TEST_CASE("of a surface with two sides the first is left, as a whole") {
         }
       }
       TestJob test;
-      const PlainMesh mesh = plain(welded(test.job, faces));
+      const PlainMesh mesh = plain(weld(test.job, faces));
       CHECK(mesh.faces.size() == outside.size());
       CHECK(mesh.fused == outside.size());
       CHECK(facing_inwards(mesh) == (inside_first ? outside.size() : 0));
@@ -119,7 +119,7 @@ TEST_CASE("most faces decide the sense, whatever the order, memory and number of
     for (const std::uint64_t memory : {std::uint64_t{4} << 20, std::uint64_t{512} << 20}) {
       CAPTURE(threads, memory);
       TestJob test({.memory = memory, .threads = threads});
-      all.push_back(plain(welded(test.job, faces)));
+      all.push_back(plain(weld(test.job, faces)));
       CHECK((in_order(all.back(), even) == right));
       CHECK(all.back().fused == pairs);
       CHECK(difference(all.front(), all.back()) == "");
@@ -139,7 +139,7 @@ TEST_CASE("whatever the order of each pair, the side of the first face is left e
     const bool inwards = dot(area_vector(faces[0]), faces[0][0] + faces[0][1] + faces[0][2]) < 0;
     // Of little memory, most is sorted in scratch.
     TestJob test({.memory = std::uint64_t{run < 2 ? 512U : 4U} << 20});
-    const PlainMesh mesh = plain(welded(test.job, faces));
+    const PlainMesh mesh = plain(weld(test.job, faces));
     CHECK(mesh.faces.size() == outside.size());
     CHECK(facing_inwards(mesh) == (inwards ? outside.size() : 0));
   }
@@ -155,7 +155,7 @@ TEST_CASE("faces of two senses take the side of those that they join") {
     if (twice) faces.insert(faces.begin(), turned(faces.back()));
   }
   TestJob test;
-  CHECK(facing_inwards(plain(welded(test.job, faces))) == 0);
+  CHECK(facing_inwards(plain(weld(test.job, faces))) == 0);
 }
 
 TEST_CASE("equal faces in one sense become one and are no pair") {
@@ -163,7 +163,7 @@ TEST_CASE("equal faces in one sense become one and are no pair") {
   const std::size_t single = faces.size();
   for (std::size_t i = 0; i < single; ++i) faces.push_back({faces[i][1], faces[i][2], faces[i][0]});
   TestJob test;
-  const PlainMesh mesh = plain(welded(test.job, faces));
+  const PlainMesh mesh = plain(weld(test.job, faces));
   CHECK(mesh.faces.size() == single);
   CHECK(mesh.fused == 0);
   CHECK(facing_inwards(mesh) == 0);
@@ -193,9 +193,8 @@ TEST_CASE("the first face is known where the reader sorts them") {
     const auto reader = open_reader(test.job, std::make_unique<MemorySource>(file),
                                     Format::automatic, Access::repeatedly, memory);
     const std::uint64_t part = std::uint64_t{32} << 20;
-    ClusterCounts counts;
     welded_meshes.push_back(plain(in_arena(test.job, [&] {
-      return weld(test.job, *reader, {}, {part, part, part, {}}, mesh.faces.size(), counts);
+      return weld(test.job, *reader, {}, {part, part, part, {}}, mesh.faces.size());
     })));
     const bool sorted = memory.vertices < std::uint64_t{1} << 20;
     CHECK((test.job.scratch.written() >= 16 * mesh.faces.size()) == sorted);

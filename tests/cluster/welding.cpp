@@ -17,18 +17,11 @@ using namespace test;
 
 namespace {
 
-struct Welded {
-  PlainMesh mesh;
-  ClusterCounts counts;
-};
-
-Welded weld_polygons(const Polygons& polygons, unsigned threads = 2) {
+PlainMesh weld_polygons(const Polygons& polygons, unsigned threads = 2) {
   PlyStyle style;
   style.coordinate.fill(PlyType::float64);
   TestJob test({.threads = threads});
-  Welded out;
-  out.mesh = plain(welded_content(test.job, ply_file(polygons, style), out.counts));
-  return out;
+  return plain(weld_content(test.job, ply_file(polygons, style)));
 }
 
 Triangle from_lowest(Triangle face) {
@@ -107,17 +100,17 @@ TEST_CASE("equal positions become one vertex and faces of the same three become 
     const std::vector<Triangle> right = by_definition(polygons);
     for (const unsigned threads : {1U, 4U}) {
       CAPTURE(places, threads);
-      const Welded out = weld_polygons(polygons, threads);
-      CHECK(out.mesh.vertices.size() == used.size());
-      CHECK((faces_of(out.mesh) == right));
-      CHECK(out.counts.faces == polygons.faces.size());
+      const PlainMesh mesh = weld_polygons(polygons, threads);
+      CHECK(mesh.vertices.size() == used.size());
+      CHECK((faces_of(mesh) == right));
+      CHECK(mesh.counts.faces == polygons.faces.size());
       std::set<Point> positions;
-      for (const IndexedVertex& vertex : out.mesh.vertices) {
+      for (const IndexedVertex& vertex : mesh.vertices) {
         positions.insert(vertex.position);
         for (const double x : vertex.position) CHECK_FALSE((x == 0 && std::signbit(x)));
       }
       CHECK((positions == used));
-      for (const auto& face : out.mesh.faces) CHECK(face[0] < std::min(face[1], face[2]));
+      for (const auto& face : mesh.faces) CHECK(face[0] < std::min(face[1], face[2]));
     }
   }
 }
@@ -143,32 +136,32 @@ TEST_CASE("positions that share a key of the lattice stay apart") {
     const std::set<std::int64_t> corners(face.begin(), face.end());
     if (corners.size() == 3 && seen.insert(corners).second) polygons.faces.push_back(face);
   }
-  const Welded out = weld_polygons(polygons);
+  const PlainMesh mesh = weld_polygons(polygons);
   std::set<CellKey> keys;
   std::set<Point> positions;
-  for (const IndexedVertex& vertex : out.mesh.vertices) {
+  for (const IndexedVertex& vertex : mesh.vertices) {
     keys.insert(vertex.key);
     positions.insert(vertex.position);
   }
   CHECK(keys.size() < 20);  // else nothing was tested
   CHECK((positions == used));
-  CHECK(out.mesh.vertices.size() == used.size());
-  CHECK((faces_of(out.mesh) == by_definition(polygons)));
+  CHECK(mesh.vertices.size() == used.size());
+  CHECK((faces_of(mesh) == by_definition(polygons)));
 }
 
 TEST_CASE("faces turned against each other fuse and are counted") {
   Polygons polygons;
   polygons.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   polygons.faces = {{0, 1, 2}, {2, 1, 0}, {1, 2, 3}};
-  const Welded out = weld_polygons(polygons);
-  CHECK(out.mesh.faces.size() == 2);
-  CHECK(out.mesh.fused == 1);
+  const PlainMesh mesh = weld_polygons(polygons);
+  CHECK(mesh.faces.size() == 2);
+  CHECK(mesh.fused == 1);
 }
 
 TEST_CASE("welding counts and leaves out bad faces") {
   TestJob test;
-  ClusterCounts counts;
-  const PlainMesh mesh = plain(welded(test.job, test_data("bad_faces.ply"), counts));
+  const PlainMesh mesh = plain(weld(test.job, test_data("bad_faces.ply")));
+  const ClusterCounts& counts = mesh.counts;
   CHECK(mesh.faces.size() == 3);
   CHECK(counts.faces > 3);
   CHECK(counts.bad.total() == counts.faces - 3);
@@ -181,10 +174,9 @@ TEST_CASE("welding counts and leaves out bad faces") {
 TEST_CASE("welding keeps every face of a clean mesh") {
   for (const auto& [path, faces] : {std::pair(whale(), 100'000), {mountains(), 80'000}}) {
     TestJob test;
-    ClusterCounts counts;
-    const PlainMesh mesh = plain(welded(test.job, path, counts));
+    const PlainMesh mesh = plain(weld(test.job, path));
     CHECK(mesh.faces.size() == static_cast<std::size_t>(faces));
-    CHECK(counts.bad.total() == 0);
+    CHECK(mesh.counts.bad.total() == 0);
     CHECK(mesh.fused == 0);
   }
 }

@@ -63,21 +63,21 @@ Sorted looked_at(const std::vector<FaceVertices>& faces) {
   return sorted;
 }
 
-std::vector<FaceVertices> faces_of(const ClusteredMesh& mesh) {
+std::vector<FaceVertices> faces_of(const StoredMesh& mesh) {
   std::vector<FaceVertices> faces(mesh.face_count);
   mesh.faces->read(0, std::as_writable_bytes(std::span(faces)));
   return faces;
 }
 
-void check_damage(Job& job, const ClusteredMesh& whole) {
+void check_damage(Job& job, const StoredMesh& whole) {
   const Sorted right = looked_at(faces_of(whole));
-  const Damage found = *find_damage(job, whole, UINT64_MAX, 0, std::uint64_t{1} << 26);
+  const Damage found = *find_damage(job, whole, nullptr, UINT64_MAX, 0, std::uint64_t{1} << 26);
   CHECK(std::vector(right.damaged.begin(), right.damaged.end()) == found.vertices);
   CHECK(std::vector(right.at_boundaries.begin(), right.at_boundaries.end()) == found.at_boundaries);
   const std::size_t told = found.vertices.size() + found.at_boundaries.size();
-  CHECK(find_damage(job, whole, told, 0, std::uint64_t{1} << 26).has_value());
+  CHECK(find_damage(job, whole, nullptr, told, 0, std::uint64_t{1} << 26).has_value());
   if (told > 0)
-    CHECK_FALSE(find_damage(job, whole, told - 1, 0, std::uint64_t{1} << 26).has_value());
+    CHECK_FALSE(find_damage(job, whole, nullptr, told - 1, 0, std::uint64_t{1} << 26).has_value());
 }
 
 }  // namespace
@@ -110,8 +110,8 @@ TEST_CASE("damage is found in several tiles") {
 
 TEST_CASE("a whale has no damage") {
   TestJob test;
-  const ClusteredMesh whole = welded(test.job, whale());
-  const Damage damage = *find_damage(test.job, whole, 0, 0, std::uint64_t{1} << 26);
+  const StoredMesh whole = welded(test.job, whale());
+  const Damage damage = *find_damage(test.job, whole, nullptr, 0, 0, std::uint64_t{1} << 26);
   CHECK(damage.vertices.empty());
   CHECK(damage.at_boundaries.empty());
 }

@@ -25,10 +25,11 @@ Looked look_at(const std::vector<Triangle>& faces, double cell) {
   TestJob test;
   ClusterSettings settings = settings_over(faces, cell);
   settings.for_refinement = true;
-  const ClusteredMesh whole = clustered(test.job, faces, settings);
+  const ClusterResult whole = clustered(test.job, faces, settings);
   Looked out;
   out.mesh = plain(whole);
-  out.damage = *find_damage(test.job, whole, UINT64_MAX, cell / 2, std::uint64_t{1} << 26);
+  out.damage = *find_damage(test.job, whole.mesh, whole.several.get(), UINT64_MAX, cell / 2,
+                            std::uint64_t{1} << 26);
   out.fallen = whole.several->size() / sizeof(FusedFace);
   return out;
 }

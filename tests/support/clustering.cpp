@@ -60,11 +60,18 @@ PlainMesh plain(const StoredMesh& mesh) {
   return out;
 }
 
-PlainMesh plain(const ClusteredMesh& mesh) {
-  PlainMesh out = plain(static_cast<const StoredMesh&>(mesh));
-  out.cells = mesh.cells;
-  out.turned = mesh.turned;
-  out.fused = mesh.fused;
+PlainMesh plain(const ClusterResult& clustered) {
+  PlainMesh out = plain(clustered.mesh);
+  out.cells = clustered.cells;
+  out.turned = clustered.turned;
+  out.fused = clustered.fused;
+  return out;
+}
+
+PlainMesh plain(const WeldResult& welded) {
+  PlainMesh out = plain(welded.mesh);
+  out.fused = welded.fused;
+  out.counts = welded.counts;
   return out;
 }
 
@@ -94,7 +101,7 @@ auto clustered_by(Job& job, const std::vector<Triangle>& faces, const ClusterSet
 
 }  // namespace
 
-ClusteredMesh clustered(Job& job, const std::vector<Triangle>& faces,
+ClusterResult clustered(Job& job, const std::vector<Triangle>& faces,
                         const ClusterSettings& settings) {
   return clustered_by(job, faces, settings, {},
                       [](Clusterer& clusterer) { return clusterer.finish(); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cluster/clusterer.hpp"
+#include "cluster/welder.hpp"
 #include "support/job.hpp"
 #include "support/surfaces.hpp"
 
@@ -34,11 +35,12 @@ struct ClusterStyle {
 
 // Vertices and faces of a result; the counts are the caller's.
 PlainMesh plain(const StoredMesh& mesh);
-// With what clustering found.
-PlainMesh plain(const ClusteredMesh& mesh);
+// With what clustering or welding found.
+PlainMesh plain(const ClusterResult& clustered);
+PlainMesh plain(const WeldResult& welded);
 
 // As it leaves the clusterer.
-ClusteredMesh clustered(Job& job, const std::vector<Triangle>& faces,
+ClusterResult clustered(Job& job, const std::vector<Triangle>& faces,
                         const ClusterSettings& settings);
 
 PlainMesh cluster(const std::vector<Triangle>& faces, const ClusterSettings& settings,

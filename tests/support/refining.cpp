@@ -12,35 +12,37 @@ namespace winnow::test {
 
 namespace {
 
-ClusteredMesh weld_source(Job& job, std::unique_ptr<ByteSource> source, ClusterCounts& counts) {
+WeldResult weld_source(Job& job, std::unique_ptr<ByteSource> source) {
   const std::uint64_t part = job.budget.total() / 8;
   const std::unique_ptr<MeshReader> reader =
       open_reader(job, std::move(source), Format::automatic, Access::repeatedly, {part, 8192});
   return in_arena(job, [&] {
     const WeldSettings settings{{}, !reader->facts().double_positions};
-    return weld(job, *reader, settings, {part, part, part, {}}, reader->facts().faces.value_or(0),
-                counts);
+    return winnow::weld(job, *reader, settings, {part, part, part, {}},
+                        reader->facts().faces.value_or(0));
   });
 }
 
 }  // namespace
 
-ClusteredMesh welded(Job& job, const std::string& path, ClusterCounts& counts) {
-  return weld_source(job, open_source(job, path), counts);
+WeldResult weld(Job& job, const std::string& path) {
+  return weld_source(job, open_source(job, path));
 }
 
-ClusteredMesh welded(Job& job, const std::string& path) {
-  ClusterCounts counts;
-  return welded(job, path, counts);
+WeldResult weld(Job& job, const std::vector<Triangle>& faces) {
+  return weld_content(job, binary_stl(faces));
 }
 
-ClusteredMesh welded(Job& job, const std::vector<Triangle>& faces) {
-  ClusterCounts counts;
-  return welded_content(job, binary_stl(faces), counts);
+WeldResult weld_content(Job& job, const std::string& content) {
+  return weld_source(job, std::make_unique<MemorySource>(content));
 }
 
-ClusteredMesh welded_content(Job& job, const std::string& content, ClusterCounts& counts) {
-  return weld_source(job, std::make_unique<MemorySource>(content), counts);
+StoredMesh welded(Job& job, const std::string& path) {
+  return weld(job, path).mesh;
+}
+
+StoredMesh welded(Job& job, const std::vector<Triangle>& faces) {
+  return weld(job, faces).mesh;
 }
 
 std::vector<Triangle> triangles_of(const StoredMesh& mesh) {

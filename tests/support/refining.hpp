@@ -16,11 +16,12 @@
 namespace winnow::test {
 
 // A mesh of tests/data or of `winnow generate`, welded.
-ClusteredMesh welded(Job& job, const std::string& path, ClusterCounts& counts);
-ClusteredMesh welded(Job& job, const std::string& path);
-// The same of a file's content, and of triangles.
-ClusteredMesh welded_content(Job& job, const std::string& content, ClusterCounts& counts);
-ClusteredMesh welded(Job& job, const std::vector<Triangle>& faces);
+StoredMesh welded(Job& job, const std::string& path);
+StoredMesh welded(Job& job, const std::vector<Triangle>& faces);
+// The same with what was counted; and of a file's content.
+WeldResult weld(Job& job, const std::string& path);
+WeldResult weld(Job& job, const std::vector<Triangle>& faces);
+WeldResult weld_content(Job& job, const std::string& content);
 
 // The whale, the elevation tile.
 std::string whale();
