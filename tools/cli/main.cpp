@@ -79,13 +79,13 @@ int main(int argc, char** argv) {
   // Who closes it wants no report; but one that is wanted must not be lost.
   const bool heard = ::fcntl(STDOUT_FILENO, F_GETFD) >= 0;
   open_standard_streams();
+  const std::vector<std::string> words = words_of(argc, argv);
   CLI::App app;
-  winnow::cli::add_commands(app);
+  winnow::cli::add_commands(app, words.empty() ? "" : words.front());
 
   // A reader that goes away, and a file-size limit, are write errors like any other.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  const std::vector<std::string> words = words_of(argc, argv);
   const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
   const auto fail = [&](const std::string& message, ErrorKind kind, const char* help = "") {
     if (json) winnow::cli::print_failure(app, message, kind);

@@ -88,6 +88,23 @@ std::string output_name(const std::string& name) {
   return std::find(standard.begin(), standard.end(), name) != standard.end() ? "-" : name;
 }
 
+struct Command {
+  std::string_view name;
+  void (*add)(CLI::App&);
+};
+
+constexpr std::array<Command, 11> commands{{{"simplify", add_simplify},
+                                            {"resume", add_resume},
+                                            {"sequence", add_sequence},
+                                            {"convert", add_convert},
+                                            {"progressive", add_progressive},
+                                            {"extract", add_extract},
+                                            {"view", add_view},
+                                            {"info", add_info},
+                                            {"compare", add_compare},
+                                            {"compare-sequence", add_compare_sequence},
+                                            {"generate", add_generate}}};
+
 constexpr std::array<const char*, 3> output_options{"--output", "--colored", "--picture"};
 
 [[noreturn]] void refuse_empty_value(const std::string& name) {
@@ -157,7 +174,7 @@ void refuse_empty_values(const std::vector<std::string>& arguments) {
   }
 }
 
-void add_commands(CLI::App& app) {
+void add_commands(CLI::App& app, const std::string& word) {
   app.name("winnow");
   app.description("winnow makes huge triangle meshes small, in bounded memory.");
   app.set_version_flag("-V,--version", version_text());
@@ -168,17 +185,11 @@ void add_commands(CLI::App& app) {
       "or 'winnow "
       "COMMAND --help' "
       "shows the options of a command and\nexamples.");
-  add_simplify(app);
-  add_resume(app);
-  add_sequence(app);
-  add_convert(app);
-  add_progressive(app);
-  add_extract(app);
-  add_view(app);
-  add_info(app);
-  add_compare(app);
-  add_compare_sequence(app);
-  add_generate(app);
+  const auto named = [&](const Command& command) { return command.name == word; };
+  const bool all = std::none_of(commands.begin(), commands.end(), named);
+  for (const Command& command : commands) {
+    if (all || named(command)) command.add(app);
+  }
   for (CLI::App* command : app.get_subcommands({})) {
     command->parse_complete_callback([command] { refuse_empty_values(*command); });
     for (const char* name : output_options) {

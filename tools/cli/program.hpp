@@ -89,8 +89,8 @@ void add_compare_sequence(CLI::App& app);
 // "--" of compare-sequence as the option that it stands for.
 void name_simplified_frames(std::vector<std::string>& words);
 
-// All of them: the whole command line.
-void add_commands(CLI::App& app);
+// The whole command line; of the commands only the one that `word` names, if it names one.
+void add_commands(CLI::App& app, const std::string& word = "");
 
 // Throws Error(usage) for "--option=", which the parser would give the next word: an input could
 // become the output.
