@@ -11,6 +11,7 @@
 #include "measure/result_surface.hpp"
 #include "options/level_targets.hpp"
 #include "read/for_each_batch.hpp"
+#include "run/detail.hpp"
 #include "run/input.hpp"
 #include "run/safe_clustering.hpp"
 #include "run/simplify_options.hpp"
@@ -34,18 +35,9 @@ constexpr double detail_tolerance = 0.4;
 constexpr std::uint64_t most_runs_refined = 3;
 constexpr std::uint64_t most_runs = 8;
 
-// Faces that clustering leaves for each that is wanted, if the caller does not say
-// (bench/RESULTS.md).
-constexpr double usual_detail = 6;
-// Inputs of no more faces are refined from all of them.
-constexpr std::uint64_t always_full = std::uint64_t{1} << 20;
-// Clustering is to spare three quarters of the faces; with less to gain than that, what it loses of
-// a spongy surface is not worth it (bench/RESULTS.md).
-constexpr double worth_clustering = 0.25;
 // Where the finest cells leave less than this part of the faces that are wanted, clustering is no
 // help.
 constexpr double fine_enough = 0.5;
-constexpr const char* keeps_pieces = "pieces are to stay, and clustering may join them";
 constexpr const char* much_damage = "it would damage much of the surface";
 // An edge of a cell, beside the error that refinement may make.
 constexpr double cell_for_error = 1.5;
@@ -83,44 +75,7 @@ void note_pairs(Job& job, const WeldResult& welded) {
   job.note(line);
 }
 
-constexpr const char* detail_full = "`detail` full";
-
-std::string few_faces() {
-  return "the input has no more than " + grouped(always_full) + " faces";
-}
-
 }  // namespace
-
-std::optional<std::uint64_t> faces_wanted(const Target& target, std::uint64_t available) {
-  if (target.faces()) return target.faces();
-  if (!target.ratio()) return {};
-  const double part = *target.ratio() * static_cast<double>(available);
-  return std::max<std::uint64_t>(4, static_cast<std::uint64_t>(part + 0.5));
-}
-
-Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::uint64_t target) {
-  const double wanted = options.detail.value_or(usual_detail) * static_cast<double>(target);
-  const auto all = static_cast<double>(available);
-  const auto clustered = static_cast<std::uint64_t>(wanted);
-  if (target >= available && wanted >= all)
-    return {true, available, grouped(available) + " faces already"};
-  if (options.keep_pieces) return {true, available, keeps_pieces};
-  if (options.detail && wanted >= all)
-    return {true, available,
-            std::isinf(*options.detail) ? detail_full : "`detail` asks for all faces"};
-  if (options.detail) return {false, clustered, "`detail` asks for it"};
-  if (available <= always_full) return {true, available, few_faces()};
-  if (wanted > worth_clustering * all)
-    return {true, available, "it would not spare three quarters of the faces"};
-  return {false, clustered, "it spares three quarters of the faces or more"};
-}
-
-Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available) {
-  if (options.detail) return {true, available, detail_full};
-  if (options.keep_pieces) return {true, available, keeps_pieces};
-  if (available <= always_full) return {true, available, few_faces()};
-  return {false, available, ""};
-}
 
 Clustering::Clustering(Job& job, MeshReader& reader, const SimplifyOptions& options,
                        TakenAttributes attributes, const MemoryPlan& plan, bool joined)

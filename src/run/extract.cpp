@@ -9,7 +9,7 @@
 #include "options/check_ranges.hpp"
 #include "options/refuse_targets.hpp"
 #include "run/attributes.hpp"
-#include "run/clustering.hpp"
+#include "run/detail.hpp"
 #include "run/played_mesh.hpp"
 #include "run/refinement.hpp"
 #include "run/result_sink.hpp"

@@ -8,6 +8,7 @@
 #include "read/indexed/buffered_faces.hpp"
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
+#include "run/detail.hpp"
 #include "run/input.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"

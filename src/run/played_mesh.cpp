@@ -2,7 +2,7 @@
 
 #include "base/memory_shares.hpp"
 #include "cluster/weld_lattice.hpp"
-#include "stitch/smaller_mesh.hpp"
+#include "stitch/round_output.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -12,6 +12,7 @@
 #include "measure/result_surface.hpp"
 #include "options/check_ranges.hpp"
 #include "run/attributes.hpp"
+#include "run/detail.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
 #include "run/result_sink.hpp"

@@ -2,7 +2,6 @@
 
 #include <winnow/error.hpp>
 
-#include "base/box.hpp"
 #include "base/hash.hpp"
 #include "base/text.hpp"
 #include "decimate/frames.hpp"
@@ -10,6 +9,7 @@
 #include "io/spool_records.hpp"
 #include "mesh/ordered_face.hpp"
 #include "read/for_each_batch.hpp"
+#include "sequence/vertex_order.hpp"
 #include "write/append.hpp"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ void FrameIntake::read_positions(MeshReader& reader) {
   for_each_position_batch(job_, reader, [&](const PositionView& view) {
     for (std::size_t i = 0; i < view.count; ++i) {
       const std::uint64_t v = view.first + i;
-      position_[first ? v : place_[v]] = {view.axis[0][i], view.axis[1][i], view.axis[2][i]};
+      position_[first ? v : order_.place[v]] = {view.axis[0][i], view.axis[1][i], view.axis[2][i]};
     }
   });
 }
@@ -138,7 +138,8 @@ void FrameIntake::read_corners(MeshReader& reader) {
           }
           position_.insert(position_.end(), points.begin(), points.end());
         } else if (count + points.size() <= position_.size()) {
-          for (std::size_t i = 0; i < points.size(); ++i) position_[place_[count + i]] = points[i];
+          for (std::size_t i = 0; i < points.size(); ++i)
+            position_[order_.place[count + i]] = points[i];
         }
         count += points.size();
       });
@@ -225,56 +226,11 @@ void FrameIntake::add_later(MeshReader& reader) {
   keep_frame();
 }
 
-// By their keys on a lattice over the first frame, then by position: from now on that is how the
-// vertices are numbered.
 void FrameIntake::order_vertices() {
-  const std::size_t count = position_.size();
-  Box box;
-  for (const Point& p : position_) {
-    if (finite(p)) box.add(p);
-  }
-  const double side = box.empty ? 0 : box.longest_side();
-  const double cells = side > 0 ? (axis_cells - 1) / side : 0;
-  const auto key_of = [&](const Point& p) -> CellKey {
-    if (!finite(p)) return 0;
-    std::array<std::uint32_t, 3> cell{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double place = std::max(0.0, (p[axis] - box.low[axis]) * cells);
-      cell[axis] = std::min(axis_cells - 1, static_cast<std::uint32_t>(place));
-    }
-    return morton_key(cell[0], cell[1], cell[2]);
-  };
-  path_.resize(count);  // keys by the input's numbers, while sorting
-  for (std::size_t v = 0; v < count; ++v) path_[v] = key_of(position_[v]);
-  order_.resize(count);
-  std::iota(order_.begin(), order_.end(), 0U);
-  std::sort(order_.begin(), order_.end(),
-            job_.progress.cancellable([&](std::uint32_t a, std::uint32_t b) {
-              if (path_[a] != path_[b]) return path_[a] < path_[b];
-              const bool numbers = finite(position_[a]) && finite(position_[b]);
-              if (numbers && position_[a] != position_[b]) return position_[a] < position_[b];
-              if (!numbers && finite(position_[a]) != finite(position_[b]))
-                return finite(position_[a]);
-              return a < b;
-            }));
-  key_.resize(count);
-  place_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    key_[i] = path_[order_[i]];
-    place_[order_[i]] = static_cast<std::uint32_t>(i);
-  }
-  // In place: each cycle of the permutation.
-  std::vector<bool> moved(count, false);
-  for (std::size_t start = 0; start < count; ++start) {
-    if (moved[start]) continue;
-    Point carried = position_[start];
-    for (std::size_t at = place_[start]; !moved[at]; at = place_[at]) {
-      std::swap(carried, position_[at]);
-      moved[at] = true;
-    }
-  }
+  order_ = order_by_place(job_, position_, path_);
+  put_in_order(position_, order_);
   std::fill(path_.begin(), path_.end(), 0);
-  finite_.assign(count, 1);
+  finite_.assign(position_.size(), 1);
 }
 
 void FrameIntake::keep_frame() {
@@ -321,8 +277,8 @@ void FrameIntake::number_used(const Spool& faces) {
   for (FaceVertices face{}; cursor.next(face); ++number) {
     bool good = true;
     for (std::uint32_t& v : face) {
-      good &= v < place_.size();
-      if (v < place_.size()) v = same_as_[place_[v]];
+      good &= v < order_.place.size();
+      if (v < order_.place.size()) v = same_as_[order_.place[v]];
     }
     good &= face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
     if (!good) {
@@ -339,7 +295,7 @@ void FrameIntake::number_used(const Spool& faces) {
     std::size_t frame = 0;
     while (finite(read_record<Point>(*frames_, frame * number_.size() + i))) ++frame;
     throw Error(ErrorKind::bad_input,
-                readers_.name(frame) + ": vertex " + grouped(order_[i]) +
+                readers_.name(frame) + ": vertex " + grouped(order_.input[i]) +
                     " (from 0) is not finite, and faces use it; every vertex needs a place in "
                     "every frame");
   }
@@ -363,7 +319,7 @@ void FrameIntake::write_vertices(StoredMesh& mesh) {
         if (number_[i] == no_number) continue;
         if (t == 0) {
           IndexedVertex vertex;
-          vertex.key = key_[i];
+          vertex.key = order_.key[i];
           vertex.position = part[i - first];
           vertices.push_back(vertex);
         } else {
@@ -381,7 +337,7 @@ void FrameIntake::write_vertices(StoredMesh& mesh) {
 }
 
 void FrameIntake::write_faces(StoredMesh& mesh, const Spool& faces) {
-  key_ = {};
+  order_.key = {};
   path_ = {};
   const Reservation reserved = job_.budget.reserve(memory_.sorting, "sorting");
   SortedRuns<OrderedFace> runs(job_);
@@ -390,8 +346,8 @@ void FrameIntake::write_faces(StoredMesh& mesh, const Spool& faces) {
   for (FaceVertices face{}; cursor.next(face);) {
     bool good = true;
     for (std::uint32_t& v : face) {
-      good &= v < place_.size();
-      v = good ? number_[same_as_[place_[v]]] : no_number;
+      good &= v < order_.place.size();
+      v = good ? number_[same_as_[order_.place[v]]] : no_number;
     }
     if (!good || face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) continue;
     list.add({lowest_first(face)});

@@ -8,6 +8,7 @@
 #include "read/mesh_reader.hpp"
 #include "sequence/frame_readers.hpp"
 #include "sequence/original_frames.hpp"
+#include "sequence/vertex_order.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -78,10 +79,8 @@ class FrameIntake {
   bool corners_ = false;  // of faces are all vertices that there are
   Reservation arrays_;
   std::vector<Point> position_;         // of one frame, as it is read; then in key order
-  std::vector<CellKey> key_;            // of the vertices in key order
+  VertexOrder order_;                   // from the first frame on, that of all arrays
   std::vector<std::uint64_t> path_;     // a hash of where each of them is in all frames so far
-  std::vector<std::uint32_t> place_;    // in that order, of each vertex of the input
-  std::vector<std::uint32_t> order_;    // the other way
   std::vector<std::uint32_t> same_as_;  // the first at the same places, by key order
   std::vector<std::uint32_t> number_;   // in the mesh, by key order; no_number for those not in it
   std::vector<std::uint8_t> finite_;    // in all frames, by key order

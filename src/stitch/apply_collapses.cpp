@@ -3,7 +3,7 @@
 #include "base/memory_shares.hpp"
 #include "decimate/collapsed_into.hpp"
 #include "mesh/vertex_map.hpp"
-#include "stitch/smaller_mesh.hpp"
+#include "stitch/round_output.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -3,7 +3,7 @@
 #include "stitch/choose_collapses.hpp"
 #include "stitch/collapse_recorder.hpp"
 #include "stitch/reorder.hpp"
-#include "stitch/smaller_mesh.hpp"
+#include "stitch/round_output.hpp"
 #include "stitch/tiles.hpp"
 
 #include <algorithm>

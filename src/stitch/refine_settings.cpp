@@ -4,7 +4,7 @@
 #include "decimate/collapsed_into.hpp"
 #include "mesh/vertex_index.hpp"
 #include "stitch/collapse_log.hpp"
-#include "stitch/smaller_mesh.hpp"
+#include "stitch/round_output.hpp"
 #include "stitch/tile.hpp"
 #include "stitch/unfolded_tile.hpp"
 

@@ -6,7 +6,7 @@
 #include "io/recent_blocks.hpp"
 #include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
-#include "stitch/smaller_mesh.hpp"
+#include "stitch/round_output.hpp"
 
 #include <algorithm>
 #include <array>

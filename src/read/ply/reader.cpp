@@ -8,6 +8,7 @@
 #include "read/formats.hpp"
 #include "read/indexed/buffered_faces.hpp"
 #include "read/indexed/slices.hpp"
+#include "read/ply/header_facts.hpp"
 #include "read/ply/lists.hpp"
 #include "read/ply/scalar.hpp"
 #include "read/ply/values.hpp"
@@ -21,127 +22,14 @@ namespace winnow {
 
 namespace {
 
-// The property that holds a face's indices; nothing where the element has none.
-const PlyProperty* index_list(const PlyElement& element) {
-  for (const char* name : {"vertex_indices", "vertex_index"}) {
-    const PlyProperty* property = element.find(name);
-    if (property != nullptr && property->list) return property;
-  }
-  return nullptr;
-}
-
-struct FaceElement {
-  const PlyElement* element = nullptr;
-  const PlyProperty* list = nullptr;
-  bool strips = false;
-};
-
-FaceElement find_faces(const PlyHeader& header, const std::string& name) {
-  FaceElement found;
-  for (const char* element : {"face", "tristrips"}) {
-    const PlyElement* candidate = header.find(element);
-    if (candidate == nullptr || candidate->count == 0) continue;
-    found = {candidate, index_list(*candidate), std::string(element) == "tristrips"};
-    if (found.list == nullptr) {
-      throw Error(ErrorKind::bad_input, "'" + name + "': the PLY element '" + std::string(element) +
-                                            "' has no list 'vertex_indices' or 'vertex_index'");
-    }
-    break;
-  }
-  return found;
-}
-
-// Size of a face's record if it is a triangle and nothing but the list has a variable size, and the
-// list has the types that nearly every file uses; else 0.
-std::size_t triangle_stride(const PlyHeader& header, const FaceElement& faces) {
-  if (header.form == PlyForm::ascii || faces.strips || size_of(faces.list->count_type) != 1 ||
-      !(faces.list->type == PlyType::int32 || faces.list->type == PlyType::uint32)) {
-    return 0;
-  }
-  std::size_t size = 13;
-  for (const PlyProperty& property : faces.element->properties) {
-    if (&property == faces.list) continue;
-    if (property.list) return 0;
-    size += size_of(property.type);
-  }
-  return size;
-}
-
-// The size of the whole says whether all faces are triangles.
-bool surely_triangles(const PlyHeader& header, const FaceElement& faces,
-                      std::optional<std::uint64_t> size) {
-  if (faces.element == nullptr) return true;
-  const std::size_t stride = triangle_stride(header, faces);
-  if (stride == 0 || !size) return false;
-  std::uint64_t bytes = header.bytes;
-  for (const PlyElement& element : header.elements) {
-    if (&element != faces.element && !element.fixed_size()) return false;
-    bytes += element.count * (&element == faces.element ? stride : element.smallest_size());
-  }
-  return bytes == *size;
-}
-
-InputFacts facts_of(const PlyHeader& header) {
-  InputFacts facts;
-  constexpr std::array forms{"ASCII", "binary little-endian", "binary big-endian"};
-  facts.format = std::string("PLY ") + forms.at(static_cast<std::size_t>(header.form));
-  const PlyElement* vertex = header.find("vertex");
-  const PlyElement* face = header.find("face");
-  facts.vertices = vertex == nullptr ? 0 : vertex->count;
-  facts.faces = face == nullptr ? 0 : face->count;
-  if (*facts.faces == 0 && header.find("tristrips") != nullptr) facts.faces.reset();
-  for (const PlyElement& element : header.elements) {
-    std::string line = element.name + ":";
-    const PlyProperty* indices = index_list(element);
-    for (const PlyProperty& property : element.properties) {
-      const bool geometry =
-          (element.name == "vertex" && is_coordinate(property)) || &property == indices;
-      if (!geometry)
-        line += " " + property.name + (property.list ? " (list of " : " (") +
-                name_of(property.type) + ")";
-    }
-    if (line != element.name + ":") facts.attributes.push_back(line);
-    if (&element != vertex) continue;
-    for (const char* axis : {"x", "y", "z"}) {
-      const PlyProperty* property = element.find(axis);
-      facts.double_positions |= property != nullptr && (property->type == PlyType::float64 ||
-                                                        property->type == PlyType::int32 ||
-                                                        property->type == PlyType::uint32);
-    }
-    facts.normals = element.find("nx") != nullptr && element.find("ny") != nullptr &&
-                    element.find("nz") != nullptr;
-  }
-  return facts;
-}
-
-AvailableAttributes offer_of(const PlyHeader& header) {
-  AvailableAttributes offer;
-  for (const PlyElement& element : header.elements) {
-    if (element.count == 0) continue;
-    const bool faces = element.name == "face" || element.name == "tristrips";
-    if (element.name != "vertex" && !faces) offer.of_nothing.push_back(element.name);
-    const PlyProperty* indices = index_list(element);
-    for (const PlyProperty& property : element.properties) {
-      if (faces && &property != indices) offer.of_faces.push_back(property.name);
-      if (element.name != "vertex" || is_coordinate(property)) continue;
-      if (property.list) {
-        offer.lists.push_back(property.name);
-      } else {
-        offer.scalars.push_back({property.name, property.type});
-      }
-    }
-  }
-  return offer;
-}
-
 class PlyReader final : public IndexedReader {
  public:
   PlyReader(Job& job, std::unique_ptr<ByteSource> source, const ReaderMemory& memory,
             const AttributeRequest& wish)
       : IndexedReader(job, std::move(source), memory, memory.vertices) {
     header_ = read_ply_header(*source_);
-    facts_ = facts_of(header_);
-    facts_.offer = offer_of(header_);
+    facts_ = ply_facts(header_);
+    facts_.offer = available_attributes(header_);
     facts_.choice = choose_attributes(wish, facts_.offer, source_->name());
     if (!source_->compression().empty()) facts_.format += ", " + source_->compression();
     faces_ = find_faces(header_, source_->name());
@@ -365,7 +253,7 @@ class PlyReader final : public IndexedReader {
   }
 
   PlyHeader header_;
-  FaceElement faces_;
+  PlyFaces faces_;
   std::unique_ptr<PlyValues> values_;
   bool vertices_loaded_ = false;
   std::uint64_t faces_offset_ = 0;
@@ -384,13 +272,13 @@ std::unique_ptr<MeshReader> open_ply(Job& job, std::unique_ptr<ByteSource> sourc
 void probe_ply(Job& /*job*/, ByteSource& source, bool /*asked*/, InputProbe& probe) {
   const PlyHeader header = read_ply_header(source);
   source.give_back(header.bytes);
-  probe.facts = facts_of(header);
-  probe.facts.offer = offer_of(header);
+  probe.facts = ply_facts(header);
+  probe.facts.offer = available_attributes(header);
   const PlyElement* vertex = header.find("vertex");
   probe.vertices_buffered =
       vertex != nullptr && (header.form == PlyForm::ascii || !vertex->fixed_size());
   if (vertex != nullptr && !probe.vertices_buffered) probe.vertex_bytes = vertex->smallest_size();
-  const FaceElement faces = find_faces(header, source.name());
+  const PlyFaces faces = find_faces(header, source.name());
   probe.facts.polygons = !surely_triangles(header, faces, source.size());
   probe.faces_buffered = vertex != nullptr && faces.element != nullptr && faces.element < vertex;
 }

@@ -1,4 +1,4 @@
-// The tables of convert(), compare() and of the context.
+// The table of compare().
 #include "options/option_kinds.hpp"
 #include "options/shared_entries.hpp"
 
@@ -34,16 +34,6 @@ OptionValue<CompareOptions> view() {
 
 }  // namespace
 
-std::span<const Option<ConvertOptions>> convert_options() {
-  static const std::vector<Option<ConvertOptions>> options = [] {
-    std::vector<Option<ConvertOptions>> table{strict_option<ConvertOptions>(),
-                                              from_option<ConvertOptions>(&ConvertOptions::from)};
-    add_output_options(table);
-    return table;
-  }();
-  return options;
-}
-
 std::span<const Option<CompareOptions>> compare_options() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr NumberRange from_zero{0, infinity, false, true, "a distance of 0 or more"};
@@ -71,18 +61,6 @@ std::span<const Option<CompareOptions>> compare_options() {
       from_option<CompareOptions>(&CompareOptions::from_original, "from_original", "the original"),
       from_option<CompareOptions>(&CompareOptions::from_simplified, "from_simplified",
                                   "the simplified mesh")};
-  return options;
-}
-
-std::span<const Option<Context>> context_options() {
-  const char* const group = "Speed and memory (never change the result)";
-  static const std::vector<Option<Context>> options{
-      {"memory", "SIZE", group, "Memory to use, mapped input pages included (default 512M)",
-       size<Context>(&Context::memory)},
-      {"threads", "N", group, "Number of threads (default: one for each processor)",
-       count<Context>(&Context::threads, 0, 1024, "a number up to 1024")},
-      {"scratch", "DIR", group, "Directory for what does not fit into memory",
-       text<Context>(&Context::scratch)}};
   return options;
 }
 

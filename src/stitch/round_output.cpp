@@ -1,4 +1,4 @@
-#include "stitch/smaller_mesh.hpp"
+#include "stitch/round_output.hpp"
 
 #include "base/memory_shares.hpp"
 #include "io/sorted_list.hpp"
