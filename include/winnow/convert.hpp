@@ -4,6 +4,7 @@
 #include <winnow/api.hpp>
 #include <winnow/context.hpp>
 #include <winnow/format.hpp>
+#include <winnow/report_fields.hpp>
 #include <winnow/simplify.hpp>
 
 #include <concepts>
@@ -61,28 +62,14 @@ struct ConvertReport {
 template <typename Report, typename Field>
 requires std::same_as<std::remove_const_t<Report>, ConvertReport>
 void for_each_field(Report& report, Field&& field) {
-  field("input.files", report.input.names);
-  field("input.format", report.input.format);
-  field("input.faces", report.input.faces);
-  field("input.vertices", report.input.vertices);
-  field("input.bytes", report.input.bytes);
+  for_each_input_field(report.input, field);
   field("input.bad_faces", report.input.bad_faces);
-  field("output.file", report.output.name);
-  field("output.format", report.output.format);
-  field("output.faces", report.output.faces);
-  field("output.vertices", report.output.vertices);
-  field("output.bytes", report.output.bytes);
-  field("output.position_error", report.output.position_error);
+  for_each_output_field(report.output, field);
   field("attributes.carried", report.attributes.carried);
   field("attributes.dropped", report.attributes.dropped);
   field("welded", report.welded);
   field("doubled_faces", report.doubled_faces);
-  field("spilled_bytes", report.spilled_bytes);
-  field("peak_scratch_bytes", report.peak_scratch_bytes);
-  field("peak_memory_bytes", report.peak_memory_bytes);
-  field("seconds", report.seconds.total);
-  field("stage_seconds.read", report.seconds.read);
-  field("stage_seconds.write", report.seconds.write);
+  for_each_usage_field(report, field);
   field("notes", report.notes);
 }
 

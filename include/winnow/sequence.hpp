@@ -5,6 +5,7 @@
 #include <winnow/context.hpp>
 #include <winnow/format.hpp>
 #include <winnow/mesh.hpp>
+#include <winnow/report_fields.hpp>
 #include <winnow/target.hpp>
 
 #include <concepts>
@@ -89,13 +90,7 @@ void for_each_field(Report& report, Field&& field) {
   field("joined_vertices", report.joined);
   field("refine.tiles", report.tiles);
   field("refine.collapses", report.collapses);
-  field("spilled_bytes", report.spilled_bytes);
-  field("peak_scratch_bytes", report.peak_scratch_bytes);
-  field("peak_memory_bytes", report.peak_memory_bytes);
-  field("seconds", report.seconds.total);
-  field("stage_seconds.read", report.seconds.read);
-  field("stage_seconds.refine", report.seconds.refine);
-  field("stage_seconds.write", report.seconds.write);
+  for_each_usage_field(report, field);
   field("notes", report.notes);
 }
 

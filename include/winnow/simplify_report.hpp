@@ -2,6 +2,7 @@
 #pragma once
 
 #include <winnow/costs.hpp>
+#include <winnow/report_fields.hpp>
 #include <winnow/stopped_by.hpp>
 
 #include <concepts>
@@ -81,8 +82,8 @@ struct LevelReport {
   } lost;
 
   struct Topology {
-    // Once equal positions are one. Absent where clustering comes first, as counting would take as
-    // long as all else; above 2^20 faces, only where the budget has room for all edges.
+    // Once equal positions are one. Absent where faces were clustered, as counting takes longer;
+    // above 2^20 faces, only where the budget has room for all edges. info() counts them always.
     std::optional<SurfaceEdges> input;
     SurfaceEdges output;
     // Connected pieces, as many as the edges are known of; absent where the budget has no room.
@@ -162,12 +163,7 @@ struct SimplifyReport : LevelReport {
 // Calls field(path, value) for every field that tells of one result.
 template <typename Report, typename Field>
 void for_each_level_field(Report& report, Field&& field) {
-  field("output.file", report.output.name);
-  field("output.format", report.output.format);
-  field("output.faces", report.output.faces);
-  field("output.vertices", report.output.vertices);
-  field("output.bytes", report.output.bytes);
-  field("output.position_error", report.output.position_error);
+  for_each_output_field(report.output, field);
   field("target.faces", report.target_faces);
   field("target_met", report.target_met);
   field("missed_by", report.missed_by);
@@ -198,11 +194,7 @@ void for_each_level_field(Report& report, Field&& field) {
 // in the JSON report; a checkpoint keeps them by the same name.
 template <typename Report, typename Field>
 void for_each_result(Report& report, Field&& field) {
-  field("input.files", report.input.names);
-  field("input.format", report.input.format);
-  field("input.faces", report.input.faces);
-  field("input.vertices", report.input.vertices);
-  field("input.bytes", report.input.bytes);
+  for_each_input_field(report.input, field);
   field("input.cropped_faces", report.input.cropped_faces);
   field("input.bad_faces.degenerate", report.input.bad_faces.degenerate);
   field("input.bad_faces.non_finite", report.input.bad_faces.non_finite);
@@ -231,14 +223,7 @@ void for_each_result(Report& report, Field&& field) {
 // The same for those that tell of this run of the program.
 template <typename Report, typename Field>
 void for_each_run_field(Report& report, Field&& field) {
-  field("spilled_bytes", report.spilled_bytes);
-  field("peak_scratch_bytes", report.peak_scratch_bytes);
-  field("peak_memory_bytes", report.peak_memory_bytes);
-  field("seconds", report.seconds.total);
-  field("stage_seconds.read", report.seconds.read);
-  field("stage_seconds.cluster", report.seconds.cluster);
-  field("stage_seconds.refine", report.seconds.refine);
-  field("stage_seconds.write", report.seconds.write);
+  for_each_usage_field(report, field);
   field("resumed", report.resumed);
 }
 
