@@ -113,7 +113,9 @@ void show(const SimplifyReport& report, std::ostream& out) {
   if (report.topology.output.total > 0) {
     std::string edges = describe(report.topology.output);
     if (report.topology.input) edges = describe(*report.topology.input) + " -> " + edges;
-    line("edges", edges + (report.topology.closed ? "  (closed)" : "  (not closed)"));
+    edges += report.topology.closed ? "  (closed" : "  (not closed";
+    if (!report.topology.input) edges += "; 'winnow info' counts those of the input";
+    line("edges", edges + ")");
     if (report.topology.output_pieces) {
       std::string pieces = grouped(*report.topology.output_pieces);
       if (report.topology.input_pieces)
