@@ -1,7 +1,7 @@
-"""Section of bench/run: shapes on which simplifiers go wrong, and what is left of them."""
+"""Sections of bench/run: shapes on which simplifiers go wrong, and what is left of them."""
 
 from bench import faces_out
-from harness import Failed, Table, measure
+from harness import Failed, Table, measure, ratio
 
 # What is made of each: the shape, its size, and what winnow is asked for.
 SHAPES = [
@@ -49,9 +49,23 @@ SHAPES = [
     ("hills", ["n=900"], ["--refine", "none", "--faces", "10k"]),
 ]
 
+# Large enough for clustering to come first: a generated surface or a shape, and what is asked for.
+CLUSTERED = [
+    ("scan", ["5M"], ["--ratio", "1%"]),
+    ("scan", ["20M"], ["--faces", "200k"]),
+    ("thin_shell", ["n=400", "wall=0.005"], ["--faces", "20k"]),
+    ("thin_shell", ["n=400", "wall=0.01"], ["--faces", "100k"]),
+    ("plate", ["n=300"], ["--faces", "1000"]),
+    ("capped_cylinder", ["sides=400000"], ["--faces", "5000"]),
+    ("hills", ["n=900"], ["--faces", "20k"]),
+    ("hills", ["n=900"], ["--faces", "60k", "--boundary", "keep"]),
+    ("hills", ["n=900"], ["--error", "0.3%"]),
+    ("terrain", ["2880k"], ["--faces", "100k", "--boundary", "keep"]),
+]
 
-def change(ratio):
-    return "" if ratio is None else f"{ratio:.1e}"
+
+def change(part):
+    return "" if part is None else f"{part:.1e}"
 
 
 def judge(bench, source):
@@ -91,6 +105,51 @@ def section_shapes(bench):
                      change(judged["volume_change"]),
                      judged["distance"]["symmetric"]["rms_percent"]]
         table.add(name, made["faces"], title, faces_out(run), run["seconds"], *cells)
+    table.print()
+    source.unlink()
+    return result
+
+
+def beside(key, base, other):
+    """By which part of it the other differs from the base; nothing where one has none."""
+    return change(other[key] / base[key] - 1) if base[key] and other[key] else ""
+
+
+def section_clustered(bench):
+    """Clustering first beside full detail"""
+    options = bench.options
+    table = Table("input", "asked", "clustered", "faces, full", "edges with other than two, full",
+                  "area beside full", "volume beside full", "processor time beside full")
+    result = {}
+    source = bench.work / "shape.ply"
+
+    def run(*asked):
+        done = bench.winnow(source, *asked)
+        done["info"] = measure([options.winnow, "info", bench.out, "--json"])["report"]
+        return done
+
+    for shape, size, asked in CLUSTERED:
+        name, title = " ".join([shape, *size]), " ".join(asked)
+        if shape in ("scan", "terrain"):
+            measure([options.winnow, "generate", shape, "--faces", *size, "-o", source, "--force"])
+        else:
+            measure([bench.program("bench_shapes"), shape, source, *size])
+        runs = bench.in_turn({"clustered": lambda: run(*asked),
+                              "full": lambda: run(*asked, "--detail", "full")})
+        row = result[f"{name} {title}"] = runs
+        if isinstance(runs["full"], str):
+            table.fail(name, runs["full"])
+            continue
+        (first, *_), (full, *_) = row["clustered"], row["full"]
+
+        def odd(done):
+            return done["info"]["edges"]["boundary"] + done["info"]["edges"]["non_manifold"]
+
+        table.add(name, title, "yes" if first["report"]["clustered"]["first"] else "no",
+                  f"{faces_out(first)}, {faces_out(full)}", f"{odd(first)}, {odd(full)}",
+                  beside("area", full["info"], first["info"]),
+                  beside("volume", full["info"], first["info"]),
+                  ratio(runs["clustered"], runs["full"], "cpu_seconds"))
     table.print()
     source.unlink()
     return result
