@@ -161,7 +161,6 @@ struct CollapseRules {
   bool keep_pieces = false;       // no piece goes as a whole
   // The topology may change and faces may turn by more, at a cost.
   bool free_topology = false;
-  bool exact = false;  // no piece goes that would leave fewer faces than one collapse can
 };
 
 // How far to go: down to so many faces, or up to this cost, whichever comes first.
@@ -173,9 +172,10 @@ struct CollapseLimits {
   double sweeps_cost = std::numeric_limits<double>::infinity();
   // With so many faces left sweeps begin to be finer.
   std::uint64_t fine_from = 0;
+  bool exact = false;  // no piece goes that would leave fewer faces than one collapse can
 };
 
-// One collapse that was done. `cost` is the highest so far: it never falls.
+// One collapse that was done. `cost` is the highest offered so far: it never falls.
 struct DoneCollapse {
   Collapse edge;
   double cost = 0;
@@ -209,14 +209,17 @@ class Collapser {
     for (std::uint32_t turns = 0; mesh_.live_faces() > limits.faces && !offers_.empty(); ++turns) {
       if (turns % turns_between == 0 && turn) turn();
       const VertexNumber v = offers_.cheapest();
+      // What is found beyond a limit lies beyond it, whatever it costs: a piece is offered only
+      // when its edges were refused, and an offer made anew may be cheaper than it was.
+      highest_ = std::max(highest_, offers_.of(v).cost);
+      if (highest_ > limits.cost) return;
       if (offers_.stale(v)) {
         offer_anew(v);
         continue;
       }
       const Candidate candidate = offers_.of(v);
-      if (candidate.cost > limits.cost) return;
       if (candidate.partner == v) {
-        take_piece(v, candidate.cost, limits, done);
+        take_piece(v, limits, done);
         continue;
       }
       EvaluatedCollapse now = cost_.place(v, candidate.partner);
@@ -241,7 +244,7 @@ class Collapser {
       }
       const Collapse& edge = now.edge;
       if (verdict.changes) add_change(mesh_, star_, change_, changes_);
-      unsigned gone = collapse(now, candidate.cost);
+      unsigned gone = collapse(now);
       offers_.set(edge.removed, {});
       cost_.collapsed(edge, offers_);
       if constexpr (changes_surfaces) {
@@ -257,8 +260,7 @@ class Collapser {
  private:
   static constexpr std::uint32_t turns_between = 1024;
   // The edge of star_. How many faces went.
-  unsigned collapse(const EvaluatedCollapse& now, double cost) {
-    highest_ = std::max(highest_, cost);
+  unsigned collapse(const EvaluatedCollapse& now) {
     if constexpr (requires { cost_.collapsing(now, star_); }) {
       cost_.collapsing(now, star_);
     } else {
@@ -290,13 +292,12 @@ class Collapser {
   }
 
   // The last piece stays.
-  void take_piece(VertexNumber v, double cost, const CollapseLimits& limits,
+  void take_piece(VertexNumber v, const CollapseLimits& limits,
                   const std::function<void(const DoneCollapse&)>& done) {
     piece_.find(mesh_, v);
     offers_.set(v, {});
     if (piece_.faces.size() >= mesh_.live_faces()) return;
-    if (rules_.exact && mesh_.live_faces() - piece_.faces.size() + 1 < limits.faces) return;
-    highest_ = std::max(highest_, cost);
+    if (limits.exact && mesh_.live_faces() - piece_.faces.size() + 1 < limits.faces) return;
     const auto faces = static_cast<unsigned>(piece_.faces.size());
     done({{v, v, mesh_.position(v)}, highest_, faces, cost_.largest_error()});
     mesh_.remove(piece_.vertices, piece_.faces);
@@ -377,7 +378,7 @@ class Collapser {
   SurfaceChange change_;
   std::vector<FaceVertices> gone_;
   TopologyChanges changes_;
-  double highest_;
+  double highest_;  // cost of an offer so far
 };
 
 }  // namespace winnow

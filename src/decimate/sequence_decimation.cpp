@@ -11,8 +11,7 @@ class SequenceDecimation final : public Decimation {
   SequenceDecimation(TileMesh& mesh, std::span<const std::byte> state,
                      const DecimationSettings& settings)
       : mesh_(mesh),
-        rules_{settings.least_cosine, settings.rounding_of_positions(), settings.keep_pieces, false,
-               true},
+        rules_{settings.least_cosine, settings.rounding_of_positions(), settings.keep_pieces},
         legality_(mesh, settings.least_cosine),
         star_(settings.rounding_of_positions()),
         frames_(mesh, state, settings.sequence->frames, !settings.boundaries_known),

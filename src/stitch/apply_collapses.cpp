@@ -94,6 +94,7 @@ CollapsedMesh collapse_nothing(const Tiles& tiles) {
 
 CollapsedMesh collapse_all(const Tiles& tiles, std::uint64_t round, double costliest) {
   CollapseLimits limits{tiles.settings().faces, costliest};
+  limits.exact = tiles.settings().decimation.sequence.has_value();
   // Later rounds watch the order of collapses: few are left.
   if (round == 1 && tiles.settings().in_sweeps()) {
     limits.sweeps_to = left_by_sweeps(tiles);

@@ -4,6 +4,7 @@
 #include "stitch/cost_estimate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -41,6 +42,13 @@ double headroom_when_blocked(Refine cost) {
 // In later rounds few collapses are left, of which the order matters: what costs no more than this
 // part of the costliest collapse of the last round is collapsed in sweeps.
 constexpr double sweeps_beside_costliest = 0.25;
+
+// All that costs no more was tried, where the faces left ended it: others may cost as much as the
+// last. Where nothing costs anything a tile has given enough.
+double complete_below_last(const std::vector<CollapseLog::Cost>& costs) {
+  const double last = costs.empty() ? 0 : costs.back().cost;
+  return last > 0 ? std::nextafter(last, 0.0) : 0;
+}
 
 }  // namespace
 
@@ -205,8 +213,7 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
             [&progress] { progress.check_cancelled(); });
         if (limits.cost < most.cost) tried.reached = limits.cost;
         if (limits.faces > 0 && mesh.live_faces() <= limits.faces)
-          tried.reached =
-              std::min(tried.reached, tried.costs.empty() ? 0 : tried.costs.back().cost);
+          tried.reached = std::min(tried.reached, complete_below_last(tried.costs));
         if (estimates) estimate.add(tried.costs, tile.own_faces - tried.frozen);
       },
       [&](std::size_t, const TriedTile& tried) {
