@@ -75,7 +75,7 @@ TEST_CASE("components are those of a union-find") {
   CHECK(components_of({}).members.empty());
 }
 
-TEST_CASE("the rounds for a chain grow with the logarithm of its length", "[slow]") {
+TEST_CASE("the rounds for a chain grow with the logarithm of its length", "[slow][long]") {
   Random random(78);
   for (const std::size_t length : {1'000, 200'000}) {
     Links links;

@@ -142,7 +142,7 @@ TEST_CASE("a collapse goes no costlier than its limits") {
   CHECK(half.done.back().cost <= middle);
 }
 
-TEST_CASE("with an error no vertex is farther from its planes than that, in the mean") {
+TEST_CASE("with an error no vertex is farther from its planes than that, in the mean", "[long]") {
   const PlainMesh plain = plain_mesh(whale());
   DecimationSettings settings;
   std::uint64_t faces = plain.faces.size();

@@ -38,7 +38,7 @@ Content content_of(const std::string& path, std::uint64_t vertices) {
 
 }  // namespace
 
-TEST_CASE("a fitted scan is nearer to the original, pass for pass") {
+TEST_CASE("a fitted scan is nearer to the original, pass for pass", "[long]") {
   const Directory directory;
   const std::string input = directory.file("scan.ply");
   const std::string output = directory.file("out.ply");

@@ -8,7 +8,7 @@
 
 namespace winnow::test {
 
-TEST_CASE("every count is met by one collapse less at the most", "[progressive]") {
+TEST_CASE("every count is met by one collapse less at the most", "[progressive][long]") {
   ProgressivePlace place;
   const std::string file = place.made(mountains());
   Random random(5);
@@ -25,7 +25,7 @@ TEST_CASE("every count is met by one collapse less at the most", "[progressive]"
   CHECK(error_of([&] { place.extracted(file, Target::faces(5)); }).kind() == ErrorKind::usage);
 }
 
-TEST_CASE("a count shows the same mesh from above and from below", "[progressive]") {
+TEST_CASE("a count shows the same mesh from above and from below", "[progressive][long]") {
   ProgressivePlace place;
   const std::string file = place.made(whale());
   ProgressiveMesh levels(place.context, file);

@@ -29,7 +29,7 @@ void check_comes_back(const std::string& mesh, const ProgressiveOptions& options
 
 }  // namespace
 
-TEST_CASE("all faces come back to the bit, for every cost", "[progressive]") {
+TEST_CASE("all faces come back to the bit, for every cost", "[progressive][long]") {
   for (const Refine cost : {Refine::quadric, Refine::volume, Refine::importance}) {
     ProgressiveOptions options;
     options.refine = cost;
@@ -38,7 +38,7 @@ TEST_CASE("all faces come back to the bit, for every cost", "[progressive]") {
   }
 }
 
-TEST_CASE("all faces of several tiles come back to the bit", "[progressive]") {
+TEST_CASE("all faces of several tiles come back to the bit", "[progressive][long]") {
   const Directory directory;
   generate("scan", 400'000, directory.file("scan.ply"));
   check_comes_back(directory.file("scan.ply"));

@@ -26,7 +26,8 @@ double rms(Context& context, const std::string& original, const std::string& lev
 
 }  // namespace
 
-TEST_CASE("positions of a scan take at most 12 bytes a face, and 6 on a lattice", "[progressive]") {
+TEST_CASE("positions of a scan take at most 12 bytes a face, and 6 on a lattice",
+          "[progressive][long]") {
   ProgressivePlace place;
   generate("scan", 500'000, place.directory.file("scan.ply"));
   for (const std::string& mesh : {place.directory.file("scan.ply"), whale(), mountains()}) {

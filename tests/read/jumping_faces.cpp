@@ -113,7 +113,7 @@ TEST_CASE("faces that jump before their vertices come") {
   check(ply_file(mesh, style), as_triangles(as_stored(mesh, style)));
 }
 
-TEST_CASE("faces of a text that jump", "[slow]") {
+TEST_CASE("faces of a text that jump", "[slow][long]") {
   test::Random random(414);
   const test::Polygons mesh = test::random_polygons(random, vertex_count, 10'000, 4);
   for (const std::string& file : {obj_file(mesh, {.random = &random}), off_file(mesh, {})}) {
@@ -123,7 +123,7 @@ TEST_CASE("faces of a text that jump", "[slow]") {
   }
 }
 
-TEST_CASE("whatever the memory, faces that jump are the same") {
+TEST_CASE("whatever the memory, faces that jump are the same", "[long]") {
   test::Random random(415);
   const test::Polygons mesh = jumping(random, 10'000, 3);
   const test::PlyStyle style;

@@ -30,7 +30,7 @@ TEST_CASE("a .m of any style is the mesh that was written") {
   }
 }
 
-TEST_CASE("numbers of vertices that do not fit into memory are found all the same") {
+TEST_CASE("numbers of vertices that do not fit into memory are found all the same", "[long]") {
   test::Random random(431);
   const test::Polygons mesh = test::random_polygons(random, 50'000, 3'000, 3);
   for (int round = 0; round < 4; ++round) {

@@ -163,14 +163,14 @@ TEST_CASE("polygons that cross themselves are not cut") {
   CHECK(cutter.cut(Polygon{{0, 0, 0}, {1, 0, 0}, {NAN, 1, 0}, {0, 1, 0}}).empty());
 }
 
-TEST_CASE("cutting a polygon takes no time that grows with the square of its corners") {
+TEST_CASE("cutting a polygon takes no time that grows with the square of its corners", "[long]") {
   Random random(9);
   // Ten times this would take minutes if it did.
   check_cut(star(random, 200'000));
   check_cut(spiral(100'000));
 }
 
-TEST_CASE("whoever wants to stop is heard at every stage of cutting") {
+TEST_CASE("whoever wants to stop is heard at every stage of cutting", "[long]") {
   Random random(10);
   struct Stopped {};
   Polygon bow = star(random, 200'000);

@@ -125,7 +125,7 @@ TEST_CASE("sorted faces are near the ones before them") {
   CHECK(far_apart(any_order) < 0.02);
 }
 
-TEST_CASE("whatever the memory, sorted faces are the same", "[slow]") {
+TEST_CASE("whatever the memory, sorted faces are the same", "[slow][long]") {
   test::Random random(432);
   const test::Polygons mesh = scattered(random, 8'000, 4);
   const test::PlyStyle style;

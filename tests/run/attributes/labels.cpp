@@ -46,7 +46,7 @@ std::vector<SimplifyOptions> label_ways() {
 
 }  // namespace
 
-TEST_CASE("no label comes out that did not go in") {
+TEST_CASE("no label comes out that did not go in", "[long]") {
   const Directory directory;
   const AttributedMesh mesh = generated(directory.path(), 60'000);
   const std::string input = directory.file("in.ply");

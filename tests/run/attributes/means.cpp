@@ -91,7 +91,7 @@ TEST_CASE("a linear attribute stays near its line", "[long]") {
   }
 }
 
-TEST_CASE("the mean of the light is kept") {
+TEST_CASE("the mean of the light is kept", "[long]") {
   const Directory directory;
   const std::string in = directory.file("in.ply");
   // Black and white by halves of a fine grain: averaged as they are stored it would become darker.

@@ -53,10 +53,8 @@ TEST_CASE("a budget that is named works for dust and for very many faces around 
 }
 
 TEST_CASE("a budget too small for faces longer than tiles names one that works", "[budget]") {
-  for (const Words& options : {Words{"--faces", "3000"}, Words{"--error", "0.001"}}) {
-    CHECK(is_refused(shapes::soup(300'000, 1), options));
-    CHECK(is_refused(shapes::soup(300'000, 1), options, true));
-  }
+  CHECK(is_refused(shapes::soup(300'000, 1), {"--error", "0.001"}));
+  CHECK(is_refused(shapes::soup(300'000, 1), {"--faces", "3000"}, true));
 }
 
 }  // namespace winnow::test

@@ -160,7 +160,7 @@ TEST_CASE("numbers beside the scale are of this comparison, in both units") {
   CHECK(std::count(none.begin(), none.end(), 1U) < std::count(lengths.begin(), lengths.end(), 1U));
 }
 
-TEST_CASE("the picture fits meshes of any shape to its frame") {
+TEST_CASE("the picture fits meshes of any shape to its frame", "[long]") {
   for (const Point& size : {Point{1, 1, 1}, Point{1, 4, 1}, Point{6, 1, 1}, Point{1, 1, 4},
                             Point{4, 3, 0.1}, Point{1e6, 1e6, 1e6}, Point{1e-9, 1e-9, 1e-9}}) {
     Pictured pictured(box_faces(size), box_faces(size));
@@ -206,7 +206,7 @@ TEST_CASE("a mesh that lies elsewhere is in the picture too") {
             .count() > 1000);
 }
 
-TEST_CASE("the picture is seen from where it is asked for") {
+TEST_CASE("the picture is seen from where it is asked for", "[long]") {
   std::vector<Triangle> faces = box_faces({3, 2, 2.5});
   faces.resize(faces.size() - 1);  // so that every side looks different
   Pictured pictured(faces, box_faces({3, 2, 2.6}));

@@ -32,6 +32,11 @@ std::vector<fs::path> meshes_in(const fs::path& folder) {
       found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());
+  // The frames of a sequence are alike: the first of each ten.
+  std::erase_if(found, [](const fs::path& mesh) {
+    const std::string name = mesh.stem().string();
+    return mesh.string().find("/D_sequences/") != std::string::npos && name.back() != '1';
+  });
   return found;
 }
 

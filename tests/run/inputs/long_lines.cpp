@@ -48,7 +48,7 @@ std::string sparse_lines(int lines, std::size_t blanks) {
 
 }  // namespace
 
-TEST_CASE("a polygon of 400,000 corners on one line is read in every text format") {
+TEST_CASE("a polygon of 400,000 corners on one line is read in every text format", "[long]") {
   const Directory directory;
   const LongPolygon polygon(400'000);
   const std::string hash = [&] {

@@ -9,7 +9,7 @@
 
 namespace winnow::test {
 
-TEST_CASE("a run that goes on writes the same map", "[map]") {
+TEST_CASE("a run that goes on writes the same map", "[map][long]") {
   const Directory directory;
   const std::string input = directory.file("in.ply");
   const std::string output = directory.file("out.ply");

@@ -82,7 +82,7 @@ TEST_CASE("the map leads onto the result: closed, open, thin", "[map]") {
   check_all_ways(shapes::strip(100, 0.2), 40);
 }
 
-TEST_CASE("the map leads onto the result: faces around hubs, pages, crowds, soups", "[map]") {
+TEST_CASE("the map leads onto the result: faces around hubs, pages, crowds, soups", "[map][long]") {
   check_all_ways(shapes::capped_cylinder(700), 300);
   check_all_ways(shapes::book(50), 20);
   check_all_ways(shapes::crowd(5'000, 300), 1'000);
@@ -90,7 +90,7 @@ TEST_CASE("the map leads onto the result: faces around hubs, pages, crowds, soup
   check_all_ways(shapes::double_sided(17), 400);
 }
 
-TEST_CASE("the map leads onto the result through several rounds of tiles", "[map]") {
+TEST_CASE("the map leads onto the result through several rounds of tiles", "[map][long]") {
   const Shape shape = turned(shapes::hills(320), 0.3);
   Mapped().run(shape, options_for(Target::faces(3'000)));
   SimplifyOptions clustered = options_for(Target::faces(10'000));

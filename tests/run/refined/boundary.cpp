@@ -27,7 +27,7 @@ std::set<Point> border_of(const PlainMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a boundary that is kept keeps every vertex") {
+TEST_CASE("a boundary that is kept keeps every vertex", "[long]") {
   TestJob test;
   const std::set<Point> before = border_of(plain(welded(test.job, mountains())));
   CHECK(before.size() == 800);  // of 201 times 201 samples

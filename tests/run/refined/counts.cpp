@@ -32,7 +32,7 @@ std::vector<Triangle> tetrahedra(std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("a closed mesh gets the count or one less where that is odd") {
+TEST_CASE("a closed mesh gets the count or one less where that is odd", "[long]") {
   const Directory directory;
   for (const std::uint64_t wanted : {50'000, 10'001, 999, 100}) {
     const RefinedFile out = refine_file(directory, whale(), to_faces(wanted));

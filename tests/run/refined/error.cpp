@@ -50,7 +50,7 @@ void check_errors(const std::string& input) {
 TEST_CASE("a cranium stays within its error", "[long]") {
   check_errors(whale());
 }
-TEST_CASE("an elevation tile stays within its error", "[slow]") {
+TEST_CASE("an elevation tile stays within its error", "[slow][long]") {
   check_errors(mountains());
 }
 TEST_CASE("a generated scan stays within its error", "[long]") {

@@ -23,7 +23,7 @@ Told told(const Directory& directory, const std::string& input, const Words& opt
 
 }  // namespace
 
-TEST_CASE("edges and area are reported as info counts them") {
+TEST_CASE("edges and area are reported as info counts them", "[long]") {
   const Directory directory;
   for (const char* surface : {"scan", "terrain", "part"}) {
     const std::string input = directory.file(surface + std::string(".ply"));
