@@ -1,5 +1,5 @@
 // Whether clustering comes before refinement, and how many faces it leaves.
-#include "run/clustering.hpp"
+#include "run/detail.hpp"
 
 #include <limits>
 
