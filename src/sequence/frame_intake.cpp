@@ -5,7 +5,7 @@
 #include "base/hash.hpp"
 #include "base/text.hpp"
 #include "decimate/frames.hpp"
-#include "io/sorted_list.hpp"
+#include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
 #include "mesh/ordered_face.hpp"
 #include "read/for_each_batch.hpp"
@@ -339,9 +339,7 @@ void FrameIntake::write_vertices(StoredMesh& mesh) {
 void FrameIntake::write_faces(StoredMesh& mesh, const Spool& faces) {
   order_.key = {};
   path_ = {};
-  const Reservation reserved = job_.budget.reserve(memory_.sorting, "sorting");
-  SortedRuns<OrderedFace> runs(job_);
-  SortedList<OrderedFace> list(job_, memory_.sorting, runs);
+  SortedRecords<OrderedFace> in_order(job_, memory_.sorting);
   SpoolCursor<FaceVertices> cursor(job_, faces);
   for (FaceVertices face{}; cursor.next(face);) {
     bool good = true;
@@ -350,10 +348,9 @@ void FrameIntake::write_faces(StoredMesh& mesh, const Spool& faces) {
       v = good ? number_[same_as_[order_.place[v]]] : no_number;
     }
     if (!good || face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) continue;
-    list.add({lowest_first(face)});
+    in_order.add({lowest_first(face)});
   }
-  list.sort();
-  MergedCursor<OrderedFace> merged = merge<OrderedFace>({&list}, runs);
+  MergedCursor<OrderedFace> merged = in_order.merged();
   Appender<OrderedFace> append(job_, *mesh.faces);
   for (OrderedFace face{}; merged.next(face);) {
     append.add(face);

@@ -2,7 +2,7 @@
 
 #include "base/memory_shares.hpp"
 #include "io/recent_blocks.hpp"
-#include "io/sorted_list.hpp"
+#include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
 #include "mesh/ordered_face.hpp"
 #include "mesh/vertex_map.hpp"
@@ -49,24 +49,19 @@ struct Renumbered {
 
 StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_memory,
                    std::uint64_t mesh_memory) {
-  const Reservation reserved = job.budget.reserve(list_memory, "sorting");
   const std::uint64_t vertices = whole.vertices->size();
   const MeshLayout layout = whole.layout;
   StoredMesh out(job, layout, MeshMemory::divide(mesh_memory));
   out.face_count = whole.face_count;
   Spool numbers(job, share::refine::renumbering(list_memory));  // the new number of each vertex
   {
-    SortedRuns<Renumbered> renumbered_runs(job);
-    SortedList<Renumbered> renumbered(job, share::refine::renumbering(list_memory),
-                                      renumbered_runs);
+    SortedRecords<Renumbered> renumbered(job, share::refine::renumbering(list_memory));
     {
-      SortedRuns<Moved> runs(job);
-      SortedList<Moved> list(job, share::refine::sorting_vertices(list_memory), runs);
+      SortedRecords<Moved> in_order(job, share::refine::sorting_vertices(list_memory));
       VertexIndex::Reader reader(*whole.vertices);
       for (std::uint32_t v = 0; v < vertices; ++v)
-        list.add({shifted(reader.at(v).key, back), v, 0});
-      list.sort();
-      MergedCursor<Moved> merged = merge<Moved>({&list}, runs);
+        in_order.add({shifted(reader.at(v).key, back), v, 0});
+      MergedCursor<Moved> merged = in_order.merged();
       Appender<IndexedVertex, VertexIndex> append(job, *out.vertices);
       std::optional<RecentBlocks> state, carried;
       if (layout.state > 0) state.emplace(*whole.state, layout.state);
@@ -82,8 +77,7 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_mem
       }
       append.flush();
     }
-    renumbered.sort();
-    MergedCursor<Renumbered> merged = merge<Renumbered>({&renumbered}, renumbered_runs);
+    MergedCursor<Renumbered> merged = renumbered.merged();
     Appender<std::uint32_t> append(job, numbers);
     for (Renumbered pair{}; merged.next(pair);) append.add(pair.new_number);
     append.flush();
@@ -96,17 +90,15 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_mem
   whole.attributes.reset();
   whole.state.reset();
 
-  SortedRuns<OrderedFace> runs(job);
-  SortedList<OrderedFace> list(job, share::refine::sorting_vertices(list_memory), runs);
+  SortedRecords<OrderedFace> in_order(job, share::refine::sorting_vertices(list_memory));
   SpoolCursor<FaceVertices> faces = whole.face_cursor(job);
   RecentBlocks new_numbers(numbers, sizeof(std::uint32_t));
   for (FaceVertices face{}; faces.next(face);) {
     for (std::uint32_t& v : face) v = new_numbers.at<std::uint32_t>(v);
-    list.add({lowest_first(face)});
+    in_order.add({lowest_first(face)});
   }
   whole.faces.reset();
-  list.sort();
-  MergedCursor<OrderedFace> merged = merge<OrderedFace>({&list}, runs);
+  MergedCursor<OrderedFace> merged = in_order.merged();
   Appender<OrderedFace> append(job, *out.faces);
   for (OrderedFace face{}; merged.next(face);) append.add(face);
   append.flush();

@@ -4,7 +4,7 @@
 #include "base/memory_shares.hpp"
 #include "base/sort_unique.hpp"
 #include "io/recent_blocks.hpp"
-#include "io/sorted_list.hpp"
+#include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
 #include "stitch/round_output.hpp"
 
@@ -60,14 +60,11 @@ IncomingFaces::IncomingFaces(Job& job, const StoredMesh& mesh, const Tiling& til
   }
   find_hubs(job, mesh, tiling, hub_faces);
   away_.assign(tiling.tiles(), 0);
-  const std::uint64_t sorting = share::refine::sorting_incoming(memory);
-  const Reservation reserved = job.budget.reserve(sorting, "sorting");
-  SortedRuns<ListedFace> runs(job);
-  SortedList<ListedFace> list(job, sorting, runs);
+  SortedRecords<ListedFace> listed(job, share::refine::sorting_incoming(memory));
   for_each_seam_face(job, mesh, tiling, [&](const FaceVertices& face) {
     const std::size_t at_home = home(face, tiling);
     if (const std::size_t lowest = tiling.tile_of(face[0]); at_home != lowest) {
-      list.add({adopted_list(at_home), face});
+      listed.add({adopted_list(at_home), face});
       ++away_[lowest];
     }
     std::array<std::size_t, 3> told{at_home, at_home, at_home};
@@ -75,13 +72,12 @@ IncomingFaces::IncomingFaces(Job& job, const StoredMesh& mesh, const Tiling& til
       if (is_hub(face[i])) continue;
       const std::size_t tile = tiling.tile_of(face[i]);
       if (std::find(told.begin(), told.end(), tile) == told.end())
-        list.add({incoming_list(tile), face});
+        listed.add({incoming_list(tile), face});
       told[i] = tile;
     }
     seam_faces_ += told != std::array{at_home, at_home, at_home};
   });
-  list.sort();
-  MergedCursor<ListedFace> merged = merge<ListedFace>({&list}, runs);
+  MergedCursor<ListedFace> merged = listed.merged();
   Appender<FaceVertices> append(job, faces_);
   for (ListedFace face{}; merged.next(face);) {
     ++first_[face.list + 1];
