@@ -181,6 +181,13 @@ int open_input(const std::string& path) {
 
 }  // namespace
 
+void refuse_output(const Job& job, const FileNumber& file, const std::string& name) {
+  if (std::find(job.written_over.begin(), job.written_over.end(), file) == job.written_over.end())
+    return;
+  throw Error(ErrorKind::usage,
+              "'" + name + "' is read, so it cannot be the output as well; name another output");
+}
+
 std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path, Unpacking unpacking) {
   const bool standard = path == "-";
   std::string name = standard ? "standard input" : path;
@@ -191,11 +198,7 @@ std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path, Unpac
   if (file->is_directory())
     throw Error(ErrorKind::bad_input, "'" + path + "' is a directory, not a mesh file");
 
-  if (std::find(job.written_over.begin(), job.written_over.end(), file->number()) !=
-      job.written_over.end()) {
-    throw Error(ErrorKind::usage,
-                "'" + name + "' is read, so it cannot be the output as well; name another output");
-  }
+  refuse_output(job, file->number(), name);
 
   std::vector<std::byte> head(4);
   std::size_t filled = 0;

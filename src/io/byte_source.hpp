@@ -79,6 +79,9 @@ class ByteSource {
 
 enum class Unpacking { by_content, none };
 
+// Throws Error(usage) where the file `name`, which is read, is an output of the run.
+void refuse_output(const Job& job, const FileNumber& file, const std::string& name);
+
 // Opens a file, or standard input for "-"; sees through gzip and zstd, unless it is not to. Throws
 // Error(bad_input), or Error(resources) where the system has no more descriptors or memory.
 std::unique_ptr<ByteSource> open_source(Job& job, const std::string& path,

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ constexpr std::size_t most_inputs = 2;
 struct ViewArguments {
   std::vector<std::string> inputs;
   std::string page;
-  std::uint16_t port = 0;
+  std::optional<std::uint16_t> port;
   bool no_browser = false, force = false;
   CommonOptions common;
 };
@@ -61,7 +62,11 @@ std::string last_part(const std::string& input) {
 // What is no progressive file becomes one in scratch, whose name is gone when it is open.
 viewer::ShownFile shown_file(Context& context, const ViewArguments& arguments,
                              const std::string& input) {
-  if (is_progressive(input)) return {input, last_part(input)};
+  if (is_progressive(input)) {
+    for (const std::string& note : progressive_info(context, input).notes)
+      std::cerr << "winnow: '" << input << "': " << note << "\n";
+    return {input, last_part(input)};
+  }
   const ScratchFolder folder(context.scratch);
   const std::string made = folder.file("mesh.wpm");
   const ProgressBar bar(context, arguments.common);
@@ -82,20 +87,21 @@ bool open_browser(const std::string& address) {
 }
 
 void tell(const ViewArguments& arguments, const char* what, const std::string& place) {
+  std::ostream& out = report_stream(arguments.page);
   if (arguments.common.json) {
     Json report;
     report[what] = place;
-    print(report, arguments.common, std::cout);
+    print(report, arguments.common, out);
   } else if (!arguments.common.quiet) {
-    const Lines line(std::cout, 10);
+    const Lines line(out, 10);
     line(what, place);
   }
-  std::cout.flush();
+  out.flush();
 }
 
 void serve(const Context& context, const ViewArguments& arguments,
            std::vector<viewer::ShownFile> files) {
-  viewer::PageServer server(viewer::page(), std::move(files), arguments.port);
+  viewer::PageServer server(viewer::page(), std::move(files), arguments.port.value_or(0));
   const std::string address = server.address();
   tell(arguments, "address", address);
   if (!arguments.common.quiet && !arguments.common.json)
@@ -112,13 +118,21 @@ void run_view(const ViewArguments& arguments) {
                 "run 'npm ci --prefix tools/viewer' where its source is, and build it again");
   if (arguments.inputs.size() > most_inputs)
     throw Error(ErrorKind::usage, "two meshes at most are shown side by side");
+  if (arguments.page.empty() && arguments.force)
+    throw Error(ErrorKind::usage, "--force goes with --export, which writes a page");
+  if (!arguments.page.empty() && (arguments.port || arguments.no_browser))
+    throw Error(ErrorKind::usage,
+                "--port and --no-browser do not go with --export: no page is served");
   Context context;
   prepare(context, arguments.common, arguments.page);
+  std::optional<viewer::ExportedPage> page;
+  if (!arguments.page.empty())
+    page.emplace(context, arguments.page, arguments.force, arguments.inputs);
   std::vector<viewer::ShownFile> files;
   for (const std::string& input : arguments.inputs)
     files.push_back(shown_file(context, arguments, input));
-  if (arguments.page.empty()) return serve(context, arguments, std::move(files));
-  viewer::export_page(context, viewer::page(), files, arguments.page, arguments.force);
+  if (!page) return serve(context, arguments, std::move(files));
+  page->write(viewer::page(), files);
   tell(arguments, "page", arguments.page);
 }
 
@@ -150,9 +164,9 @@ void add_view(CLI::App& app) {
                     "Open no browser, only print the address");
   arguments->common.add_to(*command, "TMPDIR, else /var/tmp");
   command->footer(
-      "The page is served to this machine alone, until Ctrl-C. Large files appear coarse first,\n"
-      "and no more of them is read than is seen. A .wpm file can also lie on any web server with\n"
-      "ranges, beside a page: PAGE.html?mesh=scan.wpm\n"
+      "The page is served to this machine alone, until Ctrl-C, which ends the command with 0.\n"
+      "Large files appear coarse first, and no more of them is read than is seen. A .wpm file can\n"
+      "also lie on any web server with ranges, beside a page: PAGE.html?mesh=scan.wpm\n"
       "Examples:\n"
       "  winnow view scan.wpm\n"
       "  winnow view scan.ply\n"

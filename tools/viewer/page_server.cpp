@@ -214,7 +214,7 @@ PageServer::PageServer(std::string_view page, std::vector<ShownFile> files, std:
     state_->authority = "127.0.0.1:" + std::to_string(state_->acceptor.local_endpoint().port());
   } catch (const boost::system::system_error& error) {
     throw Error(ErrorKind::failed, "port " + std::to_string(port) + " cannot be served: " +
-                                       error.code().message() + "; `port` 0 takes a free one");
+                                       error.code().message() + "; --port 0 takes a free one");
   }
 }
 
