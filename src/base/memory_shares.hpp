@@ -55,6 +55,7 @@ inline constexpr Share added_mesh{1, 4};    // that a program makes; it is read 
 inline constexpr Share checking{1, 2};      // the result
 inline constexpr Share map{1, 16};          // where the input's vertices went
 inline constexpr Share used{1, 4};          // bits for vertices, while it is made
+inline constexpr Share sorting_used{1, 4};  // of those behind, of what these left
 inline constexpr Share packing{1, 2};       // blocks of the output
 inline constexpr Share damage{1, 2};        // tiles that are looked at, and as much for sorting
 inline constexpr Share crowded_part{1, 2};  // records of one part that are more than expected

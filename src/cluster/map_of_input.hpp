@@ -24,8 +24,7 @@ using MakeFinder = std::function<std::unique_ptr<VertexFinder>()>;
 // Of all vertices of the input, about so many, in its order; without vertices of its own the three
 // corners of each face are its vertices. Those that no good face has went nowhere. `faces` gives
 // the good faces, `positions` the same input as it was clustered or welded: they may be one reader.
-// Each is read once, or more often where the budget has no room for a bit a vertex. Keeps at most
-// `memory` bytes of the result in memory.
+// Each is read once. Keeps at most `memory` bytes of the result in memory.
 std::unique_ptr<Spool> map_of_input(Job& job, MeshReader& faces, MeshReader& positions,
                                     std::uint64_t vertices, const MakeFinder& make_finder,
                                     std::uint64_t memory);
