@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-enum class Way : std::uint8_t { through, exported, reconstructed, none };
+enum class Way : std::uint8_t { through, extracted, exported, reconstructed, none };
 
 struct ForeignFormat {
   std::size_t at;  // where the magic stands; `text_begin`: behind blanks, in any case of letters
@@ -73,8 +73,7 @@ constexpr std::array foreign_formats{
     ForeignFormat{0, "ASTM-E57"sv, "", "an E57 point cloud", Way::reconstructed},
     ForeignFormat{text_begin, "# .pcd"sv, "", "a PCD point cloud", Way::reconstructed},
 
-    ForeignFormat{0, "\x89WPM\r\n\x1a\n"sv, "", "a progressive mesh", Way::through,
-                  "winnow extract FILE -o - --ratio 1"},
+    ForeignFormat{0, "\x89WPM\r\n\x1a\n"sv, "", "a progressive mesh", Way::extracted},
     ForeignFormat{0, "\x89PNG\r\n\x1a\n"sv, "", "a PNG image", Way::none},
     ForeignFormat{0, "\xff\xd8\xff"sv, "", "a JPEG image", Way::none},
     ForeignFormat{0, "GIF8"sv, "", "a GIF image", Way::none},
@@ -124,6 +123,9 @@ bool begins_with(std::string_view head, const ForeignFormat& format) {
     case Way::through:
       message += std::string(", which winnow does not read: ") + format.more +
                  " | winnow simplify - -o OUTPUT";
+      break;
+    case Way::extracted:
+      message += ", of which `extract` makes a mesh";
       break;
     case Way::exported:
       message += ", which winnow does not read; export it as PLY, STL, OBJ or GLB";

@@ -26,10 +26,11 @@ void raise(py::handle type, const Error& error) {
 
 std::string spelled(const std::string& text) {
   return spell_options(text, [](const std::string& name) {
-    constexpr std::array calls{"convert", "info", "simplify"};
+    constexpr std::array calls{"convert", "info", "progressive", "simplify"};
     for (const char* call : calls) {
       if (name == call) return "winnow." + name;
     }
+    if (name == "extract") return std::string("winnow.Progressive");
     return "`" + (name == "from" ? "from_" : name) + "`";
   });
 }
