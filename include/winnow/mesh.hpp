@@ -134,13 +134,16 @@ struct Mesh {
 WINNOW_API Mesh simplify(Context& context, const MeshView& mesh, const SimplifyOptions& options,
                          SimplifyReport* report = nullptr, VertexMap* map = nullptr);
 
-// The same for several targets (SimplifyOptions::coarser) in one run: the finest mesh first.
+// The same for several targets (SimplifyOptions::coarser) in one run: the finest mesh first. `maps`
+// becomes one map a mesh.
 WINNOW_API std::vector<Mesh> simplify_levels(Context& context, const MeshView& mesh,
                                              const SimplifyOptions& options,
-                                             SimplifyReport* report = nullptr);
+                                             SimplifyReport* report = nullptr,
+                                             std::vector<VertexMap>* maps = nullptr);
 WINNOW_API std::vector<Mesh> simplify_levels(Context& context, const std::string& input,
                                              const SimplifyOptions& options,
-                                             SimplifyReport* report = nullptr);
+                                             SimplifyReport* report = nullptr,
+                                             std::vector<VertexMap>* maps = nullptr);
 
 // From memory to a file, and from a file to memory.
 WINNOW_API SimplifyReport simplify(Context& context, const MeshView& mesh,

@@ -97,9 +97,10 @@ struct SimplifyOptions {
   Encoding encoding;  // how the output is written
 
   // A file for the VertexMap (below), as an array of NumPy (.npy): a header that tells the count,
-  // and a little-endian int64 a vertex. Compressed where the name ends in .gz or .zst. Only with
-  // one target, and not for an output whose vertices are not numbered as the map says: STL, and a
-  // GLB of Compression::meshopt. A pipe is copied to scratch. Default: none.
+  // and a little-endian int64 a vertex. Compressed where the name ends in .gz or .zst. Not for an
+  // output whose vertices are not numbered as the map says: STL, and a GLB of Compression::meshopt.
+  // With several targets there is one for each, named as the outputs are ("map-{faces}.npy"). A
+  // pipe is copied to scratch. Default: none.
   std::string map;
 
   // Replace an existing output file. Without it an existing file is a usage error.
@@ -112,6 +113,7 @@ struct SimplifyPlan {
   std::string output;                       // as it was given
   std::string input_format, output_format;  // as in SimplifyReport
   std::vector<std::string> outputs;         // names, the finest first
+  std::vector<std::string> maps;            // likewise, of SimplifyOptions::map
   struct Part {
     std::string name;
     std::uint64_t bytes = 0;
@@ -140,6 +142,7 @@ void for_each_field(Plan& plan, Field&& field) {
   field("output.file", plan.output);
   field("output.format", plan.output_format);
   field("outputs", plan.outputs);
+  field("maps", plan.maps);
   field("memory", plan.memory);
   field("smallest_memory", plan.smallest_memory);
   field("passes", plan.passes);

@@ -47,6 +47,7 @@ struct LevelReport {
     std::uint64_t faces = 0, vertices = 0, bytes = 0;  // bytes: before compression
     std::string name;                                  // as it was given
     std::string format;                                // "PLY binary little-endian", "GLB", ...
+    std::string map;                                   // of SimplifyOptions::map; empty without
     // By which Encoding::quantize moves a position at most, in model units; 0 without.
     double position_error = 0;
   } output;
@@ -164,6 +165,7 @@ struct SimplifyReport : LevelReport {
 template <typename Report, typename Field>
 void for_each_level_field(Report& report, Field&& field) {
   for_each_output_field(report.output, field);
+  field("output.map", report.output.map);
   field("target.faces", report.target_faces);
   field("target_met", report.target_met);
   field("missed_by", report.missed_by);

@@ -76,10 +76,13 @@ class MeshSink {
 
 // All other simplify() are this one, from one kind of source to one kind of sink. The result is
 // that of the file with the same content: a PLY, or, of loose triangles of floats that carry
-// nothing, a binary STL. `map`: where the VertexMap goes, if anywhere.
+// nothing, a binary STL. `map`: where the VertexMap goes, if anywhere; of one target.
 //
 // Throws Error as those do, also where batches do not fit together; the message names the array.
 WINNOW_API SimplifyReport simplify(Context& context, const MeshSource& source, const MeshSink& sink,
                                    const SimplifyOptions& options, VertexMap* map = nullptr);
+// With a map for each target, the finest first.
+WINNOW_API SimplifyReport simplify(Context& context, const MeshSource& source, const MeshSink& sink,
+                                   const SimplifyOptions& options, std::vector<VertexMap>& maps);
 
 }  // namespace winnow

@@ -22,6 +22,33 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
+// What the files are that several targets need one each of, and how they may be named.
+struct LevelFiles {
+  std::string name_of;  // whose name it is
+  std::string one;
+  std::string example_start, example_end;
+};
+
+std::vector<std::string> level_names(const std::string& name, const SimplifyOptions& options,
+                                     const LevelFiles& files) {
+  const std::string option = option_of(options.target);
+  const std::string place = "{" + option + "}";
+  const std::vector<Target> targets = targets_of(options);
+  if (targets.size() > 1 && name.find(place) == std::string::npos) {
+    throw Error(ErrorKind::usage, "several values of `" + option + "` need " + place + " in " +
+                                      files.name_of + ", not '" + name + "'; name files like '" +
+                                      files.example_start + place + files.example_end + "'");
+  }
+  std::vector<std::string> names;
+  for (const Target& target : targets) {
+    names.push_back(option.empty() ? name : replaced(name, place, text_of(target)));
+    if (std::count(names.begin(), names.end(), names.back()) > 1)
+      throw Error(ErrorKind::usage, "`" + option + "` asks for " + text_of(target) + " twice: '" +
+                                        names.back() + "' can hold only one " + files.one);
+  }
+  return names;
+}
+
 }  // namespace
 
 bool is_finer(const Target& a, const Target& b) {
@@ -44,25 +71,18 @@ std::string text_of(const Target& target) {
 }
 
 std::vector<std::string> output_names(const std::string& output, const SimplifyOptions& options) {
-  const std::string option = option_of(options.target);
-  const std::string place = "{" + option + "}";
-  const std::vector<Target> targets = targets_of(options);
-  const auto refuse = [&](const std::string& why) {
-    throw Error(ErrorKind::usage, why + "; name files like 'small-" + place + ".ply'");
-  };
-  if (targets.size() > 1 && output == "-")
-    refuse("several meshes cannot all go to standard output");
-  if (targets.size() > 1 && output.find(place) == std::string::npos)
-    refuse("several values of `" + option + "` need " + place + " in the output's name, not '" +
-           output + "'");
-  std::vector<std::string> names;
-  for (const Target& target : targets) {
-    names.push_back(option.empty() ? output : replaced(output, place, text_of(target)));
-    if (std::count(names.begin(), names.end(), names.back()) > 1)
-      throw Error(ErrorKind::usage, "`" + option + "` asks for " + text_of(target) + " twice: '" +
-                                        names.back() + "' can hold only one mesh");
+  const LevelFiles files{"the output's name", "mesh", "small-", ".ply"};
+  if (!options.coarser.empty() && output == "-") {
+    throw Error(ErrorKind::usage,
+                "several meshes cannot all go to standard output; name files like 'small-{" +
+                    option_of(options.target) + "}.ply'");
   }
-  return names;
+  return level_names(output, options, files);
+}
+
+std::vector<std::string> map_names(const SimplifyOptions& options) {
+  if (options.map.empty()) return {};
+  return level_names(options.map, options, {"the name of `map`", "map", "map-", ".npy"});
 }
 
 }  // namespace winnow

@@ -22,4 +22,7 @@ std::string text_of(const Target& target);
 // Error(usage) where the names of several would not differ.
 std::vector<std::string> output_names(const std::string& output, const SimplifyOptions& options);
 
+// The same of SimplifyOptions::map; no names where no map is asked for.
+std::vector<std::string> map_names(const SimplifyOptions& options);
+
 }  // namespace winnow

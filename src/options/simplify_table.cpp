@@ -186,7 +186,8 @@ std::vector<Option<Options>> table() {
        number<Options>(&Options::nodata, "a number like -9999")},
       {"map", "FILE", result_group,
        "Write where each vertex of the input went: a NumPy array of int64, numbers of vertices of "
-       "the output, -1 for none",
+       "the output, -1 for none; of several results one each, with {faces}, {ratio} or {error} in "
+       "FILE",
        text<Options>(&Options::map)}};
   add_output_options(options);
   return options;

@@ -5,6 +5,7 @@
 #include "io/same_place.hpp"
 #include "io/spool_records.hpp"
 #include "mesh/vertex_map.hpp"
+#include "options/level_targets.hpp"
 
 #include <algorithm>
 #include <new>
@@ -47,33 +48,29 @@ void for_each_part(Job& job, const Spool& map, const Take& take) {
 
 }  // namespace
 
-std::unique_ptr<MapSink> open_map(Job& job, const SimplifyOptions& options,
-                                  const ResultSinks& outputs, bool replaces, const char* way_out) {
-  if (options.map.empty()) return nullptr;
+MapSinks open_maps(Job& job, const SimplifyOptions& options, const ResultSinks& meshes,
+                   const Replaces& replaces, const char* way_out) {
   if (options.map == "-") throw Error(ErrorKind::usage, "`map` takes the name of a file, not '-'");
-  if (outputs.size() > 1)
-    throw Error(ErrorKind::usage, "`map` goes with one result; ask for the others one by one");
-  const ResultSink& output = *outputs.front();
-  if (!output.encoder().numbers_vertices()) {
-    throw Error(ErrorKind::usage,
-                "`map` gives numbers of vertices, and the output has none of its own or repeats "
-                "them (" +
-                    output.format() + "); choose a PLY, an OBJ or an OFF");
+  const std::vector<std::string> names = map_names(options);
+  for (const auto& mesh : meshes) {
+    if (names.empty()) break;
+    if (!mesh->encoder().numbers_vertices()) {
+      throw Error(ErrorKind::usage,
+                  "`map` gives numbers of vertices, and the output has none of its own or repeats "
+                  "them (" +
+                      mesh->format() + "); choose a PLY, an OBJ or an OFF");
+    }
+    for (const std::string& name : names) {
+      if (same_place(name, mesh->name()))
+        throw Error(ErrorKind::usage, "the output and its `map` need a name each");
+    }
   }
-  if (same_place(options.map, output.name()))
-    throw Error(ErrorKind::usage, "the output and its `map` need a name each");
-  return std::make_unique<MapFile>(job, options.map, options.force || replaces, way_out);
-}
-
-void finish(const ResultSinks& sinks, MapSink* map) {
-  if (map == nullptr) return finish(sinks);
-  map->finish();
-  try {
-    finish(sinks);
-  } catch (...) {
-    map->take_back();
-    throw;
+  MapSinks maps;
+  for (const std::string& name : names) {
+    const bool force = options.force || (replaces && replaces(maps.size(), name));
+    maps.push_back(std::make_unique<MapFile>(job, name, force, way_out));
   }
+  return maps;
 }
 
 void MapFile::write(Job& job, const Spool& map) {

@@ -9,13 +9,20 @@ namespace winnow {
 
 namespace {
 
-template <typename Result>
+template <typename Result, typename... Map>
 Result simplified(Context& context, const MeshSource& source, const SimplifyOptions& options,
-                  SimplifyReport* report, VertexMap* map = nullptr) {
+                  SimplifyReport* report, Map&&... map) {
   Result result;
-  SimplifyReport told = simplify(context, source, MeshSink(result), options, map);
+  SimplifyReport told = simplify(context, source, MeshSink(result), options, map...);
   if (report != nullptr) *report = std::move(told);
   return result;
+}
+
+std::vector<Mesh> levels(Context& context, const MeshSource& source, const SimplifyOptions& options,
+                         SimplifyReport* report, std::vector<VertexMap>* maps) {
+  using Meshes = std::vector<Mesh>;
+  return maps == nullptr ? simplified<Meshes>(context, source, options, report)
+                         : simplified<Meshes>(context, source, options, report, *maps);
 }
 
 }  // namespace
@@ -49,13 +56,15 @@ Mesh simplify(Context& context, const std::string& input, const SimplifyOptions&
 }
 
 std::vector<Mesh> simplify_levels(Context& context, const MeshView& mesh,
-                                  const SimplifyOptions& options, SimplifyReport* report) {
-  return simplified<std::vector<Mesh>>(context, MeshSource(mesh), options, report);
+                                  const SimplifyOptions& options, SimplifyReport* report,
+                                  std::vector<VertexMap>* maps) {
+  return levels(context, MeshSource(mesh), options, report, maps);
 }
 
 std::vector<Mesh> simplify_levels(Context& context, const std::string& input,
-                                  const SimplifyOptions& options, SimplifyReport* report) {
-  return simplified<std::vector<Mesh>>(context, MeshSource(input), options, report);
+                                  const SimplifyOptions& options, SimplifyReport* report,
+                                  std::vector<VertexMap>* maps) {
+  return levels(context, MeshSource(input), options, report, maps);
 }
 
 SimplifyReport simplify(Context& context, const MeshView& mesh, const std::string& output,

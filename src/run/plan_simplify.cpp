@@ -94,9 +94,10 @@ std::uint64_t worst_of_jumping(const InputProbe& probe, const MemoryPlan& plan) 
   return probe.facts.faces.value_or(0) * (CornerStreams::bytes_a_face(record) + face);
 }
 
-// Of the input: where it went, twice, and the same of as many that are refined, before and after a
-// round.
-constexpr std::uint64_t map_bytes_a_vertex = 24;
+// Of the input: the bits of vertices that faces use, each in a record of its own, twice while runs
+// are merged. Later less: where it went, twice, and the same of as many that are refined, before
+// and after a round.
+constexpr std::uint64_t map_bytes_a_vertex = 32;
 
 // Rates of one thread in faces a second, measured once (bench/RESULTS.md), for want of knowing the
 // machine.
@@ -160,6 +161,7 @@ SimplifyPlan plan_simplify(Context& context, const std::vector<std::string>& inp
   out.output = output;
   out.input_format = probe.facts.format;
   out.outputs = output_names(output, options);
+  out.maps = map_names(options);
   out.output_format = format_written(options.to, output, options.encoding);
   out.memory = plan.parts();
   out.smallest_memory = plan.smallest + input.memory();

@@ -118,17 +118,6 @@ void in_chunks(Job& job, std::uint64_t elements, const Work& work) {
 
 }  // namespace
 
-void finish(const ResultSinks& sinks) {
-  if (sinks.size() == 1) return sinks.front()->finish();
-  std::size_t finished = 0;
-  try {
-    for (; finished < sinks.size(); ++finished) sinks[finished]->finish_for_now();
-  } catch (...) {
-    while (finished > 0) sinks[--finished]->take_back();
-    throw;
-  }
-}
-
 FileSink::FileSink(Job& job, std::string name, const SimplifyOptions& options, const char* way_out)
     : job_(job),
       name_(std::move(name)),

@@ -15,30 +15,33 @@
 
 namespace winnow {
 
-class ResultSink {
+// What appears when all is done, and whole.
+class Output {
  public:
-  virtual ~ResultSink() = default;
+  virtual ~Output() = default;
 
+  virtual void finish() {}
+  virtual void finish_for_now() {}
+  // After finish_for_now(): nothing of it stays.
+  virtual void take_back() noexcept {}
+
+  [[nodiscard]] virtual std::string name() const { return {}; }      // of a file, as it was given
+  [[nodiscard]] virtual std::string identity() const { return {}; }  // see ByteSink
+};
+
+class ResultSink : public Output {
+ public:
   // Tells what can be held.
   [[nodiscard]] virtual const MeshEncoder& encoder() const = 0;
 
   // Everything that can fail. Returns the size of the mesh, before compression.
   virtual std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) = 0;
-  virtual void finish() = 0;
-  virtual void finish_for_now() = 0;
-  // After finish_for_now(): nothing of the mesh stays.
-  virtual void take_back() noexcept = 0;
 
-  [[nodiscard]] virtual std::string name() const { return {}; }      // of a file, as it was given
-  [[nodiscard]] virtual std::string format() const = 0;              // for people
-  [[nodiscard]] virtual std::string identity() const { return {}; }  // see ByteSink
+  [[nodiscard]] virtual std::string format() const = 0;  // for people
 };
 
 // One for each result, the finest first.
 using ResultSinks = std::vector<std::unique_ptr<ResultSink>>;
-
-// All appear, or, where one cannot, none.
-void finish(const ResultSinks& sinks);
 
 // What `sink` is, opened: as many as there are targets. Files are named as output_names() says.
 // Throws Error(usage) where there are several targets, and room for one.
@@ -79,8 +82,6 @@ class MemorySink final : public ResultSink {
 
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
   std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
-  void finish() override {}
-  void finish_for_now() override {}
   void take_back() noexcept override { mesh_ = {}; }
   [[nodiscard]] std::string format() const override { return "memory"; }
 
@@ -98,9 +99,6 @@ class FunctionSink final : public ResultSink {
 
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
   std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
-  void finish() override {}
-  void finish_for_now() override {}
-  void take_back() noexcept override {}
   [[nodiscard]] std::string format() const override { return "memory"; }
 
  private:

@@ -5,8 +5,7 @@
 
 #include "io/arena.hpp"
 #include "run/batch_store.hpp"
-#include "run/map_sink.hpp"
-#include "run/result_sink.hpp"
+#include "run/outputs.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
 
@@ -31,24 +30,22 @@ struct Simplification::State {
   State(Context& context, const std::optional<std::string>& path, const SimplifyOptions& asked)
       : options(checked(asked)), job(context) {
     expect_plan(job, options);
-    sinks = open_sinks(job, path ? MeshSink(*path) : MeshSink(results), options);
-    map = open_map(job, options, sinks);
+    outputs.meshes = open_sinks(job, path ? MeshSink(*path) : MeshSink(results), options);
+    outputs.maps = open_maps(job, options, outputs.meshes);
     store = std::make_unique<BatchStore>(job, options);
   }
 
   SimplifyReport finish() {
     const Stopwatch watch;
     Input input(job, store->finish());
-    return in_arena(job, [&] {
-      return simplify_input(job, std::move(input), sinks, map.get(), options, watch);
-    });
+    return in_arena(job,
+                    [&] { return simplify_input(job, std::move(input), outputs, options, watch); });
   }
 
   SimplifyOptions options;
   Job job;
   std::vector<Mesh> results;
-  ResultSinks sinks;
-  std::unique_ptr<MapSink> map;
+  Outputs outputs;
   std::unique_ptr<BatchStore> store;
 };
 
@@ -109,13 +106,13 @@ void Simplification::add_triangles(std::span<const double> coordinates) {
 }
 
 SimplifyReport Simplification::finish() {
-  if (state_->sinks.front()->name().empty())
+  if (state_->outputs.meshes.front()->name().empty())
     throw Error(ErrorKind::usage, "no output was named; finish_mesh() gives the mesh");
   return state_->finish();
 }
 
 std::vector<Mesh> Simplification::finish_meshes(SimplifyReport* report) {
-  if (!state_->sinks.front()->name().empty())
+  if (!state_->outputs.meshes.front()->name().empty())
     throw Error(ErrorKind::usage, "the mesh goes to a file; finish() writes it");
   SimplifyReport told = state_->finish();
   if (report != nullptr) *report = std::move(told);

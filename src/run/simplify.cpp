@@ -14,10 +14,9 @@
 #include "run/attributes.hpp"
 #include "run/clustering.hpp"
 #include "run/input.hpp"
-#include "run/map_sink.hpp"
+#include "run/outputs.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
-#include "run/result_sink.hpp"
 #include "run/simplify_checkpoint.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
@@ -136,16 +135,17 @@ Style style_of(const SimplifyOptions& options, const MeshEncoder& encoder,
   return {normals, writes_doubles(options.encoding, exact), exact};
 }
 
-// `input`: of a run whose mesh is not in the checkpoint. `map`: null where nobody asks for it.
-SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const ResultSinks& sinks,
-                            MapSink* map, const SimplifyRequest& request,
-                            SimplifyCheckpoint& checkpoint, const Stopwatch& watch) {
+// `input`: of a run whose mesh is not in the checkpoint.
+SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const Outputs& outputs,
+                            const SimplifyRequest& request, SimplifyCheckpoint& checkpoint,
+                            const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
-  const MeshEncoder& encoder = sinks.front()->encoder();
+  const bool mapped = !outputs.maps.empty();
+  const MeshEncoder& encoder = outputs.meshes.front()->encoder();
   const AttributeRequest wish = wish_for(options, encoder);
   AttributeSelection choice;
   if (input && !wish.none())
-    choice = input->probe(options, access_for(options, map != nullptr), wish).facts.choice;
+    choice = input->probe(options, access_for(options, mapped), wish).facts.choice;
   const auto plan_of = [taken = input ? input->memory() : job.budget.used(), threads = job.threads,
                         needs = needs_of(options, choice)](std::uint64_t total) {
     return MemoryPlan::divide(total, taken, threads, needs);
@@ -156,7 +156,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const ResultSi
   Clustered clustered;
   if (input) {
     checkpoint.begun();
-    clustered = cluster(job, *input, options, wish, map != nullptr, plan, watch);
+    clustered = cluster(job, *input, options, wish, mapped, plan, watch);
     if (checkpoint.opened()) clustered.report.resumed.emplace();
     checkpoint.save(job, clustered);
   } else {
@@ -173,7 +173,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const ResultSi
   const auto write = [&](const StoredMesh& mesh) {
     const Stopwatch writing;
     const std::size_t level = report.levels.size();
-    ResultSink& sink = *sinks[level];
+    ResultSink& sink = *outputs.meshes[level];
     const ResultSurface surface =
         check_surface(job, mesh, options, level_named(targets[level], options), report);
     report.topology.output = surface.edges;
@@ -185,12 +185,22 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const ResultSi
     shape.attributes = attributes;
     shape.closed = report.topology.closed;
     const std::uint64_t written = sink.write(mesh, shape);
-    report.output = {mesh.face_count, mesh.vertices->size(), written,
-                     sink.name(),     sink.format(),         sink.encoder().position_error(shape)};
-    if (map != nullptr && mesh.map == nullptr) map->write(job, *map_of_input);
-    if (map != nullptr && mesh.map != nullptr) {
-      const std::uint64_t memory = share::left::map(job.budget.left());
-      map->write(job, *composed(job, *map_of_input, *mesh.map, memory));
+    report.output = {mesh.face_count,
+                     mesh.vertices->size(),
+                     written,
+                     sink.name(),
+                     sink.format(),
+                     {},
+                     sink.encoder().position_error(shape)};
+    if (mapped) {
+      MapSink& map = *outputs.maps[level];
+      report.output.map = map.name();
+      if (mesh.map == nullptr) {
+        map.write(job, *map_of_input);
+      } else {
+        const std::uint64_t memory = share::left::map(job.budget.left());
+        map.write(job, *composed(job, *map_of_input, *mesh.map, memory));
+      }
     }
     report.levels.push_back(report);
     report.seconds.write += writing.seconds();
@@ -198,7 +208,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const ResultSi
   if (cost_of(options) == Refine::none) {
     write(clustered.mesh);
   } else {
-    refine_to_targets(job, std::move(clustered), options, style.doubles, map != nullptr, plan_of,
+    refine_to_targets(job, std::move(clustered), options, style.doubles, mapped, plan_of,
                       checkpoint.directory(),
                       [&](const StoredMesh& mesh, const Refinement& refined) {
                         report.refine = refined.refine;
@@ -230,8 +240,8 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const ResultSi
     if (std::find(report.notes.begin(), report.notes.end(), note) == report.notes.end())
       report.notes.push_back(note);
   }
-  checkpoint.settled(sinks, map, report);
-  finish(sinks, map);
+  checkpoint.settled(outputs, report);
+  finish(outputs);
   checkpoint.finish(job);
 
   report.peak_memory_bytes = peak_resident_bytes();
@@ -247,26 +257,29 @@ constexpr const char* move_away = "move it away and resume again";
 SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
                                  SimplifyCheckpoint& checkpoint) {
   const SimplifyOptions& options = request.options;
+  const char* way_out = checkpoint.opened() ? move_away : ByteSink::by_force;
   const Stopwatch watch;
   // Before a pipe is waited for; of a file, decompressing may need more, and the message should say
   // it all.
   if (request.inputs.size() == 1 && request.inputs.front() == "-")
     MemoryPlan::divide(job.budget.total(), 0, job.threads, needs_of(options));
   expect_plan(job, options);
-  ResultSinks sinks;
+  Outputs outputs;
   for (const std::string& name : output_names(request.output, options)) {
     SimplifyOptions own = options;
     // One that a run had named before it was killed is the same to the byte.
-    own.force |= checkpoint.is_written(sinks.size(), name);
-    sinks.push_back(std::make_unique<FileSink>(
-        job, name, own, checkpoint.opened() ? move_away : ByteSink::by_force));
+    own.force |= checkpoint.is_written(outputs.meshes.size(), name);
+    outputs.meshes.push_back(std::make_unique<FileSink>(job, name, own, way_out));
   }
-  const std::unique_ptr<MapSink> map =
-      open_map(job, options, sinks, checkpoint.holds_map(options.map),
-               checkpoint.opened() ? move_away : ByteSink::by_force);
+  outputs.maps = open_maps(
+      job, options, outputs.meshes,
+      [&](std::size_t number, const std::string& name) {
+        return checkpoint.holds_map(number, name);
+      },
+      way_out);
   std::optional<Input> input;
   if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
-  return run_pipeline(job, std::move(input), sinks, map.get(), request, checkpoint, watch);
+  return run_pipeline(job, std::move(input), outputs, request, checkpoint, watch);
 }
 
 SimplifyReport simplify_with(Job& job, const SimplifyRequest& request,
@@ -286,10 +299,10 @@ void expect_plan(Job& job, const SimplifyOptions& options) {
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(options)));
 }
 
-SimplifyReport simplify_input(Job& job, Input input, const ResultSinks& sinks, MapSink* map,
+SimplifyReport simplify_input(Job& job, Input input, const Outputs& outputs,
                               const SimplifyOptions& options, const Stopwatch& watch) {
   SimplifyCheckpoint none;
-  return run_pipeline(job, std::move(input), sinks, map, {{}, {}, options}, none, watch);
+  return run_pipeline(job, std::move(input), outputs, {{}, {}, options}, none, watch);
 }
 
 SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs,

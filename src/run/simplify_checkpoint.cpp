@@ -16,7 +16,6 @@ namespace {
 constexpr const char* done = "straight";
 
 constexpr const char* goal_count = "clustered.goals";
-constexpr const char* written_map = "written.map";
 constexpr const char* input_map = "stage-input.map";  // what Clustered::map is kept as
 
 constexpr const char* attribute_count = "clustered.attributes";
@@ -25,6 +24,10 @@ constexpr const char* rounding_relative = "clustered.rounding.relative";
 
 std::string written_key(std::size_t number) {
   return "written." + std::to_string(number);
+}
+
+std::string written_map_key(std::size_t number) {
+  return "written.map." + std::to_string(number);
 }
 
 std::string goal_key(std::size_t number, const char* what) {
@@ -171,18 +174,20 @@ bool SimplifyCheckpoint::are_written(const std::vector<std::string>& outputs,
   return true;
 }
 
-bool SimplifyCheckpoint::holds_map(const std::string& path) const {
-  return opened_ && directory_->manifest().has(written_map) &&
-         ByteSink::is(path, directory_->manifest().text(written_map));
+bool SimplifyCheckpoint::holds_map(std::size_t number, const std::string& path) const {
+  const std::string key = written_map_key(number);
+  return opened_ && directory_->manifest().has(key) &&
+         ByteSink::is(path, directory_->manifest().text(key));
 }
 
-void SimplifyCheckpoint::settled(const ResultSinks& sinks, const MapSink* map,
-                                 const SimplifyReport& report) {
+void SimplifyCheckpoint::settled(const Outputs& outputs, const SimplifyReport& report) {
   if (directory_ == nullptr) return;
   Manifest& manifest = directory_->manifest();
   put_report(manifest, report);
-  for (std::size_t i = 0; i < sinks.size(); ++i) manifest.set(written_key(i), sinks[i]->identity());
-  if (map != nullptr) manifest.set(written_map, map->identity());
+  for (std::size_t i = 0; i < outputs.meshes.size(); ++i)
+    manifest.set(written_key(i), outputs.meshes[i]->identity());
+  for (std::size_t i = 0; i < outputs.maps.size(); ++i)
+    manifest.set(written_map_key(i), outputs.maps[i]->identity());
   directory_->commit();
 }
 

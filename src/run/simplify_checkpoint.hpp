@@ -7,8 +7,7 @@
 #include "io/byte_sink.hpp"
 #include "io/checkpoint_directory.hpp"
 #include "run/clustering.hpp"
-#include "run/map_sink.hpp"
-#include "run/result_sink.hpp"
+#include "run/outputs.hpp"
 #include "run/simplify_request.hpp"
 
 #include <memory>
@@ -41,10 +40,10 @@ class SimplifyCheckpoint {
   bool are_written(const std::vector<std::string>& outputs, SimplifyReport& report) const;
   // Whether this one of them is.
   [[nodiscard]] bool is_written(std::size_t number, const std::string& output) const;
-  // Before the outputs get their names, and before them the map, if there is one.
-  void settled(const ResultSinks& sinks, const MapSink* map, const SimplifyReport& report);
-  // Whether this file is the map that the run wrote before it was killed.
-  [[nodiscard]] bool holds_map(const std::string& path) const;
+  // Before the outputs get their names.
+  void settled(const Outputs& outputs, const SimplifyReport& report);
+  // Whether this file is the map of this number that the run wrote before it was killed.
+  [[nodiscard]] bool holds_map(std::size_t number, const std::string& path) const;
   // When they have them: removes the files, unless they are to be kept.
   void finish(Job& job);
 

@@ -6,16 +6,15 @@
 
 #include "io/job.hpp"
 #include "run/input.hpp"
-#include "run/map_sink.hpp"
-#include "run/result_sink.hpp"
+#include "run/outputs.hpp"
 
 namespace winnow {
 
 // Before an output is opened: what the rest of the budget has to be.
 void expect_plan(Job& job, const SimplifyOptions& options);
 
-// Inside the job's arena. `map`: null where nobody asks for it. `watch` began with the call.
-SimplifyReport simplify_input(Job& job, Input input, const ResultSinks& sinks, MapSink* map,
+// Inside the job's arena. `watch` began with the call.
+SimplifyReport simplify_input(Job& job, Input input, const Outputs& outputs,
                               const SimplifyOptions& options, const Stopwatch& watch);
 
 }  // namespace winnow

@@ -3,12 +3,12 @@
 
 #include "io/arena.hpp"
 #include "run/batch_store.hpp"
-#include "run/map_sink.hpp"
-#include "run/result_sink.hpp"
+#include "run/outputs.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
 
 #include <memory>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -50,12 +50,11 @@ Input open_input(Job& job, const MeshSource& source, const SimplifyOptions& opti
   return std::visit(Opener{job, options}, source.kind());
 }
 
-}  // namespace
-
-SimplifyReport simplify(Context& context, const MeshSource& source, const MeshSink& sink,
-                        const SimplifyOptions& options, VertexMap* map) {
+// `maps`: none where they are not wanted in memory.
+SimplifyReport simplify_to(Context& context, const MeshSource& source, const MeshSink& sink,
+                           const SimplifyOptions& options, std::span<VertexMap> maps) {
   check(options);
-  if (map != nullptr && !options.map.empty())
+  if (!maps.empty() && !options.map.empty())
     throw Error(ErrorKind::usage, "`map` names a file, but the map is wanted in memory");
   const auto* files = std::get_if<std::vector<std::string>>(&source.kind());
   SimplifyOptions asked = options;
@@ -63,15 +62,31 @@ SimplifyReport simplify(Context& context, const MeshSource& source, const MeshSi
   Job job(context);
   const Stopwatch watch;
   expect_plan(job, asked);
-  const ResultSinks results = open_sinks(job, sink, asked);
-  std::unique_ptr<MapSink> map_sink = open_map(job, asked, results);
-  if (map != nullptr) map_sink = std::make_unique<MapArray>(*map);
+  Outputs outputs;
+  outputs.meshes = open_sinks(job, sink, asked);
+  outputs.maps = open_maps(job, asked, outputs.meshes);
+  for (VertexMap& map : maps) outputs.maps.push_back(std::make_unique<MapArray>(map));
   Input input = open_input(job, source, asked);
-  SimplifyReport report = in_arena(job, [&] {
-    return simplify_input(job, std::move(input), results, map_sink.get(), asked, watch);
-  });
+  SimplifyReport report =
+      in_arena(job, [&] { return simplify_input(job, std::move(input), outputs, asked, watch); });
   if (files != nullptr) report.input.names = *files;
   return report;
+}
+
+}  // namespace
+
+SimplifyReport simplify(Context& context, const MeshSource& source, const MeshSink& sink,
+                        const SimplifyOptions& options, VertexMap* map) {
+  if (map == nullptr) return simplify_to(context, source, sink, options, {});
+  if (!options.coarser.empty())
+    throw Error(ErrorKind::usage, "several targets give several maps: pass a vector of VertexMaps");
+  return simplify_to(context, source, sink, options, {map, 1});
+}
+
+SimplifyReport simplify(Context& context, const MeshSource& source, const MeshSink& sink,
+                        const SimplifyOptions& options, std::vector<VertexMap>& maps) {
+  maps.assign(1 + options.coarser.size(), {});
+  return simplify_to(context, source, sink, options, maps);
 }
 
 }  // namespace winnow

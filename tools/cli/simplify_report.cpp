@@ -76,7 +76,9 @@ void show(const SimplifyReport& report, std::ostream& out) {
   for (const LevelReport& level : report.levels) {
     line("level", grouped(level.output.faces) + " faces, " + grouped(level.output.vertices) +
                       " vertices, " + human_bytes(level.output.bytes) + ": " + level.output.name);
+    if (!level.output.map.empty()) line("map", level.output.map);
   }
+  if (report.levels.empty() && !report.output.map.empty()) line("map", report.output.map);
   show_quantized(line, report.output.position_error);
   if (report.weld.distance > 0) {
     line("welded", grouped(report.weld.vertices) + " vertices nearer than " +
@@ -154,6 +156,10 @@ void show(const SimplifyPlan& plan, std::ostream& out) {
   if (plan.outputs.size() > 1) {
     out << "outputs\n";
     for (const std::string& name : plan.outputs) out << "  " << clean(name) << "\n";
+  }
+  if (!plan.maps.empty()) {
+    out << "maps\n";
+    for (const std::string& name : plan.maps) out << "  " << clean(name) << "\n";
   }
   out << "memory\n";
   for (const SimplifyPlan::Part& part : plan.memory) {

@@ -6,7 +6,9 @@
 #include "support/simplified.hpp"
 #include "support/stl_file.hpp"
 
+#include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 namespace winnow::test {
 
@@ -109,13 +111,53 @@ TEST_CASE("maps of several inputs follow each other", "[map]") {
   }
 }
 
+TEST_CASE("several results have a map each, which the report names", "[map]") {
+  MapPlace place;
+  const Shape shape = as_stored(turned(shapes::hills(60), 0.2), Numbers::floats);
+  write_file(place.input, ply_of(shape));
+  const std::string maps = place.directory.file("map-{faces}.npy");
+  const std::string meshes = place.directory.file("out-{faces}.ply");
+  const Words words{"simplify", place.input, "-o", meshes, "--map", maps, "--faces", "2k,500,100"};
+  const auto report = winnow_ok(words + Words{"--json"}).json();
+  SimplifyOptions options;
+  options.target = Target::faces(2000);
+  options.coarser = {Target::faces(500), Target::faces(100)};
+  Context context;
+  context.scratch = place.directory.path();
+  std::vector<VertexMap> in_memory;
+  const std::vector<Mesh> levels =
+      simplify_levels(context, place.input, options, nullptr, &in_memory);
+  REQUIRE(levels.size() == 3);
+  REQUIRE(in_memory.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string file =
+        place.directory.file("map-" + std::vector<std::string>{"2000", "500", "100"}[i] + ".npy");
+    CHECK(report["levels"][i]["output"]["map"] == file);
+    CHECK((read_npy(file) == in_memory[i]));
+    check_map(shape, levels[i], in_memory[i]);
+  }
+  CHECK(report["output"]["map"] == report["levels"][0]["output"]["map"]);
+  const Run shown = winnow_ok(words + Words{"--force"});
+  CHECK(shown.out.find("map       " + place.directory.file("map-500.npy")) != std::string::npos);
+  // One that cannot appear leaves none.
+  for (const auto& entry : std::filesystem::directory_iterator(place.directory.path()))
+    if (entry.path() != place.input) std::filesystem::remove(entry.path());
+  for (const char* name : {"map-2000.npy", "map-100.npy", "out-500.ply"}) {
+    const Run run =
+        run_winnow(words, {.fault = "rename 1 " + std::to_string(EIO) + " " + std::string(name)});
+    CHECK(run.code == 4);
+    CHECK(place.directory.names() == std::vector<std::string>{"in.ply"});
+  }
+}
+
 TEST_CASE("a map that cannot be is refused, and nothing is written", "[map]") {
   MapPlace place;
   write_file(place.input, ply_of(shapes::hills(10)));
   const std::string stl = place.directory.file("out.stl");
   const std::string glb = place.directory.file("out.glb");
-  const auto check = [&](const Words& words, const std::string& message) {
-    const Run run = place.refused(words + Words{"--faces", "50"});
+  const auto check = [&](const Words& words, const std::string& message,
+                         const std::string& faces = "50") {
+    const Run run = place.refused(words + Words{"--faces", faces});
     INFO(joined(words));
     CHECK(run.code == 2);
     CHECK(run.err.find(message) != std::string::npos);
@@ -126,6 +168,10 @@ TEST_CASE("a map that cannot be is refused, and nothing is written", "[map]") {
   check({"-o", glb, "--map", place.map, "--compress", "meshopt"},
         "--map gives numbers of vertices");
   check({"-o", place.output, "--map", place.input}, "--force");
+  const std::string several = place.directory.file("out-{faces}.ply");
+  check({"-o", several, "--map", place.map},
+        "several values of --faces need {faces} in the name of --map", "20,10");
+  check({"-o", several, "--map", several}, "need a name each", "20,10");
 }
 
 }  // namespace winnow::test
