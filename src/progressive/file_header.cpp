@@ -270,6 +270,8 @@ ProgressiveHeader read_header(Job& job, ByteSource& source) {
   if (all.left() != entry_bytes * std::uint64_t{chunks} || header.base_chunks > chunks)
     all.refuse("its header does not have as many chunks as it says");
   for (std::uint32_t i = 0; i < chunks; ++i) header.chunks.push_back(take_entry(all));
+  const ProgressiveHeader::Counts base = header.base();
+  if (base.vertices == 0 || base.faces == 0) all.refuse("its coarsest mesh is empty");
   const ProgressiveHeader::Counts counts = header.all();
   if (counts.vertices > UINT32_MAX || counts.faces > UINT32_MAX / 3)
     all.refuse("it tells of more vertices or faces than there can be");
