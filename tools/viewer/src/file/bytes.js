@@ -44,14 +44,23 @@ export class ByteReader {
   }
 }
 
-const crcTable = Int32Array.from({ length: 256 }, (_, n) => {
+// By the value of a byte, and how many bytes are behind it.
+const crcTables = [Int32Array.from({ length: 256 }, (_, n) => {
   for (let bit = 0; bit < 8; ++bit) n = n & 1 ? (n >>> 1) ^ 0xedb88320 : n >>> 1;
   return n;
-});
+})];
+for (let i = 0; i < 3; ++i)
+  crcTables.push(crcTables[i].map((crc) => crcTables[0][crc & 0xff] ^ (crc >>> 8)));
 
-// CRC-32, as zlib has it.
+// CRC-32, as zlib has it; four bytes at a time.
 export function checksumOf(bytes) {
-  let crc = -1;
-  for (let i = 0; i < bytes.length; ++i) crc = crcTable[(crc ^ bytes[i]) & 0xff] ^ (crc >>> 8);
+  const [last, third, second, first] = crcTables;
+  let crc = -1, i = 0;
+  for (const end = bytes.length - 3; i < end; i += 4) {
+    crc ^= bytes[i] | bytes[i + 1] << 8 | bytes[i + 2] << 16 | bytes[i + 3] << 24;
+    crc = first[crc & 0xff] ^ second[(crc >>> 8) & 0xff] ^ third[(crc >>> 16) & 0xff] ^
+      last[crc >>> 24];
+  }
+  for (; i < bytes.length; ++i) crc = last[(crc ^ bytes[i]) & 0xff] ^ (crc >>> 8);
   return ~crc >>> 0;
 }

@@ -1,10 +1,11 @@
 // One chunk of splits, unpacked into arrays. Each is unpacked by itself.
+import { inflateSync } from "fflate";
 import { ByteReader, checksumOf } from "./bytes.js";
 import { Damaged } from "./damaged.js";
 
-export async function openChunk(packed, entry, width) {
+export function openChunk(packed, entry, width) {
   if (checksumOf(packed) !== entry.checksum) throw new Damaged("it is not what was written");
-  const reader = new ByteReader(await inflated(packed, entry.rawBytes));
+  const reader = new ByteReader(inflated(packed, entry.rawBytes));
   const kinds = reader.section();
   const anchors = anchorsOf(reader.section());
   const rings = reader.section();
@@ -16,26 +17,15 @@ export async function openChunk(packed, entry, width) {
   return { kinds, anchors, rings, counts, varints, differences, rows: differences.length / width };
 }
 
-async function inflated(packed, rawBytes) {
-  const raw = new Uint8Array(rawBytes);
-  let at = 0;
-  const stream = new DecompressionStream("deflate-raw");
-  const writer = stream.writable.getWriter();
-  const reader = stream.readable.getReader();
-  const ignore = () => {};  // the reader hears of it too
+function inflated(packed, rawBytes) {
+  let raw;
   try {
-    writer.write(packed).catch(ignore);
-    writer.close().catch(ignore);
-    for (let part = await reader.read(); !part.done; part = await reader.read()) {
-      if (at + part.value.length > rawBytes) throw new Error("too long");
-      raw.set(part.value, at);
-      at += part.value.length;
-    }
+    // With room for one more, so that what is too long shows.
+    raw = inflateSync(packed, { out: new Uint8Array(rawBytes + 1) });
   } catch {
-    reader.cancel().catch(ignore);
     throw new Damaged("it cannot be unpacked");
   }
-  if (at !== rawBytes) throw new Damaged("it cannot be unpacked");
+  if (raw.length !== rawBytes) throw new Damaged("it cannot be unpacked");
   return raw;
 }
 

@@ -4,7 +4,7 @@ import { CutShort, Damaged } from "./damaged.js";
 import { fixedBytes, headerBytes, parseHeader } from "./header.js";
 import { VertexWords } from "./vertex_words.js";
 
-const firstBytes = 1 << 16;  // most headers are shorter
+const firstBytes = 1 << 17;  // most headers are shorter, with the base behind them
 const mostBytesAtOnce = 1 << 20;
 const unpackedAtMost = 64;  // chunks that are kept unpacked
 
@@ -12,7 +12,8 @@ export class ProgressiveFile {
   static async open(source) {
     let head = await source.read(0, firstBytes);
     const size = headerBytes(head.subarray(0, Math.max(fixedBytes, head.length)));
-    if (size > head.length) head = await source.read(0, size);
+    if (size > head.length && head.length === firstBytes)
+      head = joined(head, await source.read(firstBytes, size + firstBytes));
     if (head.length < size) throw new CutShort("its header is not whole");
     const file = new ProgressiveFile(source, parseHeader(head.subarray(0, size)));
     file.keep(head, 0);
@@ -25,75 +26,63 @@ export class ProgressiveFile {
     this.words = new VertexWords(header.form, header.attributes);
     this.bytesRead = 0;
     this.packed = [];  // of each chunk that was read
-    this.open = new Map();  // chunks by number, the last used at the end: a promise or a chunk
-    this.reading = Promise.resolve();
+    this.open = new Map();  // chunks by number, the last used at the end
+    this.reading = null;  // a promise, while something is read
+    this.problem = null;  // why no more was read
   }
 
-  // The chunk if it is unpacked; else null, and it is fetched. Throws what went wrong with it.
+  // The chunk; null where it is not here yet, and it is fetched. Throws what went wrong with it.
   chunk(number) {
-    const known = this.open.get(number);
-    if (known) {
+    let chunk = this.open.get(number);
+    if (chunk) {
       this.open.delete(number);
-      this.open.set(number, known);
     } else {
-      this.fetch(number).catch(() => {});
+      if (number >= this.packed.length) {
+        this.passOnProblem();
+        this.fetch(number);
+        return null;
+      }
+      try {
+        chunk = openChunk(this.packed[number], this.header.chunks[number], this.words.width);
+      } catch (error) {
+        throw named(error, number);
+      }
     }
-    if (known instanceof Error) {
-      // A server that did not answer may do so the next time.
-      if (!(known instanceof Damaged || known instanceof CutShort)) this.open.delete(number);
-      throw known;
-    }
-    return known === undefined || known instanceof Promise ? null : known;
+    this.open.set(number, chunk);
+    if (this.open.size > unpackedAtMost) this.open.delete(this.open.keys().next().value);
+    return chunk;
   }
 
-  // Resolves when chunk() has something to say.
-  fetch(number) {
-    const known = this.open.get(number);
-    if (known instanceof Promise) return known;
-    if (known) return Promise.resolve();
-    const fetched = this.read(number).then((packed) =>
-      openChunk(packed, this.header.chunks[number], this.words.width));
-    const settled = fetched.then(
-      (chunk) => this.open.set(number, chunk),
-      (error) => this.open.set(number, named(error, number)));
-    this.open.set(number, settled);
-    this.forgetOldest();
-    return settled;
+  passOnProblem() {
+    const { problem } = this;
+    // A server that did not answer may do so the next time.
+    if (!(problem instanceof CutShort)) this.problem = null;
+    if (problem) throw problem;
   }
 
-  // Chunks that will be wanted soon.
-  prefetch(number, count) {
-    const end = Math.min(number + count, this.header.chunks.length);
-    for (let i = number; i < end; ++i) this.fetch(i);
-  }
-
-  forgetOldest() {
-    for (const [number, chunk] of this.open) {
-      if (this.open.size <= unpackedAtMost) return;
-      if (!(chunk instanceof Promise)) this.open.delete(number);
-    }
-  }
-
-  // Chunks are read in the order of the file, many at once.
-  async read(number) {
-    while (this.packed.length <= number) {
-      this.reading = this.reading.catch(() => {}).then(() => this.readMore(number));
+  // Resolves when chunk() has something to say. Chunks are read in the order of the file, many at
+  // once.
+  async fetch(number) {
+    while (this.packed.length <= number && !this.problem) {
+      this.reading ??= this.readMore().catch((error) => {
+        this.problem = error;
+      }).finally(() => {
+        this.reading = null;
+      });
       await this.reading;
     }
-    return this.packed[number];
   }
 
-  async readMore(number) {
+  async readMore() {
     const { chunks } = this.header;
     const first = this.packed.length;
-    if (first > number) return;
     let last = first;
     const { begin } = chunks[first];
     // Little at first, so that something is seen.
     const most = begin + Math.min(this.bytesRead, mostBytesAtOnce);
     while (last + 1 < chunks.length && chunks[last + 1].end.bytes <= most) ++last;
     this.keep(await this.source.read(begin, chunks[last].end.bytes), begin);
-    if (this.packed.length <= number)
+    if (this.packed.length === first)
       throw new CutShort(`it ends after ${this.bytesRead} bytes of ${this.header.full.bytes}`);
   }
 
@@ -106,6 +95,13 @@ export class ProgressiveFile {
       this.packed.push(bytes.subarray(chunks[i].begin - begin, chunks[i].end.bytes - begin));
     }
   }
+}
+
+function joined(first, second) {
+  const both = new Uint8Array(first.length + second.length);
+  both.set(first);
+  both.set(second, first.length);
+  return both;
 }
 
 function named(error, number) {

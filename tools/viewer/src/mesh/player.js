@@ -22,7 +22,7 @@ export class Player {
     player.chunk = file.header.baseChunks;
     player.reader.goTo(beginning);
     player.reader.chunk = null;
-    file.prefetch(player.chunk, chunksAhead);
+    player.readAhead();
     return player;
   }
 
@@ -125,10 +125,14 @@ export class Player {
       } catch (error) {
         return this.stop(error);
       }
-      file.prefetch(this.chunk, chunksAhead);
+      this.readAhead();
       if (!reader.chunk) return "waits";
     }
     return "ready";
+  }
+
+  readAhead() {
+    this.file.fetch(Math.min(this.chunk + chunksAhead, this.file.header.chunks.length) - 1);
   }
 
   stop(problem) {

@@ -3,8 +3,8 @@ import { Damaged } from "../file/damaged.js";
 import { after, before } from "./split_mesh.js";
 
 const mostFaces = 128;
-const fetchedFaces = 7;
-export const fetchedAtOnce = 128;
+const fetchedFaces = 6;
+export const fetchedAtOnce = 32;
 
 export class Ring {
   constructor() {

@@ -143,7 +143,7 @@ export class SplitMesh {
 
   // Reads both ends of what is known of a face.
   touchFace(corner) {
-    return this.faces[corner + previous] ^ this.faces[corner - corner % faceInts];
+    return this.faces[corner] ^ this.faces[corner + previous];
   }
 
   // Corner `i` of face `f`.
