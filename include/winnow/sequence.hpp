@@ -114,12 +114,15 @@ class WINNOW_API FrameSink {
 // the best place of each frame, and only if it turns no face of any frame too far and keeps the
 // topology.
 //
-// inputs: the files of the frames, each of any Format, plain or compressed.
-// Names that differ in one number alone are put in the order of that; others are frames in the
-// order given. output: a file's name with {frame}, which stands for that number as it is written in
-// the input's name, or for the number of the frame from 1 on. All frames need the same vertices and
-// the same faces in the same order. Vertices that are at one place in every frame become one.
-// Vertices carry nothing but normals, which are computed anew where the first frame has some.
+// inputs: the files of the frames, each of any Format, plain or compressed. Names that differ in
+// one number alone are put in the order of that; others are frames in the order given. One glTF
+// with morph targets is a sequence by itself: the mesh as it is, then with each target alone.
+// output: a file's name with {frame}, which stands for that number as it is written in the input's
+// name, or for the number of the frame from 1 on. Or one GLB, in which the frames are morph
+// targets, with the animations of the input's, or one that plays all frames. All frames need the
+// same vertices and the same faces in the same order. Vertices that are at one place in every frame
+// become one. Vertices carry nothing but normals, which are computed anew where the first frame has
+// some.
 //
 // The result depends on the inputs' content and on `options` alone. Throws Error: usage, bad_input
 // (also for frames that differ: the message names both files and the first difference), resources,

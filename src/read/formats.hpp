@@ -77,6 +77,9 @@ TextMatch match_gltf(std::string_view head);
 // Whether a binary STL with this header has this size: then nothing else can be told by content.
 bool has_size_of_binary_stl(ByteSource& source);
 
+// By content, where `asked` says automatic.
+Format format_of(ByteSource& source, Format asked);
+
 // What the name of a file says; automatic where it says nothing.
 Format format_called(std::string_view name);
 

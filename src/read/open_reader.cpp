@@ -36,7 +36,8 @@ Format format_of_text(std::string_view head, Format called) {
   return best;
 }
 
-// By content, where `asked` says automatic.
+}  // namespace
+
 Format format_of(ByteSource& source, Format asked) {
   const bool fits_stl = has_size_of_binary_stl(source);  // whose header may hold anything
   if (!fits_stl) refuse_foreign(source);
@@ -51,6 +52,8 @@ Format format_of(ByteSource& source, Format asked) {
   const Block more = source.peek(text_head_bytes);
   return format_of_text(without_byte_order_mark(text_of(more)), format_called(source.name()));
 }
+
+namespace {
 
 bool is_asked_for(Format format, Format asked, const ByteSource& source) {
   return asked == format || format_called(source.name()) == format;

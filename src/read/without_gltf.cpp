@@ -3,6 +3,7 @@
 
 #include "io/byte_source.hpp"
 #include "read/formats.hpp"
+#include "read/morph_frames.hpp"
 
 namespace winnow {
 
@@ -23,5 +24,11 @@ const InputFormat gltf_input{
                 InputProbe& /*probe*/) { refuse(source); },
     .certain = [](std::string_view head) { return head.starts_with("glTF"); },
     .match = match_gltf};
+
+std::unique_ptr<MorphFrames> open_morph_frames(Job& job, const std::string& name, Format from) {
+  const std::unique_ptr<ByteSource> source = open_source(job, name);
+  if (format_of(*source, from) != Format::gltf) return nullptr;
+  refuse(*source);
+}
 
 }  // namespace winnow

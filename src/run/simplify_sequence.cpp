@@ -7,32 +7,28 @@
 #include "base/text.hpp"
 #include "base/trigonometry.hpp"
 #include "io/arena.hpp"
-#include "io/byte_sink.hpp"
 #include "io/spool_records.hpp"
 #include "measure/result_surface.hpp"
 #include "options/check_ranges.hpp"
+#include "read/morph_frames.hpp"
 #include "run/attributes.hpp"
 #include "run/detail.hpp"
+#include "run/frame_output.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
-#include "run/result_sink.hpp"
 #include "run/take_usage.hpp"
-#include "run/write_blocks.hpp"
 #include "run/write_mesh.hpp"
 #include "sequence/frame_intake.hpp"
 #include "sequence/frame_names.hpp"
 #include "sequence/result_frames.hpp"
 #include "stitch/refine.hpp"
 #include "stitch/unfolded_mesh.hpp"
-#include "write/formats.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <memory>
 #include <utility>
 #include <vector>
-
-#include <sys/stat.h>
 
 namespace winnow {
 
@@ -44,89 +40,6 @@ void check(const SequenceOptions& options) {
                 "say how many faces each frame shall have with `faces` or `ratio`");
   check_ranges(sequence_options(), options);
 }
-
-// Where the frames of the result go.
-class FrameOutput {
- public:
-  virtual ~FrameOutput() = default;
-  [[nodiscard]] virtual const MeshEncoder& encoder() const = 0;
-  [[nodiscard]] virtual std::string format() const = 0;
-  // Returns its bytes, before compression.
-  virtual std::uint64_t write(std::size_t frame, const StoredMesh& mesh,
-                              const MeshShape& shape) = 0;
-};
-
-// All frames stay, or none.
-class FrameFiles final : public FrameOutput {
- public:
-  FrameFiles(Job& job, std::vector<std::string> names, const SequenceOptions& options)
-      : job_(job),
-        names_(std::move(names)),
-        format_(format_written(options.to, names_.front(), options.encoding)),
-        force_(options.force),
-        encoder_(make_encoder(options.to, names_.front(), options.encoding)),
-        packing_(reserve_block(job, *encoder_, false)) {
-    if (options.target.faces()) (void)encoder_->header({.faces = *options.target.faces()});
-    for (const std::string& name : names_) {
-      struct stat status {};
-      if (::stat(name.c_str(), &status) != 0) continue;
-      if (!S_ISREG(status.st_mode))
-        throw Error(ErrorKind::usage, "'" + name + "' is no regular file; a frame needs one");
-      if (!force_) throw Error(ErrorKind::usage, "'" + name + "' exists; " + ByteSink::by_force);
-      job.written_over.push_back(FileNumber::of(status));
-    }
-  }
-  FrameFiles(const FrameFiles&) = delete;
-  FrameFiles& operator=(const FrameFiles&) = delete;
-  ~FrameFiles() override {
-    if (written_.size() == names_.size()) return;
-    for (const auto& sink : written_) sink->take_back();
-  }
-
-  [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
-  [[nodiscard]] std::string format() const override { return format_; }
-  std::uint64_t write(std::size_t frame, const StoredMesh& mesh, const MeshShape& shape) override {
-    auto sink = std::make_unique<ByteSink>(job_, names_[frame], force_);
-    write_mesh(job_, mesh, shape, *encoder_, *sink);
-    sink->finish_for_now();
-    sink->release();
-    const std::uint64_t bytes = sink->written();
-    written_.push_back(std::move(sink));
-    return bytes;
-  }
-
- private:
-  Job& job_;
-  std::vector<std::string> names_;
-  std::string format_;
-  bool force_;
-  std::unique_ptr<MeshEncoder> encoder_;
-  Reservation packing_;
-  std::vector<std::unique_ptr<ByteSink>> written_;
-};
-
-class FrameMeshes final : public FrameOutput {
- public:
-  FrameMeshes(Job& job, FrameSink& sink, const SequenceOptions& options)
-      : job_(job), sink_(sink), encoder_(make_encoder(Format::ply, {}, options.encoding)) {
-    encoding_.encoding = options.encoding;
-  }
-
-  [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
-  [[nodiscard]] std::string format() const override { return "memory"; }
-  std::uint64_t write(std::size_t frame, const StoredMesh& mesh, const MeshShape& shape) override {
-    Mesh out;
-    const std::uint64_t bytes = MemorySink(job_, out, encoding_).write(mesh, shape);
-    sink_.take(frame, std::move(out));
-    return bytes;
-  }
-
- private:
-  Job& job_;
-  FrameSink& sink_;
-  SimplifyOptions encoding_;
-  std::unique_ptr<MeshEncoder> encoder_;
-};
 
 // Fewer where there are many frames, so that a tile takes about the same memory. With 64 frames or
 // fewer it has the 2^15 faces and more that its borders hardly show in.
@@ -267,10 +180,12 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
         MeshShape shape = shape_of(job, written, encoder, sequence.normals, doubles,
                                    sequence.double_positions, "simplified by winnow");
         shape.closed = closed;
-        report.output.bytes += output.write(frame, written, shape);
+        output.write(frame, written, shape);
         report.output.faces = std::max(report.output.faces, written.face_count);
         report.output.vertices = std::max(report.output.vertices, written.vertices->size());
       });
+  output.finish(mesh);
+  report.output.bytes = output.bytes();
   report.target_met = report.output.faces <= wanted;
   if (!report.target_met)
     job.note(grouped(report.output.faces) + " faces are left instead of " + grouped(wanted) +
@@ -285,18 +200,34 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
 SequenceReport simplify_sequence(Context& context, const std::vector<std::string>& inputs,
                                  const std::string& output, const SequenceOptions& options) {
   check(options);
-  if (inputs.size() < 2)
-    throw Error(ErrorKind::usage,
-                "a sequence needs the files of two frames or more; for one mesh there is "
-                "`simplify`");
   if (std::find(inputs.begin(), inputs.end(), "-") != inputs.end())
     throw Error(ErrorKind::usage, "the frames of a sequence are files, not standard input");
-  const FrameNames frames = frame_names(inputs);
-  const std::vector<std::string> names = names_of_frames(output, frames.labels);
   Job job(context);
+  FrameNames frames = frame_names(inputs);
+  std::vector<std::string> names;
   SequenceReport report = in_arena(job, [&] {
-    FrameFiles files(job, names, options);
-    return run(job, *frames_of_files(job, frames.inputs, options.from), files, options);
+    const std::unique_ptr<MorphFrames> morphs =
+        inputs.size() == 1 ? open_morph_frames(job, inputs.front(), options.from) : nullptr;
+    if (morphs == nullptr && inputs.size() < 2)
+      throw Error(ErrorKind::usage,
+                  "a sequence needs the files of two frames or more, or a glTF with morph targets; "
+                  "for one mesh there is `simplify`");
+    if (morphs != nullptr) frames.labels = frame_numbers(morphs->frames());
+    const std::unique_ptr<FrameReaders> readers =
+        morphs != nullptr ? frames_of_morphs(*morphs, inputs.front())
+                          : frames_of_files(job, frames.inputs, options.from);
+    std::unique_ptr<FrameOutput> to;
+    if (holds_all_frames(output, options)) {
+      names = {output};
+      to = frames_to_glb(job, output,
+                         morphs != nullptr ? morphs->clips() : std::vector<MorphClip>(), options);
+    } else {
+      names = names_of_frames(output, frames.labels);
+      to = frames_to_files(job, names, options);
+    }
+    SequenceReport done = run(job, *readers, *to, options);
+    if (morphs != nullptr) done.input.bytes /= morphs->frames();  // each read all of the file
+    return done;
   });
   report.input.names = frames.inputs;
   report.output.names = names;
@@ -308,8 +239,7 @@ SequenceReport simplify_sequence(Context& context, FrameSource& source, FrameSin
   check(options);
   Job job(context);
   return in_arena(job, [&] {
-    FrameMeshes meshes(job, sink, options);
-    return run(job, *frames_of_source(job, source), meshes, options);
+    return run(job, *frames_of_source(job, source), *frames_to_sink(job, sink, options), options);
   });
 }
 

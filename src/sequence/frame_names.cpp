@@ -12,7 +12,6 @@ namespace winnow {
 namespace {
 
 constexpr std::string_view digits = "0123456789";
-constexpr std::string_view place = "{frame}";
 
 // A name around the last number in it, which is not of the ending: "frame-0012.ply".
 struct Numbered {
@@ -43,6 +42,13 @@ std::string padded(std::size_t number, std::size_t width) {
 
 }  // namespace
 
+std::vector<std::string> frame_numbers(std::size_t frames) {
+  std::vector<std::string> labels;
+  const std::size_t width = std::to_string(frames).size();
+  for (std::size_t i = 1; i <= frames; ++i) labels.push_back(padded(i, width));
+  return labels;
+}
+
 FrameNames frame_names(const std::vector<std::string>& inputs) {
   std::vector<Numbered> names;
   std::set<std::pair<std::size_t, std::string>> values;
@@ -64,23 +70,22 @@ FrameNames frame_names(const std::vector<std::string>& inputs) {
     return out;
   }
   out.inputs = inputs;
-  const std::size_t width = std::to_string(inputs.size()).size();
-  for (std::size_t i = 1; i <= inputs.size(); ++i) out.labels.push_back(padded(i, width));
+  out.labels = frame_numbers(inputs.size());
   return out;
 }
 
 std::vector<std::string> names_of_frames(const std::string& output,
                                          const std::vector<std::string>& labels) {
-  if (output.find(place) == std::string::npos)
+  if (output.find(frame_placeholder) == std::string::npos)
     throw Error(ErrorKind::usage,
                 "the frames of a sequence need {frame} in the output's name, not '" + output +
-                    "'; name files like 'small-{frame}.ply'");
+                    "'; name files like 'small-{frame}.ply', or one 'small.glb'");
   std::vector<std::string> names;
   for (const std::string& label : labels) {
     std::string name = output;
-    for (std::size_t at = name.find(place); at != std::string::npos;
-         at = name.find(place, at + label.size()))
-      name.replace(at, place.size(), label);
+    for (std::size_t at = name.find(frame_placeholder); at != std::string::npos;
+         at = name.find(frame_placeholder, at + label.size()))
+      name.replace(at, frame_placeholder.size(), label);
     names.push_back(std::move(name));
   }
   return names;

@@ -5,6 +5,8 @@
 #include "read/view_arrays.hpp"
 #include "read/view_reader.hpp"
 
+#include <utility>
+
 namespace winnow {
 
 namespace {
@@ -44,6 +46,28 @@ class FileFrames final : public FrameReaders {
   std::size_t begun_ = 0;
 };
 
+class TargetFrames final : public FrameReaders {
+ public:
+  TargetFrames(MorphFrames& frames, std::string name) : frames_(frames), name_(std::move(name)) {}
+
+  std::unique_ptr<MeshReader> next(const ReaderMemory& memory) override {
+    if (begun_ == frames_.frames()) return nullptr;
+    ++begun_;
+    return again(memory);
+  }
+  std::unique_ptr<MeshReader> again(const ReaderMemory& memory) override {
+    return frames_.open(begun_ - 1, memory, nothing_but_normals());
+  }
+  [[nodiscard]] std::string name(std::size_t frame) const override {
+    return "'" + name_ + "'" + (frame > 0 ? ", morph target " + std::to_string(frame) : "");
+  }
+
+ private:
+  MorphFrames& frames_;
+  std::string name_;
+  std::size_t begun_ = 0;
+};
+
 class ViewFrames final : public FrameReaders {
  public:
   ViewFrames(Job& job, FrameSource& source) : job_(job), source_(source) {}
@@ -72,6 +96,10 @@ class ViewFrames final : public FrameReaders {
 std::unique_ptr<FrameReaders> frames_of_files(Job& job, const std::vector<std::string>& names,
                                               Format from) {
   return std::make_unique<FileFrames>(job, names, from);
+}
+
+std::unique_ptr<FrameReaders> frames_of_morphs(MorphFrames& frames, const std::string& name) {
+  return std::make_unique<TargetFrames>(frames, name);
 }
 
 std::unique_ptr<FrameReaders> frames_of_source(Job& job, FrameSource& source) {

@@ -5,6 +5,7 @@
 
 #include "io/job.hpp"
 #include "read/mesh_reader.hpp"
+#include "read/morph_frames.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -22,6 +23,9 @@ class FrameReaders {
   virtual std::unique_ptr<MeshReader> again(const ReaderMemory& memory) = 0;
   [[nodiscard]] virtual std::string name(std::size_t frame) const = 0;  // for messages
 };
+
+// Of morph targets. `frames` must stay.
+std::unique_ptr<FrameReaders> frames_of_morphs(MorphFrames& frames, const std::string& name);
 
 // `names` must stay.
 std::unique_ptr<FrameReaders> frames_of_files(Job& job, const std::vector<std::string>& names,

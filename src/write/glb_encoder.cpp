@@ -3,6 +3,7 @@
 #include "write/coarse_floats.hpp"
 #include "write/formats.hpp"
 #include "write/glb_layout.hpp"
+#include "write/glb_motion.hpp"
 #include "write/vertex_colors.hpp"
 
 #include <string>
@@ -13,16 +14,19 @@ namespace {
 
 class GlbEncoder final : public MeshEncoder {
  public:
-  explicit GlbEncoder(const Encoding& encoding) : encoding_(encoding) {}
+  explicit GlbEncoder(const Encoding& encoding, const GlbMotion* motion = nullptr)
+      : encoding_(encoding), motion_(motion) {}
 
   [[nodiscard]] std::string header(const MeshShape& shape) const override {
     // Each count by itself first: their product must not overflow.
     if (shape.vertices > UINT32_MAX || shape.faces > UINT32_MAX) refuse_glb_size(shape.faces);
     check_floats(shape.box);
     const GlbLayout layout(shape, encoding_);
-    const MeshBlock whole{shape.vertices, shape.faces, written_box(shape.box, layout)};
+    const Box box = motion_ != nullptr ? motion_->at_rest : written_box(shape.box, layout);
+    const MeshBlock whole{shape.vertices, shape.faces, box};
     std::string text;
-    emit_glb_head(shape, layout, {&whole, 1}, false, [&](std::string_view part) { text += part; });
+    emit_glb_head(
+        shape, layout, {&whole, 1}, false, [&](std::string_view part) { text += part; }, motion_);
     return text;
   }
 
@@ -62,9 +66,14 @@ class GlbEncoder final : public MeshEncoder {
 
  private:
   Encoding encoding_;
+  const GlbMotion* motion_;
 };
 
 }  // namespace
+
+std::unique_ptr<MeshEncoder> make_encoder_of(const Encoding& encoding, const GlbMotion& motion) {
+  return std::make_unique<GlbEncoder>(encoding, &motion);
+}
 
 const OutputFormat glb_output{
     .make = [](const Encoding& encoding) -> std::unique_ptr<MeshEncoder> {

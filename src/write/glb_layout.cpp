@@ -8,6 +8,8 @@
 #include "base/text.hpp"
 #include "base/vector.hpp"
 #include "write/append.hpp"
+#include "write/glb_motion.hpp"
+#include "write/glb_text.hpp"
 #include "write/vertex_colors.hpp"
 
 #include <algorithm>
@@ -20,14 +22,6 @@ namespace {
 
 const std::string packing = "EXT_meshopt_compression";
 const std::string quantization = "KHR_mesh_quantization";
-
-std::string number(std::uint64_t value) {
-  return std::to_string(value);
-}
-
-std::string list(const Point& values) {
-  return "[" + shortest(values[0]) + "," + shortest(values[1]) + "," + shortest(values[2]) + "]";
-}
 
 // One after the other, with commas between.
 template <typename Text>
@@ -47,31 +41,35 @@ struct Numbers {
   [[nodiscard]] std::size_t first(std::size_t block) const {
     return (2 + normals + colors) * block;
   }
-  [[nodiscard]] std::string position(std::size_t block) const { return number(first(block)); }
-  [[nodiscard]] std::string indices(std::size_t block) const { return number(first(block) + 1); }
-  [[nodiscard]] std::string normal(std::size_t block) const { return number(first(block) + 2); }
+  [[nodiscard]] std::string position(std::size_t block) const { return glb_number(first(block)); }
+  [[nodiscard]] std::string indices(std::size_t block) const {
+    return glb_number(first(block) + 1);
+  }
+  [[nodiscard]] std::string normal(std::size_t block) const { return glb_number(first(block) + 2); }
   [[nodiscard]] std::string color(std::size_t block) const {
-    return number(first(block) + 2 + normals);
+    return glb_number(first(block) + 2 + normals);
   }
 };
 
 std::string type_of(GlbType type) {
-  return R"("componentType":)" + number(static_cast<unsigned>(type));
+  return R"("componentType":)" + glb_number(static_cast<unsigned>(type));
 }
 
 std::string vertex_accessor(std::size_t block, const GlbPart& part, const MeshBlock& of,
                             bool normalized) {
-  return R"({"bufferView":)" + number(2 * block) + R"(,"byteOffset":)" + number(part.offset) + "," +
-         type_of(part.type) +
+  return R"({"bufferView":)" + glb_number(2 * block) + R"(,"byteOffset":)" +
+         glb_number(part.offset) + "," + type_of(part.type) +
          (normalized && part.type != GlbType::float32 ? R"(,"normalized":true)" : "") +
-         R"(,"count":)" + number(of.vertices) + R"(,"type":"VEC)" + number(part.components) + "\"";
+         R"(,"count":)" + glb_number(of.vertices) + R"(,"type":"VEC)" +
+         glb_number(part.components) + "\"";
 }
 
 std::string accessors_of(const GlbLayout& layout, std::size_t block, const MeshBlock& of) {
   std::string text = vertex_accessor(block, layout.position, of, false) + R"(,"min":)" +
-                     list(of.box.low) + R"(,"max":)" + list(of.box.high) + R"(},{"bufferView":)" +
-                     number(2 * block + 1) + "," + type_of(index_type_for(of.vertices)) +
-                     R"(,"count":)" + number(3 * of.faces) + R"(,"type":"SCALAR"})";
+                     glb_list(of.box.low) + R"(,"max":)" + glb_list(of.box.high) +
+                     R"(},{"bufferView":)" + glb_number(2 * block + 1) + "," +
+                     type_of(index_type_for(of.vertices)) + R"(,"count":)" +
+                     glb_number(3 * of.faces) + R"(,"type":"SCALAR"})";
   for (const std::optional<GlbPart>& part : {layout.normal, layout.color}) {
     if (part) text += "," + vertex_accessor(block, *part, of, true) + "}";
   }
@@ -87,14 +85,15 @@ struct View {
 
 std::string view_of(const View& view, bool packed) {
   std::string text = std::string(R"({"buffer":)") + (packed ? "1" : "0") + R"(,"byteOffset":)" +
-                     number(view.begin) + R"(,"byteLength":)" + number(view.bytes);
-  if (view.vertices) text += R"(,"byteStride":)" + number(view.stride);
+                     glb_number(view.begin) + R"(,"byteLength":)" + glb_number(view.bytes);
+  if (view.vertices) text += R"(,"byteStride":)" + glb_number(view.stride);
   text += std::string(R"(,"target":)") + (view.vertices ? "34962" : "34963");
   if (packed) {
     text += R"(,"extensions":{")" + packing + R"(":{"buffer":0,"byteOffset":)" +
-            number(view.packed_begin) + R"(,"byteLength":)" + number(view.packed_bytes) +
-            R"(,"byteStride":)" + number(view.stride) + R"(,"count":)" + number(view.count) +
-            R"(,"mode":")" + (view.vertices ? "ATTRIBUTES" : "TRIANGLES") + R"("}})";
+            glb_number(view.packed_begin) + R"(,"byteLength":)" + glb_number(view.packed_bytes) +
+            R"(,"byteStride":)" + glb_number(view.stride) + R"(,"count":)" +
+            glb_number(view.count) + R"(,"mode":")" + (view.vertices ? "ATTRIBUTES" : "TRIANGLES") +
+            R"("}})";
   }
   return text + "}";
 }
@@ -130,28 +129,32 @@ std::string transform_of(const GlbPlace& place) {
   std::string text;
   const auto [x, y, z] = place.offset;
   const Point moved = place.z_up ? Point{x, z, 0 - y} : place.offset;
-  if (moved != Point{}) text += R"(,"translation":)" + list(moved);
+  if (moved != Point{}) text += R"(,"translation":)" + glb_list(moved);
   // A quarter turn around x takes z to y.
   if (place.z_up) text += R"(,"rotation":[-0.7071067811865476,0,0,0.7071067811865476])";
-  if (place.step) text += R"(,"scale":)" + list({*place.step, *place.step, *place.step});
+  if (place.step) text += R"(,"scale":)" + glb_list({*place.step, *place.step, *place.step});
   return text;
 }
 
 void emit_json(const MeshShape& shape, const GlbLayout& layout, std::span<const MeshBlock> blocks,
-               bool packed, const Emit& emit) {
+               bool packed, const GlbMotion* motion, const Emit& emit) {
   const Numbers numbers(layout);
+  const std::size_t of_motion = numbers.first(blocks.size());
   emit(R"({"asset":{"version":"2.0","generator":"winnow"},)");
   emit(extensions_of(layout, packed));
   emit(R"("scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)" + transform_of(layout.place) +
        R"(}],"materials":[)" + material_of(shape) + R"(],"meshes":[{"primitives":[)");
   emit_list(blocks.size(), emit, [&](std::size_t i) {
-    return R"({"attributes":{"POSITION":)" + numbers.position(i) +
-           (numbers.normals > 0 ? R"(,"NORMAL":)" + numbers.normal(i) : "") +
-           (numbers.colors > 0 ? R"(,"COLOR_0":)" + numbers.color(i) : "") + R"(},"indices":)" +
-           numbers.indices(i) + R"(,"material":0})";
+    emit(R"({"attributes":{"POSITION":)" + numbers.position(i) +
+         (numbers.normals > 0 ? R"(,"NORMAL":)" + numbers.normal(i) : "") +
+         (numbers.colors > 0 ? R"(,"COLOR_0":)" + numbers.color(i) : "") + R"(},"indices":)" +
+         numbers.indices(i));
+    if (motion != nullptr) emit_glb_targets(*motion, of_motion, emit);
+    return R"(,"material":0})";
   });
   emit(R"(]}],"accessors":[)");
   emit_list(blocks.size(), emit, [&](std::size_t i) { return accessors_of(layout, i, blocks[i]); });
+  if (motion != nullptr) emit_motion_accessors(*motion, 2 * blocks.size(), emit);
   emit(R"(],"bufferViews":[)");
   View view;
   emit_list(blocks.size(), emit, [&](std::size_t i) {
@@ -170,17 +173,34 @@ void emit_json(const MeshShape& shape, const GlbLayout& layout, std::span<const 
     const std::string vertices = next(true, block.vertices, layout.stride, block.vertex_bytes);
     return vertices + "," + next(false, 3 * block.faces, index_bytes(block), block.index_bytes);
   });
-  const std::uint64_t whole = whole_words(view.begin + view.bytes);
+  std::uint64_t whole = whole_words(view.begin + view.bytes);
+  if (motion != nullptr) {
+    emit_motion_views(*motion, whole, emit);
+    whole += motion->bytes();
+  }
   emit(R"(],"buffers":[{"byteLength":)" +
-       number(packed ? whole_words(view.packed_begin + view.packed_bytes) : whole) + "}");
+       glb_number(packed ? whole_words(view.packed_begin + view.packed_bytes) : whole) + "}");
   // Where the bytes would be, were they not packed: nowhere.
   if (packed)
-    emit(R"(,{"byteLength":)" + number(whole) + R"(,"extensions":{")" + packing +
+    emit(R"(,{"byteLength":)" + glb_number(whole) + R"(,"extensions":{")" + packing +
          R"(":{"fallback":true}}})");
-  emit("]}");
+  emit("]");
+  if (motion != nullptr) emit_glb_animations(*motion, of_motion, emit);
+  emit("}");
 }
 
 }  // namespace
+
+// No other length is allowed; for a vertex that has no normal one is as good as another.
+std::array<float, 3> unit_normal(const std::array<float, 3>& normal) {
+  const Point exact{normal[0], normal[1], normal[2]};
+  const double square = dot(exact, exact);
+  if (std::abs(square - 1) <= 1e-6) return normal;
+  if (!(square > 0)) return {0, 0, 1};
+  const Point of_one = unit(exact);
+  return {static_cast<float>(of_one[0]), static_cast<float>(of_one[1]),
+          static_cast<float>(of_one[2])};
+}
 
 Point glb_offset(const MeshShape& shape) {
   Point offset{};
@@ -197,17 +217,6 @@ Point glb_offset(const MeshShape& shape) {
 }
 
 namespace {
-
-// No other length is allowed; for a vertex that has no normal one is as good as another.
-std::array<float, 3> unit_normal(const std::array<float, 3>& normal) {
-  const Point exact{normal[0], normal[1], normal[2]};
-  const double square = dot(exact, exact);
-  if (std::abs(square - 1) <= 1e-6) return normal;
-  if (!(square > 0)) return {0, 0, 1};
-  const Point of_one = unit(exact);
-  return {static_cast<float>(of_one[0]), static_cast<float>(of_one[1]),
-          static_cast<float>(of_one[2])};
-}
 
 // The smallest type that loses nothing of a component's, by how it is stored.
 GlbType type_for(const Attribute& component) {
@@ -286,8 +295,6 @@ double GlbPlace::error() const {
   return step ? std::sqrt(3.0) / 2 * *step : 0;
 }
 
-namespace {
-
 Point written_position(const Point& position, const GlbLayout& layout) {
   Point written = position - layout.place.offset;
   for (double& x : written) {
@@ -297,8 +304,6 @@ Point written_position(const Point& position, const GlbLayout& layout) {
   }
   return written;
 }
-
-}  // namespace
 
 void append_glb_vertices(const MeshShape& shape, const GlbLayout& layout,
                          std::span<const MeshVertex> vertices, std::vector<std::byte>& out) {
@@ -330,18 +335,20 @@ Box written_box(const Box& box, const GlbLayout& layout) {
 }
 
 void emit_glb_head(const MeshShape& shape, const GlbLayout& layout,
-                   std::span<const MeshBlock> blocks, bool packed, const Emit& emit) {
+                   std::span<const MeshBlock> blocks, bool packed, const Emit& emit,
+                   const GlbMotion* motion) {
   constexpr std::uint64_t header_bytes = 12;
   constexpr std::uint64_t chunk_header_bytes = 8;
   // Twice: its length stands before it.
   std::uint64_t json_bytes = 0;
-  emit_json(shape, layout, blocks, packed,
+  emit_json(shape, layout, blocks, packed, motion,
             [&](std::string_view text) { json_bytes += text.size(); });
   const std::uint64_t blanks = whole_words(json_bytes) - json_bytes;
   json_bytes += blanks;
   std::uint64_t binary_bytes = 0;
   for (const MeshBlock& block : blocks)
     binary_bytes += packed ? packed_bytes(block) : whole_bytes(layout, block);
+  if (motion != nullptr) binary_bytes += motion->bytes();
   const std::uint64_t all = header_bytes + 2 * chunk_header_bytes + json_bytes + binary_bytes;
   if (all > UINT32_MAX) refuse_glb_size(shape.faces);
 
@@ -355,7 +362,7 @@ void emit_glb_head(const MeshShape& shape, const GlbLayout& layout,
   append(head, static_cast<std::uint32_t>(json_bytes));
   append(head, std::array{'J', 'S', 'O', 'N'});
   emit_bytes(head);
-  emit_json(shape, layout, blocks, packed, emit);
+  emit_json(shape, layout, blocks, packed, motion, emit);
   emit(std::string(blanks, ' '));
   head.clear();
   append(head, static_cast<std::uint32_t>(binary_bytes));

@@ -65,7 +65,9 @@ struct GlbLayout {
 void append_glb_vertices(const MeshShape& shape, const GlbLayout& layout,
                          std::span<const MeshVertex> vertices, std::vector<std::byte>& out);
 
-// A box of positions as they are written.
+// As they are written: a position, a normal as long as 1, a box of positions.
+Point written_position(const Point& position, const GlbLayout& layout);
+std::array<float, 3> unit_normal(const std::array<float, 3>& normal);
 Box written_box(const Box& box, const GlbLayout& layout);
 
 // Of indices in a primitive of so many vertices, 0 if that is not known: the largest number of a
@@ -81,10 +83,13 @@ constexpr std::uint64_t whole_words(std::uint64_t bytes) {
 
 // All before the bytes of the blocks, which are, of each, its vertices and its indices, both filled
 // up to whole words. Each block is a primitive of the one mesh. Of `packed` blocks the bytes are
-// those of EXT_meshopt_compression. Throws Error(usage) beyond 4 GiB.
+// those of EXT_meshopt_compression. With a `motion` there is one block, which is not packed, and
+// the bytes of the motion stand behind it. Throws Error(usage) beyond 4 GiB.
 using Emit = std::function<void(std::string_view)>;
+struct GlbMotion;
 void emit_glb_head(const MeshShape& shape, const GlbLayout& layout,
-                   std::span<const MeshBlock> blocks, bool packed, const Emit& emit);
+                   std::span<const MeshBlock> blocks, bool packed, const Emit& emit,
+                   const GlbMotion* motion = nullptr);
 
 [[noreturn]] void refuse_glb_size(std::uint64_t faces);
 

@@ -2,6 +2,7 @@
 #include <winnow/parts.hpp>
 
 #include "write/formats.hpp"
+#include "write/moving_glb.hpp"
 
 namespace winnow {
 
@@ -12,5 +13,11 @@ const OutputFormat glb_output{
     .text = TextForm::never,
     .doubles = false,
     .for_web = true};
+
+std::unique_ptr<MovingGlb> make_moving_glb(const Encoding& /*encoding*/, const MeshShape& /*shape*/,
+                                           const Box& /*first*/, std::size_t /*targets*/,
+                                           std::vector<MorphClip> /*clips*/) {
+  throw MissingPart(Part::gltf, "GLB cannot be written");
+}
 
 }  // namespace winnow

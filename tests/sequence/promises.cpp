@@ -52,12 +52,44 @@ TEST_CASE("a sequence gives the same bytes with any threads and memory", "[same_
   CHECK(hashes(directory) == hash);
 }
 
+TEST_CASE("all frames in one GLB are the same bytes with any threads and memory", "[same_bytes]") {
+  const Directory directory;
+  const Words names = write_frames(directory, {100}, frames);
+  const std::string all = directory.file("all.glb");
+  const Words into{"-o", all, "--json", "--force", "--ratio", "10%"};
+  CHECK(winnow_ok(Words{"sequence"} + names + into + Words{"--threads", "1"}).code == 0);
+  const std::string hash = hash_of_file(all);
+  CHECK(winnow_ok(Words{"sequence"} + names + into + Words{"--threads", "3"}).code == 0);
+  CHECK(hash_of_file(all) == hash);
+  const std::string memory = enough_memory(Words{"sequence"} + names + into);
+  INFO(memory);
+  CHECK(hash_of_file(all) == hash);
+  // And as an input, packed as well.
+  const std::string small = directory.file("small.glb");
+  const Words again{"-o", small, "--json", "--force", "--ratio", "50%"};
+  CHECK(winnow_ok(Words{"sequence", all} + again + Words{"--threads", "1"}).code == 0);
+  const std::string small_hash = hash_of_file(small);
+  CHECK(winnow_ok(Words{"sequence", zstd_file(all)} + again + Words{"--threads", "3"}).code == 0);
+  CHECK(hash_of_file(small) == small_hash);
+}
+
 TEST_CASE("a sequence stays within the budget that its message names", "[budget]") {
   const Directory directory;
   const Words names = write_frames(directory, {150}, frames);
   const Words arguments = call(directory, names) + Words{"--threads", "2"};
   const std::string memory = enough_memory(arguments);
   const Run run = run_winnow(arguments + Words{"--memory", memory});
+  check_peak(run, memory);
+}
+
+TEST_CASE("frames that wait for one GLB stay within the budget", "[budget]") {
+  const Directory directory;
+  const Words names = write_frames(directory, {100}, frames);
+  const Words arguments =
+      Words{"sequence"} + names +
+      Words{"-o", directory.file("all.glb"), "--json", "--force", "--ratio", "90%"};
+  const std::string memory = enough_memory(arguments + Words{"--threads", "2"});
+  const Run run = run_winnow(arguments + Words{"--threads", "2", "--memory", memory});
   check_peak(run, memory);
 }
 

@@ -58,14 +58,14 @@ void add_sequence(CLI::App& app) {
       "sequence", "Simplify all frames of a mesh that moves alike, in bounded memory");
   command
       ->add_option("input", arguments->inputs,
-                   "The frames, a file each, with the same vertices and faces; in the order of the "
-                   "number in their names")
+                   "The frames, a file each, with the same vertices and faces, in the order of the "
+                   "number in their names; or one glTF with morph targets")
       ->required()
       ->type_name("FRAME");
   command
       ->add_option("-o,--output", arguments->output,
                    "The files of the result: {frame} in the name stands for the number of each "
-                   "frame")
+                   "frame; or one GLB that plays them")
       ->required()
       ->type_name("OUT");
   arguments->options.add_to(*command);
@@ -77,6 +77,8 @@ void add_sequence(CLI::App& app) {
       "Examples:\n"
       "  winnow sequence frame-*.ply -o 'small-{frame}.ply' --faces 5k\n"
       "  winnow sequence walk/*.obj -o 'small/{frame}.ply.zst' --ratio 10% --memory 2G\n"
+      "  winnow sequence walk/*.obj -o walk.glb --faces 5k\n"
+      "  winnow sequence clip.glb -o small.glb --ratio 10%\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
       "interrupted.");
   command->callback([arguments] { run_sequence(*arguments); });

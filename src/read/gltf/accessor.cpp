@@ -53,8 +53,9 @@ GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::
     : bytes_(bytes),
       document_(document),
       accessor_(document.accessors[accessor]),
-      normalized_(use == GltfUse::positions || use == GltfUse::vectors ? accessor_.normalized
-                                                                       : use != GltfUse::indices),
+      normalized_(use == GltfUse::positions || use == GltfUse::vectors || use == GltfUse::numbers
+                      ? accessor_.normalized
+                      : use != GltfUse::indices),
       name_(std::move(name)) {
   check(use);
   const auto& sparse = accessor_.sparse;
@@ -62,14 +63,16 @@ GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::
   if (sparse && sparse->count > accessor_.count)
     fail("an accessor has more sparse elements than elements");
   // Zeros without end from a few bytes: nobody means that.
-  if (!accessor_.base && accessor_.count > (sparse ? 1024 * sparse->count : 0) + 1024)
+  if (!accessor_.base && use != GltfUse::numbers &&
+      accessor_.count > (sparse ? 1024 * sparse->count : 0) + 1024)
     fail("an accessor has no data");
 }
 
 // What the specification and KHR_mesh_quantization allow.
 void GltfElements::check(GltfUse use) const {
   const GltfType type = accessor_.type;
-  const unsigned wanted = use == GltfUse::indices ? 1 : use == GltfUse::rotations ? 4 : 3;
+  const bool scalars = use == GltfUse::indices || use == GltfUse::numbers;
+  const unsigned wanted = scalars ? 1 : use == GltfUse::rotations ? 4 : 3;
   if (accessor_.components != wanted && !(use == GltfUse::colors && accessor_.components == 4))
     fail("an accessor is of the wrong type for what it is used for");
   if (use == GltfUse::indices && !is_index(type)) fail("indices are no unsigned integers");

@@ -11,7 +11,15 @@
 namespace winnow {
 
 // What an accessor is read as.
-enum class GltfUse : std::uint8_t { indices, positions, normals, colors, vectors, rotations };
+enum class GltfUse : std::uint8_t {
+  indices,
+  positions,
+  normals,
+  colors,
+  vectors,
+  rotations,
+  numbers,  // of animations
+};
 
 class GltfElements {
  public:

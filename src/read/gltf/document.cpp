@@ -29,7 +29,8 @@ class Parser {
     const Value& relative = json_.member(json_.member(json_.root(), "extensions"), "CESIUM_RTC");
     if (!relative.is_null()) document_.center = json_.numbers<3>(relative, "center");
     if (!json_.list("skins").empty()) note("skins");
-    if (!json_.list("animations").empty()) note("animations");
+    if (!json_.list("animations").empty()) note(unread_animations);
+    for (const Value& animation : json_.list("animations")) add_animation(animation);
     document_.placed = place_meshes(json_, document_.meshes.size(), document_.accessors.size(),
                                     document_.center.value_or(Point{}));
     return std::move(document_);
@@ -211,7 +212,43 @@ class Parser {
       note_unread(primitive);
       mesh.push_back({static_cast<GltfPrimitive::Mode>(mode - 4), *positions,
                       accessor(primitive, "indices"), of_vertices(attributes, "NORMAL", *positions),
-                      of_vertices(attributes, "COLOR_0", *positions)});
+                      of_vertices(attributes, "COLOR_0", *positions),
+                      targets_of(primitive, *positions)});
+    }
+  }
+
+  [[nodiscard]] std::vector<std::optional<std::size_t>> targets_of(const Value& primitive,
+                                                                   std::size_t positions) const {
+    std::vector<std::optional<std::size_t>> targets;
+    for (const Value& target : json_.list(primitive, "targets")) {
+      json_.check_object(target, "targets");
+      targets.push_back(of_vertices(target, "POSITION", positions));
+    }
+    return targets;
+  }
+
+  void add_animation(const Value& json) {
+    json_.check_object(json, "animations");
+    const Value& samplers = json_.list(json, "samplers");
+    for (const Value& channel : json_.list(json, "channels")) {
+      json_.check_object(channel, "channels");
+      const Value& target = json_.member(channel, "target");
+      const bool of_node = !GltfJson::find(target, "node").is_null();
+      if (!of_node || GltfJson::text(target, "path") != "weights") {
+        document_.weights_alone = false;
+        continue;
+      }
+      const Value& sampler = samplers[json_.required_index(channel, "sampler", samplers.size())];
+      json_.check_object(sampler, "samplers");
+      const std::string between = GltfJson::text(sampler, "interpolation");
+      document_.weights.push_back(
+          {GltfJson::text(json, "name"),
+           json_.required_index(target, "node", json_.list("nodes").size()),
+           json_.required_index(sampler, "input", document_.accessors.size()),
+           json_.required_index(sampler, "output", document_.accessors.size()),
+           between == "STEP"          ? MorphClip::Between::step
+           : between == "CUBICSPLINE" ? MorphClip::Between::cubic
+                                      : MorphClip::Between::linear});
     }
   }
 
@@ -246,7 +283,7 @@ class Parser {
            : name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_") ? "skins"
                                                                          : "other attributes");
     }
-    if (!json_.list(primitive, "targets").empty()) note("morph targets and their weights");
+    if (!json_.list(primitive, "targets").empty()) note(unread_targets);
     const Value& material = GltfJson::find(primitive, "material");
     if (!material.is_null() && !is_plain(material)) note("materials");
   }

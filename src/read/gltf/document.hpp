@@ -1,6 +1,7 @@
 // What a glTF 2.0 says about its triangles: the JSON, checked, as far as they need it.
 #pragma once
 
+#include "base/morph_clip.hpp"
 #include "read/gltf/scene.hpp"
 
 #include <cstdint>
@@ -65,6 +66,15 @@ struct GltfPrimitive {
   // Accessors; those of vertices have as many elements.
   std::size_t positions = 0;
   std::optional<std::size_t> indices, normals, colors;
+  // Of each morph target: what it adds to positions, if anything.
+  std::vector<std::optional<std::size_t>> targets;
+};
+
+// An animation of the weights of a node's morph targets: accessors.
+struct GltfWeights {
+  std::string name;
+  std::size_t node = 0, times = 0, weights = 0;
+  MorphClip::Between between{};
 };
 
 struct GltfDocument {
@@ -74,11 +84,17 @@ struct GltfDocument {
   std::vector<std::vector<GltfPrimitive>> meshes;
   std::vector<GltfPlacedMesh> placed;  // in the default scene, in its order
   std::optional<Point> center;         // CESIUM_RTC: was added to all
+  std::vector<GltfWeights> weights;
+  bool weights_alone = true;  // nothing else is animated
   std::uint64_t other_primitives =
       0;                            // points, lines and what has no positions, left out of `meshes`
   std::uint64_t other_points = 0;   // of these
   std::vector<std::string> unread;  // what primitives have besides, in words
 };
+
+// Of what is unread: what a sequence reads after all.
+inline constexpr const char* unread_targets = "morph targets and their weights";
+inline constexpr const char* unread_animations = "animations";
 
 // Throws Error(bad_input), beginning with `name`, where the text is no such JSON, where it names
 // what is not there, and where it needs an extension that is not known.

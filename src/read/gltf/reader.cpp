@@ -1,12 +1,13 @@
 // glTF 2.0 (Khronos, 2021), as GLB or as JSON: the triangles of the default scene, where its nodes
 // place them.
+#include "read/gltf/reader.hpp"
+
 #include "base/text.hpp"
 #include "read/buffered_reader.hpp"
 #include "read/formats.hpp"
 #include "read/gltf/accessor.hpp"
 #include "read/gltf/attributes.hpp"
 #include "read/gltf/bytes.hpp"
-#include "read/gltf/file.hpp"
 #include "read/gltf/instances.hpp"
 
 #include <algorithm>
@@ -71,9 +72,10 @@ class GltfCorners {
 
 class GltfParser {
  public:
-  GltfParser(const GltfDocument& document, const GltfAttributes& attributes, GltfBytes& bytes,
-             BufferedMesh& mesh)
-      : document_(document), attributes_(attributes), bytes_(bytes), mesh_(mesh) {}
+  // `target`: that is added to positions, counted from 0.
+  GltfParser(const GltfDocument& document, const GltfAttributes& attributes,
+             std::optional<std::size_t> target, GltfBytes& bytes, BufferedMesh& mesh)
+      : document_(document), attributes_(attributes), target_(target), bytes_(bytes), mesh_(mesh) {}
 
   void parse() {
     for (const GltfPlacedMesh& placed : document_.placed) {
@@ -102,7 +104,7 @@ class GltfParser {
  private:
   // What makes a vertex: accessors of positions and of what is offered, whether it is carried or
   // not, so that the same vertices come with and without.
-  using VertexKey = std::array<std::optional<std::size_t>, 3>;
+  using VertexKey = std::array<std::optional<std::size_t>, 4>;
 
   void add_instances(const GltfPlacedMesh& placed, const GltfInstances& instances) {
     GltfInstanceReader reader(bytes_, document_, instances, mesh_.name());
@@ -143,9 +145,15 @@ class GltfParser {
     VertexKey key{primitive.positions};
     if (attributes_.normals) key[1] = primitive.normals;
     if (attributes_.colors) key[2] = primitive.colors;
+    key[3] = move_of(primitive);
     const auto [known, is_new] = first_vertex_.try_emplace(key, mesh_.vertices());
     if (is_new) add_vertices(primitive, to_world, turn);
     return known->second;
+  }
+
+  [[nodiscard]] std::optional<std::size_t> move_of(const GltfPrimitive& primitive) const {
+    if (!target_ || *target_ >= primitive.targets.size()) return {};
+    return primitive.targets[*target_];
   }
 
   void add_vertices(const GltfPrimitive& primitive, const GltfTransform& to_world,
@@ -156,10 +164,17 @@ class GltfParser {
                            mesh_.name());
     GltfVertexAttributes others(bytes_, document_, attributes_, primitive, mesh_.carried(), turn,
                                 mesh_.name());
+    std::optional<GltfElements> moves;
+    if (const auto move = move_of(primitive))
+      moves.emplace(bytes_, document_, *move, GltfUse::positions, mesh_.name());
     std::vector<double> xyz;
     std::vector<double> carried;
     for (auto part = positions.next(); !part.empty(); part = positions.next()) {
       xyz.assign(part.begin(), part.end());
+      if (moves) {
+        const std::span<const double> by = moves->next();
+        for (std::size_t i = 0; i < xyz.size(); ++i) xyz[i] += by[i];
+      }
       for (std::size_t i = 0; i < xyz.size() && moved; i += 3) {
         const Point p = transformed(to_world, {xyz[i], xyz[i + 1], xyz[i + 2]});
         std::copy(p.begin(), p.end(), xyz.begin() + static_cast<std::ptrdiff_t>(i));
@@ -176,25 +191,38 @@ class GltfParser {
 
   const GltfDocument& document_;
   const GltfAttributes& attributes_;
+  std::optional<std::size_t> target_;
   GltfBytes& bytes_;
   BufferedMesh& mesh_;
   std::map<VertexKey, std::uint64_t> first_vertex_;  // of this node or instance
   std::uint64_t left_over_ = 0;
 };
 
-std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> source,
-                                      const ReaderMemory& memory, const AttributeRequest& wish,
-                                      bool /*asked*/) {
-  const GltfFile file = peek_gltf(job, *source);
-  const GltfAttributes attributes = attributes_of(file.document);
+}  // namespace
+
+std::unique_ptr<MeshReader> open_gltf_document(Job& job, std::unique_ptr<ByteSource> source,
+                                               const ReaderMemory& memory,
+                                               const AttributeRequest& wish, const GltfFile& file,
+                                               const GltfAttributes& attributes,
+                                               std::optional<std::size_t> target) {
   const auto parse = [&](ByteSource& from, std::size_t /*batch_faces*/, BufferedMesh& mesh) {
     const GltfOwnBuffer own = own_buffer_of(from, file);
     GltfBytes bytes(job, from, own.begin, own.bytes, file.document);
-    GltfParser(file.document, attributes, bytes, mesh).parse();
+    GltfParser(file.document, attributes, target, bytes, mesh).parse();
   };
   return std::make_unique<BufferedReader>(job, std::move(source), memory, wish,
                                           file.binary ? "GLB" : "glTF", offer_of(attributes),
                                           parse);
+}
+
+namespace {
+
+std::unique_ptr<MeshReader> open_gltf(Job& job, std::unique_ptr<ByteSource> source,
+                                      const ReaderMemory& memory, const AttributeRequest& wish,
+                                      bool /*asked*/) {
+  const GltfFile file = peek_gltf(job, *source);
+  return open_gltf_document(job, std::move(source), memory, wish, file,
+                            attributes_of(file.document), {});
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshe
   const GltfTransform to_center = gltf_transform(center, {0, 0, 0, 1}, {1, 1, 1});
   const std::vector<Node> nodes = nodes_of(json, meshes, accessors);
   if (nodes.empty()) {
-    for (std::size_t i = 0; i < meshes; ++i) placed.push_back({i, to_center, {}});
+    for (std::size_t i = 0; i < meshes; ++i) placed.push_back({i, to_center, {}, 0});
     return placed;
   }
   struct Waiting {
@@ -114,7 +114,7 @@ std::vector<GltfPlacedMesh> place_meshes(const GltfJson& json, std::size_t meshe
     waiting.pop_back();
     const Node& node = nodes[next.node];
     const GltfTransform to_world = next.parent * node.transform;
-    if (node.mesh) placed.push_back({*node.mesh, to_world, node.instances});
+    if (node.mesh) placed.push_back({*node.mesh, to_world, node.instances, next.node});
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
       visit(*child, to_world);
   }

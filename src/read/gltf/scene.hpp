@@ -20,6 +20,7 @@ struct GltfPlacedMesh {
   std::size_t mesh = 0;
   GltfTransform to_world = gltf_identity;
   std::optional<GltfInstances> instances;
+  std::size_t node = 0;
 };
 
 // Of so many meshes and accessors, all moved by `center`, in the order of the default scene;

@@ -6,6 +6,9 @@ grep -c '^f' s-9.obj s-10.obj
 diff <(grep '^f' s-9.obj) <(grep '^f' s-10.obj) && echo 'the same faces'
 sed 's/f 4 1 5/f 1 4 5/' f9.obj >f11.obj
 code=0; "$WINNOW" sequence f9.obj f11.obj -o 't-{frame}.obj' --faces 6 2>&1 || code=$?; echo "=> $code"
-code=0; "$WINNOW" sequence f9.obj f10.obj -o t.glb --faces 6 2>&1 || code=$?; echo "=> $code"
+code=0; "$WINNOW" sequence f9.obj f10.obj -o t.ply --faces 6 2>&1 || code=$?; echo "=> $code"
+"$WINNOW" sequence f9.obj f10.obj -o all.glb --faces 6 -q
+"$WINNOW" sequence all.glb -o 'a-{frame}.obj' --faces 6
+code=0; "$WINNOW" sequence f9.obj -o t.glb --faces 6 2>&1 || code=$?; echo "=> $code"
 code=0; "$WINNOW" sequence f9.obj f10.obj -o 's-{frame}.obj' --faces 6 2>&1 || code=$?; echo "=> $code"
 ls

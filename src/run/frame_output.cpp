@@ -1,0 +1,107 @@
+#include "run/frame_output.hpp"
+
+#include <winnow/error.hpp>
+
+#include "base/text.hpp"
+#include "io/byte_sink.hpp"
+#include "run/result_sink.hpp"
+#include "run/write_blocks.hpp"
+#include "run/write_mesh.hpp"
+#include "write/formats.hpp"
+
+#include <utility>
+
+#include <sys/stat.h>
+
+namespace winnow {
+
+namespace {
+
+class FrameFiles final : public FrameOutput {
+ public:
+  FrameFiles(Job& job, std::vector<std::string> names, const SequenceOptions& options)
+      : job_(job),
+        names_(std::move(names)),
+        format_(format_written(options.to, names_.front(), options.encoding)),
+        force_(options.force),
+        encoder_(make_encoder(options.to, names_.front(), options.encoding)),
+        packing_(reserve_block(job, *encoder_, false)) {
+    if (options.target.faces()) (void)encoder_->header({.faces = *options.target.faces()});
+    for (const std::string& name : names_) {
+      struct stat status {};
+      if (::stat(name.c_str(), &status) != 0) continue;
+      if (!S_ISREG(status.st_mode))
+        throw Error(ErrorKind::usage, "'" + name + "' is no regular file; a frame needs one");
+      if (!force_) throw Error(ErrorKind::usage, "'" + name + "' exists; " + ByteSink::by_force);
+      job.written_over.push_back(FileNumber::of(status));
+    }
+  }
+  FrameFiles(const FrameFiles&) = delete;
+  FrameFiles& operator=(const FrameFiles&) = delete;
+  ~FrameFiles() override {
+    if (written_.size() == names_.size()) return;
+    for (const auto& sink : written_) sink->take_back();
+  }
+
+  [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
+  [[nodiscard]] std::string format() const override { return format_; }
+  void write(std::size_t frame, const StoredMesh& mesh, const MeshShape& shape) override {
+    auto sink = std::make_unique<ByteSink>(job_, names_[frame], force_);
+    write_mesh(job_, mesh, shape, *encoder_, *sink);
+    sink->finish_for_now();
+    sink->release();
+    bytes_ += sink->written();
+    written_.push_back(std::move(sink));
+  }
+  void finish(StoredMesh& /*mesh*/) override {}
+  [[nodiscard]] std::uint64_t bytes() const override { return bytes_; }
+
+ private:
+  Job& job_;
+  std::vector<std::string> names_;
+  std::string format_;
+  bool force_;
+  std::unique_ptr<MeshEncoder> encoder_;
+  Reservation packing_;
+  std::vector<std::unique_ptr<ByteSink>> written_;
+  std::uint64_t bytes_ = 0;
+};
+
+class FrameMeshes final : public FrameOutput {
+ public:
+  FrameMeshes(Job& job, FrameSink& sink, const SequenceOptions& options)
+      : job_(job), sink_(sink), encoder_(make_encoder(Format::ply, {}, options.encoding)) {
+    encoding_.encoding = options.encoding;
+  }
+
+  [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
+  [[nodiscard]] std::string format() const override { return "memory"; }
+  void write(std::size_t frame, const StoredMesh& mesh, const MeshShape& shape) override {
+    Mesh out;
+    bytes_ += MemorySink(job_, out, encoding_).write(mesh, shape);
+    sink_.take(frame, std::move(out));
+  }
+  void finish(StoredMesh& /*mesh*/) override {}
+  [[nodiscard]] std::uint64_t bytes() const override { return bytes_; }
+
+ private:
+  Job& job_;
+  FrameSink& sink_;
+  SimplifyOptions encoding_;
+  std::unique_ptr<MeshEncoder> encoder_;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameOutput> frames_to_files(Job& job, std::vector<std::string> names,
+                                             const SequenceOptions& options) {
+  return std::make_unique<FrameFiles>(job, std::move(names), options);
+}
+
+std::unique_ptr<FrameOutput> frames_to_sink(Job& job, FrameSink& sink,
+                                            const SequenceOptions& options) {
+  return std::make_unique<FrameMeshes>(job, sink, options);
+}
+
+}  // namespace winnow
