@@ -1,8 +1,27 @@
 // The page begins here. What it shows first is a part of the page, or named in its address:
 // ?mesh=scan.wpm, and ?beside=other.wpm for a second one.
+import { ProgressiveFile } from "./file/progressive_file.js";
 import { EmbeddedSource, WebSource } from "./file/sources.js";
 import { Controls } from "./page/controls.js";
 import { Viewer } from "./page/viewer.js";
+
+function firstSources() {
+  const sources = Array.from(document.querySelectorAll("script[data-mesh]"), (mesh) =>
+    ({ source: new EmbeddedSource(mesh.dataset.mesh, mesh.textContent), beside: true }));
+  const asked = new URLSearchParams(location.search);
+  for (const name of ["mesh", "beside"]) {
+    if (asked.has(name))
+      sources.push({ source: new WebSource(asked.get(name)), beside: name === "beside" });
+  }
+  return sources;
+}
+
+// They are read while the browser makes its picture ready, which may take a second.
+const first = firstSources().map(({ source, beside }) => {
+  const file = ProgressiveFile.open(source);
+  file.catch(() => {});  // told of when it is shown
+  return { source, beside, file };
+});
 
 const controls = new Controls();
 const viewer = new Viewer(document.getElementById("canvas"), () => controls.show());
@@ -10,12 +29,7 @@ controls.bind(viewer);
 globalThis.viewer = viewer;  // for whoever drives the page
 
 async function openFirst() {
-  for (const mesh of document.querySelectorAll("script[data-mesh]"))
-    await controls.open(new EmbeddedSource(mesh.dataset.mesh, mesh.textContent), true);
-  const asked = new URLSearchParams(location.search);
-  for (const name of ["mesh", "beside"]) {
-    if (asked.has(name)) await controls.open(new WebSource(asked.get(name)), name === "beside");
-  }
+  for (const { source, beside, file } of first) await controls.open(source, beside, file);
 }
 
 openFirst();

@@ -1,5 +1,6 @@
 // What is on the page beside the picture: reads what is set there, and shows how things stand.
 import { blobOf, download } from "../save/save.js";
+import { ProgressiveFile } from "../file/progressive_file.js";
 import { FileSource } from "../file/sources.js";
 import { facesAt, stepOf } from "./scale.js";
 
@@ -84,9 +85,9 @@ export class Controls {
     keys[event.key]();
   }
 
-  async open(source, beside) {
+  async open(source, beside, file = ProgressiveFile.open(source)) {
     try {
-      await this.viewer.open(source, beside);
+      await this.viewer.open(file, beside);
       this.say("");
       this.opened();
     } catch (error) {

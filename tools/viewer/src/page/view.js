@@ -1,11 +1,11 @@
 // One mesh that is looked at: its file, how far it is played, and its surface.
-import { ProgressiveFile } from "../file/progressive_file.js";
 import { Player } from "../mesh/player.js";
 import { Surface } from "../draw/surface.js";
 
 export class View {
-  static async open(source, center) {
-    const file = await ProgressiveFile.open(source);
+  // `opening`: a ProgressiveFile.
+  static async open(opening, center) {
+    const file = await opening;
     return new View(file, await Player.open(file), center ?? centerOf(file.header.box));
   }
 

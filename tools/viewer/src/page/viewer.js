@@ -24,10 +24,10 @@ export class Viewer {
     }).observe(canvas);
   }
 
-  // Opens a file alone, or beside the first one.
-  async open(source, beside) {
+  // Shows a file, once it is open, alone or beside the first one.
+  async open(opening, beside) {
     const second = beside && this.views.length > 0;
-    const view = await View.open(source, second ? this.views[0].center : undefined);
+    const view = await View.open(opening, second ? this.views[0].center : undefined);
     for (const old of this.views.splice(second ? 1 : 0)) old.surface.dispose();
     if (second) view.goTo(this.views[0].target);
     this.views.push(view);
