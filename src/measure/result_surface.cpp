@@ -7,6 +7,7 @@
 #include "measure/edge_count.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,6 +26,11 @@ struct PackedEdge {
 
 PackedEdge edge_of(std::uint32_t a, std::uint32_t b) {
   return {std::uint64_t{std::min(a, b)} << 32 | std::max(a, b)};
+}
+
+// As all faces are, but for those of `convert`.
+FaceVertices from_lowest(const FaceVertices& face) {
+  return face[0] < face[1] && face[0] < face[2] ? face : lowest_first(face);
 }
 
 // Which faces leave the two edges at their first vertex to be counted when that vertex's turn
@@ -83,10 +89,30 @@ class JoinedVertices {
   std::uint64_t pieces_ = 0;
 };
 
-// The edges at their first vertices of faces that leave them to be counted in turn, in order.
+// The faces that leave edges to be counted in turn, from their lowest vertices on.
+class FacesInTurn {
+ public:
+  explicit FacesInTurn(const Job& job, const StoredMesh& mesh) : faces_(mesh.face_cursor(job)) {}
+
+  bool next(FaceVertices& face) {
+    for (FaceVertices next; faces_.next(next);) {
+      face = from_lowest(next);
+      if (in_turn_(face[0])) return true;
+    }
+    return false;
+  }
+
+ private:
+  SpoolCursor<FaceVertices> faces_;
+  InTurn in_turn_;
+};
+
+// Their edges that are counted in turn, in order.
 class EdgesInTurn {
  public:
-  EdgesInTurn(const Job& job, const Spool& faces) : faces_(job, faces) { more_ = next_face(); }
+  EdgesInTurn(const Job& job, const StoredMesh& mesh) : faces_(job, mesh) {
+    more_ = faces_.next(face_);
+  }
 
   bool next(std::uint64_t& edge) {
     if (at_ == edges_.size() && !next_vertex()) return false;
@@ -100,7 +126,7 @@ class EdgesInTurn {
     at_ = 0;
     if (!more_) return false;
     const std::uint32_t first = face_[0];
-    for (; more_ && face_[0] == first; more_ = next_face()) {
+    for (; more_ && face_[0] == first; more_ = faces_.next(face_)) {
       edges_.push_back(edge_of(first, face_[1]).ends);
       edges_.push_back(edge_of(first, face_[2]).ends);
     }
@@ -108,16 +134,7 @@ class EdgesInTurn {
     return true;
   }
 
-  bool next_face() {
-    while (faces_.next(face_)) {
-      face_ = lowest_first(face_);
-      if (in_turn_(face_[0])) return true;
-    }
-    return false;
-  }
-
-  SpoolCursor<FaceVertices> faces_;
-  InTurn in_turn_;
+  FacesInTurn faces_;
   FaceVertices face_{};
   bool more_;
   std::vector<std::uint64_t> edges_;  // of one vertex
@@ -147,6 +164,143 @@ bool is_closed(Job& job, const StoredMesh& mesh) {
 
 namespace {
 
+// each(u, v) for the edges that are not counted in turn.
+template <typename Each>
+void for_each_other_edge(const Job& job, const StoredMesh& mesh, const Each& each) {
+  SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
+  InTurn in_turn;
+  for (FaceVertices face; faces.next(face);) {
+    const auto [first, second, third] = from_lowest(face);
+    each(second, third);
+    if (in_turn(first)) continue;
+    each(first, second);
+    each(first, third);
+  }
+}
+
+// Edges that are not counted in turn, by their lower ends.
+class EdgeLists {
+ public:
+  explicit EdgeLists(std::uint64_t vertices) : end_(vertices + 1, 0) {}
+
+  static std::uint64_t bytes(std::uint64_t vertices, std::uint64_t edges) {
+    return (vertices + 1 + edges) * sizeof(std::uint32_t);
+  }
+
+  // First all are counted, then all are added.
+  void count(std::uint32_t u, std::uint32_t v) { ++end_[std::min(u, v) + std::size_t{1}]; }
+  [[nodiscard]] std::uint64_t counted() const {
+    return std::accumulate(end_.begin(), end_.end(), std::uint64_t{0});
+  }
+  void begin() {
+    std::partial_sum(end_.begin(), end_.end(), end_.begin());
+    ends_.resize(end_.back());
+    std::copy_backward(end_.begin(), end_.end() - 1, end_.end());
+    end_.front() = 0;
+  }
+  void add(std::uint32_t u, std::uint32_t v) {
+    ends_[end_[std::min(u, v) + std::size_t{1}]++] = std::max(u, v);
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> higher_ends(std::size_t v) const {
+    return {ends_.data() + end_[v], ends_.data() + end_[v + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> end_;  // of vertex v at v + 1, when all are added
+  std::vector<std::uint32_t> ends_;
+};
+
+// Counts edges vertex by vertex: those that lead from it to higher ones, in any order.
+class EdgesOfVertices {
+ public:
+  explicit EdgesOfVertices(std::uint64_t vertices) : met_(vertices, none) {}
+
+  static std::uint64_t bytes(std::uint64_t vertices) { return vertices * sizeof(std::uint64_t); }
+
+  // Of each vertex once, and then its edges. Without a branch on whether one was met before.
+  void begin(std::uint64_t vertex) { vertex_ = vertex << count_bits; }
+  void add(std::uint32_t higher) {
+    const std::uint64_t before = met_[higher];
+    const std::uint64_t times = (before & ~most) == vertex_ ? before & most : 0;
+    met_[higher] = vertex_ | (times + (times < most ? 1 : 0));
+    once_ += times == 0 ? 1 : 0;
+    twice_ += times == 1 ? 1 : 0;
+    three_times_ += times == 2 ? 1 : 0;
+  }
+
+  [[nodiscard]] SurfaceEdges edges() const { return {once_, once_ - twice_, three_times_}; }
+
+ private:
+  static constexpr unsigned count_bits = 2;
+  static constexpr std::uint64_t most = 3;
+  static constexpr std::uint64_t none = UINT64_MAX;
+
+  std::vector<std::uint64_t> met_;  // by which vertex, and how often
+  std::uint64_t vertex_ = 0;
+  std::uint64_t once_ = 0, twice_ = 0, three_times_ = 0;  // edges that were met as often or more
+};
+
+// None where it takes more memory.
+std::optional<SurfaceEdges> count_edges_in_memory(Job& job, const StoredMesh& mesh,
+                                                  std::uint64_t memory) {
+  const std::uint64_t vertices = mesh.vertices->size();
+  const auto bytes = [vertices](std::uint64_t others) {
+    return EdgesOfVertices::bytes(vertices) + EdgeLists::bytes(vertices, others);
+  };
+  // One edge a face, and few besides.
+  if (bytes(mesh.face_count) > memory) return std::nullopt;
+  const Reservation for_vertices = job.budget.reserve(bytes(0), "counting edges");
+  EdgeLists others(vertices);
+  for_each_other_edge(job, mesh, [&](std::uint32_t u, std::uint32_t v) { others.count(u, v); });
+  const std::uint64_t counted = others.counted();
+  if (counted > UINT32_MAX || bytes(counted) > memory) return std::nullopt;
+  const Reservation for_others = job.budget.reserve(bytes(counted) - bytes(0), "counting edges");
+  others.begin();
+  for_each_other_edge(job, mesh, [&](std::uint32_t u, std::uint32_t v) { others.add(u, v); });
+  EdgesOfVertices edges(vertices);
+  FacesInTurn faces(job, mesh);
+  FaceVertices face{};
+  bool more = faces.next(face);
+  for (std::uint64_t v = 0; v < vertices; ++v) {
+    edges.begin(v);
+    for (const std::uint32_t higher : others.higher_ends(v)) edges.add(higher);
+    for (; more && face[0] == v; more = faces.next(face)) {
+      edges.add(face[1]);
+      edges.add(face[2]);
+    }
+  }
+  return edges.edges();
+}
+
+SurfaceEdges count_edges(Job& job, const StoredMesh& mesh, std::uint64_t memory) {
+  if (const auto counted = count_edges_in_memory(job, mesh, memory)) return *counted;
+  const PartsPlan plan =
+      PartedRecords<PackedEdge>::plan(memory, job.threads, mesh.face_count, sizeof(PackedEdge));
+  PartedRecords<PackedEdge> others(job, plan);
+  const std::uint64_t range = mesh.vertices->size() / plan.parts + 1;
+  auto& lists = others.local();
+  for_each_other_edge(job, mesh, [&](std::uint32_t u, std::uint32_t v) {
+    lists.add(std::min(u, v) / range, edge_of(u, v));
+  });
+  EdgesInTurn turns(job, mesh);
+  EdgeRuns runs;
+  std::uint64_t next = 0;
+  bool more = turns.next(next);
+  others.for_each_stretch<std::vector<PackedEdge>>(
+      [](std::span<const PackedEdge> sorted, std::vector<PackedEdge>& copy) {
+        copy.assign(sorted.begin(), sorted.end());
+      },
+      [&](const std::vector<PackedEdge>& sorted) {
+        for (const PackedEdge& edge : sorted) {
+          for (; more && next <= edge.ends; more = turns.next(next)) runs.add(next);
+          runs.add(edge.ends);
+        }
+      });
+  for (; more; more = turns.next(next)) runs.add(next);
+  return runs.finish();
+}
+
 ResultSurface survey(Job& job, const StoredMesh& mesh, std::uint64_t memory, bool areas) {
   ResultSurface out;
   job.progress.begin("check", 2 * mesh.face_count, "faces");
@@ -158,58 +312,26 @@ ResultSurface survey(Job& job, const StoredMesh& mesh, std::uint64_t memory, boo
     for_joined = job.budget.reserve(bytes, "counting pieces");
     joined.emplace(mesh.vertices->size());
   }
-  // One edge a face, and few besides.
-  const PartsPlan plan =
-      PartedRecords<PackedEdge>::plan(memory, job.threads, mesh.face_count, sizeof(PackedEdge));
-  PartedRecords<PackedEdge> edges(job, plan);
-  const std::uint64_t range = mesh.vertices->size() / plan.parts + 1;
-  auto& lists = edges.local();
-  const auto add = [&](std::uint32_t u, std::uint32_t v) {
-    lists.add(std::min(u, v) / range, edge_of(u, v));
-  };
-  std::uint64_t directions = 0;
   {
     VertexIndex::Reader vertices(*mesh.vertices);
     SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
-    InTurn in_turn;
+    std::uint64_t directions = 0;
     for (FaceVertices face; faces.next(face);) {
-      if (areas) {
-        const Point a = vertices.position(face[0]);
-        const Point u = vertices.position(face[1]) - a;
-        const Point v = vertices.position(face[2]) - a;
-        out.area += length(cross(u, v)) / 2;
-        directions += directions_of(face);
-      }
       if (joined) joined->add(face);
-      const auto [first, second, third] = lowest_first(face);
-      add(second, third);
-      if (in_turn(first)) continue;
-      add(first, second);
-      add(first, third);
+      if (!areas) continue;
+      const Point a = vertices.position(face[0]);
+      const Point u = vertices.position(face[1]) - a;
+      const Point v = vertices.position(face[2]) - a;
+      out.area += length(cross(u, v)) / 2;
+      directions += directions_of(face);
     }
+    out.closed = areas && mesh.face_count > 0 && directions == 0;
   }
   job.progress.advance(mesh.face_count);
   if (joined) out.pieces = joined->pieces();
   joined.reset();
   for_joined.release();
-  out.closed = areas && mesh.face_count > 0 && directions == 0;
-
-  EdgesInTurn turns(job, *mesh.faces);
-  EdgeRuns runs;
-  std::uint64_t next = 0;
-  bool more = turns.next(next);
-  edges.for_each_stretch<std::vector<PackedEdge>>(
-      [](std::span<const PackedEdge> sorted, std::vector<PackedEdge>& copy) {
-        copy.assign(sorted.begin(), sorted.end());
-      },
-      [&](const std::vector<PackedEdge>& sorted) {
-        for (const PackedEdge& edge : sorted) {
-          for (; more && next <= edge.ends; more = turns.next(next)) runs.add(next);
-          runs.add(edge.ends);
-        }
-      });
-  for (; more; more = turns.next(next)) runs.add(next);
-  out.edges = runs.finish();
+  out.edges = count_edges(job, mesh, memory);
   return out;
 }
 

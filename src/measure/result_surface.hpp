@@ -23,9 +23,9 @@ struct ResultSurface : CountedSurface {
   double area = 0;
 };
 
-// Counts edges exactly, by the numbers of their vertices, and sorts within `memory`, or in scratch.
-// Two passes over the faces. On a mesh whose faces come in the order of their lowest vertices, as
-// all do but for `convert`, a third of the edges is sorted.
+// Counts edges exactly, by the numbers of their vertices, within `memory`: by lists, or where there
+// is no room for these, by sorting, in scratch if need be. On a mesh whose faces come in the order
+// of their lowest vertices, as all do but for `convert`, a third of the edges is listed or sorted.
 ResultSurface measure_result(Job& job, const StoredMesh& mesh, std::uint64_t memory);
 
 // The same without looking at positions.

@@ -223,7 +223,7 @@ StoredMesh Clustering::welded(const std::string& reason) {
   note_pairs(job_, result);
   StoredMesh& mesh = result.mesh;
   if (mesh.face_count == 0) refuse_empty();
-  // A third of the edges is sorted, in eight bytes each.
+  // A third of the edges is listed, or sorted in eight bytes each.
   if (mesh.face_count <= always_full || 16 * mesh.face_count <= plan_.cluster.table) {
     const CountedSurface surface = count_surface(job_, mesh, plan_.cluster.table);
     report_.topology.input = surface.edges;
