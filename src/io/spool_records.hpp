@@ -27,9 +27,24 @@ Record read_record(const Spool& spool, std::uint64_t number) {
   return record;
 }
 
+// All records of a spool in memory.
 template <typename Record>
-std::vector<Record> read_records(const Spool& spool, std::uint64_t first, std::uint64_t count) {
-  std::vector<Record> records(count);
+std::span<const Record> records_in_memory(const Spool& spool) {
+  return {reinterpret_cast<const Record*>(spool.data()), record_count<Record>(spool)};
+}
+
+// `room`: for how many more.
+template <typename Record>
+std::vector<Record> read_records(const Spool& spool, std::uint64_t first, std::uint64_t count,
+                                 std::uint64_t room = 0) {
+  std::vector<Record> records;
+  records.reserve(count + room);
+  if (spool.in_memory()) {
+    const std::span<const Record> wanted = records_in_memory<Record>(spool).subspan(first, count);
+    records.assign(wanted.begin(), wanted.end());
+    return records;
+  }
+  records.resize(count);
   spool.read(first * sizeof(Record), std::as_writable_bytes(std::span(records)));
   return records;
 }
@@ -44,6 +59,7 @@ template <typename Record>
 class SpoolCursor {
  public:
   SpoolCursor(const Job& job, const Spool& spool) : job_(job), spool_(spool) {}
+  SpoolCursor(SpoolCursor&&) = default;  // not copied: records_ may be the chunk
 
   // False at the end.
   bool next(Record& record) {
@@ -56,15 +72,22 @@ class SpoolCursor {
   bool refill() {
     job_.progress.check_cancelled();
     const std::uint64_t left = record_count<Record>(spool_) - read_;
-    records_ = read_records<Record>(spool_, read_, std::min<std::uint64_t>(left, chunk_records));
-    read_ += records_.size();
+    const std::uint64_t count = std::min<std::uint64_t>(left, chunk_records);
+    if (spool_.in_memory()) {
+      records_ = records_in_memory<Record>(spool_).subspan(read_, count);
+    } else {
+      chunk_ = read_records<Record>(spool_, read_, count);
+      records_ = chunk_;
+    }
+    read_ += count;
     at_ = 0;
     return !records_.empty();
   }
 
   const Job& job_;
   const Spool& spool_;
-  std::vector<Record> records_;
+  std::span<const Record> records_;
+  std::vector<Record> chunk_;  // of a spool in scratch
   std::size_t at_ = 0;
   std::uint64_t read_ = 0;
 };
