@@ -83,7 +83,7 @@ class Fitting {
     tiles.for_each<FittedTile>(
         0,
         [&](std::size_t number, FittedTile& fitted) {
-          Tile tile = tiles.load(number);
+          Tile tile = tiles.load(number, {});
           lock_beside_hubs(tile);
           const std::vector<FaceSums> own = sums_of(sums, tiles.tiling(), number, tile);
           ReferenceMesh::Reader reader(reference_, looks_a_fitted_face * tile.faces.size());

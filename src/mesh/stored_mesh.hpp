@@ -67,9 +67,10 @@ struct StoredMesh {
   [[nodiscard]] FaceVertices face(std::uint64_t number) const {
     return read_record<FaceVertices>(*faces, number);
   }
-  [[nodiscard]] std::vector<FaceVertices> read_faces(std::uint64_t first,
-                                                     std::uint64_t count) const {
-    return read_records<FaceVertices>(*faces, first, count);
+  // `more`: how many will be added to them.
+  [[nodiscard]] std::vector<FaceVertices> read_faces(std::uint64_t first, std::uint64_t count,
+                                                     std::uint64_t more = 0) const {
+    return read_records<FaceVertices>(*faces, first, count, more);
   }
 
   // One face after the other.

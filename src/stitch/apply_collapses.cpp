@@ -60,7 +60,7 @@ CollapsedMesh collapse_tiles(const Tiles& tiles, const Collapse& collapse) {
   tiles.for_each<CollapsedTile>(
       0,
       [&](std::size_t number, CollapsedTile& collapsed) {
-        Tile tile = tiles.load(number, settings.known_state_size(), layout.attributes);
+        Tile tile = tiles.load(number, {true, settings.known_state_size(), layout.attributes});
         TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked),
                       false);
         const std::unique_ptr<Decimation> decimation =

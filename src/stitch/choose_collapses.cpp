@@ -50,6 +50,11 @@ double complete_below_last(const std::vector<CollapseLog::Cost>& costs) {
   return last > 0 ? std::nextafter(last, 0.0) : 0;
 }
 
+float float_below(double error) {
+  const auto nearest = static_cast<float>(error);
+  return static_cast<double>(nearest) > error ? std::nextafter(nearest, 0.0F) : nearest;
+}
+
 }  // namespace
 
 CollapseChooser::CollapseChooser(const Tiles& tiles, std::uint64_t round, KnownCosts& costs,
@@ -182,7 +187,7 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
           tried.reached = before->reached[number];
           return;
         }
-        Tile tile = tiles_.load(number, settings_.known_state_size(), 0);
+        Tile tile = tiles_.load(number, {false, settings_.known_state_size(), 0});
         TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked),
                       false);
         tried.frozen = tile.frozen;
@@ -200,14 +205,14 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
         const double share =
             most.share * static_cast<double>(settings_.faces) / static_cast<double>(tiles_.faces());
         if (share > worth_a_limit) limits.faces = static_cast<std::uint64_t>(share * own + others);
-        std::uint64_t removed = 0;
+        std::uint32_t removed = 0;
         TileProgress told(progress);
         decimation->run(
             limits,
             [&](const DoneCollapse& done) {
               removed += done.faces;
               tried.edges.push_back(done.edge);
-              tried.costs.push_back({done.cost, removed, done.error});
+              tried.costs.push_back({done.cost, removed, float_below(done.error)});
               told.add(done.faces);
             },
             [&progress] { progress.check_cancelled(); });

@@ -2,15 +2,44 @@
 
 #include "base/memory_shares.hpp"
 #include "base/search.hpp"
+#include "base/vector.hpp"
 #include "decimate/cost_classes.hpp"
 #include "io/spool_records.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 #include <span>
 
 namespace winnow {
+
+namespace {
+
+// One whose position floats have.
+struct SingleCollapse {
+  VertexNumber kept, removed;
+  std::array<float, 3> position;
+};
+constexpr std::size_t at_once = 256;
+
+bool is_single(const Collapse& edge) {
+  return std::all_of(edge.position.begin(), edge.position.end(), [](double x) {
+    return std::bit_cast<std::uint64_t>(nearest_float(x)) == std::bit_cast<std::uint64_t>(x);
+  });
+}
+SingleCollapse halved(const Collapse& edge) {
+  const auto [x, y, z] = edge.position;
+  return {edge.kept,
+          edge.removed,
+          {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}};
+}
+Collapse doubled(const SingleCollapse& edge) {
+  const auto [x, y, z] = edge.position;
+  return {edge.kept, edge.removed, {x, y, z}};
+}
+
+}  // namespace
 
 CollapseLog::CollapseLog(Job& job, std::uint64_t memory)
     : edges_(job, share::refine::edges(memory)),
@@ -18,7 +47,18 @@ CollapseLog::CollapseLog(Job& job, std::uint64_t memory)
       removed_in_class_(cost_classes) {}
 
 void CollapseLog::append(const std::vector<Collapse>& edges, const std::vector<Cost>& costs) {
-  append_records<Collapse>(edges_, edges);
+  const bool single = std::all_of(edges.begin(), edges.end(), is_single);
+  edges_of_.push_back({edges_.size(), single});
+  if (single) {
+    std::array<SingleCollapse, at_once> chunk{};
+    for (std::size_t at = 0; at < edges.size(); at += at_once) {
+      const std::size_t count = std::min(at_once, edges.size() - at);
+      for (std::size_t i = 0; i < count; ++i) chunk[i] = halved(edges[at + i]);
+      append_records<SingleCollapse>(edges_, std::span(chunk).first(count));
+    }
+  } else {
+    append_records<Collapse>(edges_, edges);
+  }
   append_records<Cost>(costs_, costs);
   first_.push_back(first_.back() + costs.size());
   std::uint64_t before = 0;
@@ -136,7 +176,20 @@ double CollapseLog::error(std::size_t tile, std::uint64_t count) const {
 }
 
 std::vector<Collapse> CollapseLog::edges(std::size_t tile, std::uint64_t count) const {
-  return read_records<Collapse>(edges_, first_[tile], count);
+  const auto [begin, single] = edges_of_[tile];
+  std::vector<Collapse> edges(count);
+  if (!single) {
+    edges_.read(begin, std::as_writable_bytes(std::span(edges)));
+    return edges;
+  }
+  std::array<SingleCollapse, at_once> chunk{};
+  for (std::uint64_t at = 0; at < count; at += at_once) {
+    const std::span<SingleCollapse> some =
+        std::span(chunk).first(std::min<std::uint64_t>(at_once, count - at));
+    edges_.read(begin + at * sizeof(SingleCollapse), std::as_writable_bytes(some));
+    for (std::size_t i = 0; i < some.size(); ++i) edges[at + i] = doubled(some[i]);
+  }
+  return edges;
 }
 
 std::vector<CollapseLog::Cost> CollapseLog::costs(std::size_t tile) const {

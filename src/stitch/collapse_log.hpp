@@ -16,11 +16,11 @@ class CollapseLog {
  public:
   struct Cost {
     double cost = 0;            // never falls within a tile
-    std::uint64_t removed = 0;  // faces, by this collapse and all before it
-    double error = 0;           // the largest of this collapse and all before it
+    std::uint32_t removed = 0;  // faces, by this collapse and all before it
+    float error = 0;            // the largest so far, to float precision and never above it
   };
 
-  // Bytes a collapse.
+  // Bytes a collapse at the most: less where positions are floats.
   static constexpr std::uint64_t entry_size = sizeof(Collapse) + sizeof(Cost);
 
   CollapseLog(Job& job, std::uint64_t memory);
@@ -70,7 +70,14 @@ class CollapseLog {
   }
   [[nodiscard]] std::uint64_t removed_by(std::size_t tile, std::uint64_t count) const;
 
+  // Of a tile in edges_.
+  struct Edges {
+    std::uint64_t begin = 0;  // a byte
+    bool single = false;      // SingleCollapse each
+  };
+
   Spool edges_, costs_;
+  std::vector<Edges> edges_of_;
   std::vector<std::uint64_t> removed_in_class_;  // of costs: faces
   std::vector<std::uint64_t> first_{0};  // entry of each tile; behind the last how many there are
 };

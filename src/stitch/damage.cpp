@@ -286,7 +286,7 @@ std::optional<Damage> find_damage(Job& job, const StoredMesh& whole, const Spool
         return item.first < tiling.tiles() && !too_much;
       },
       [&](auto& item) {
-        const Tile tile = load_tile(whole, tiling, incoming, item.first, 0, 0);
+        const Tile tile = load_tile(whole, tiling, incoming, item.first, {.records = false});
         item.second = TileLook(tile, fallen, reach).run();
         job.progress.advance(tile.own_faces);
       },

@@ -67,7 +67,8 @@ class RoundRecorder {
               RecordedTile& out) const {
     out = {};
     const RefineSettings& settings = tiles_.settings();
-    Tile tile = tiles_.load(number, settings.known_state_size(), settings.attributes.size());
+    Tile tile =
+        tiles_.load(number, {true, settings.known_state_size(), settings.attributes.size()});
     const std::vector<std::uint32_t> numbers = take_numbers(tile);
     TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
     const std::unique_ptr<Decimation> decimation =

@@ -138,7 +138,7 @@ class Refiner {
     tiles.for_each<BlockedFaces>(
         0,
         [&](std::size_t number, BlockedFaces& blocked) {
-          blocked = blocked_faces(tiles.load(number), settings_.decimation);
+          blocked = blocked_faces(tiles.load(number, {.records = false}), settings_.decimation);
           job_.progress.check_cancelled();
         },
         [&](std::size_t, const BlockedFaces& blocked) { report.blocked.add(blocked); });

@@ -142,32 +142,27 @@ std::uint64_t Tile::memory(std::uint64_t vertices, std::uint64_t faces, std::siz
 
 namespace {
 
-// Gives the corners of faces their numbers in the tile, and locks those of faces that other tiles
-// need.
-void lock_shared(Tile& tile, const IncomingFaces& incoming) {
-  const std::uint64_t end = tile.first_vertex + tile.own_vertices;
-  const auto own = [&](std::uint32_t v) { return v >= tile.first_vertex && v < end; };
+// Gives the corners of `faces`, which may be other tiles', their numbers in the tile, and locks
+// those of faces that other tiles need.
+void lock_shared(Tile& tile, const IncomingFaces& incoming, std::span<const FaceNumber> faces) {
   std::fill(tile.locked.begin() + tile.own_vertices, tile.locked.end(),
             std::uint8_t{closed_vertex});
-  const bool no_hubs = incoming.hubs().empty();
-  for (FaceVertices& face : tile.faces) {
-    if (no_hubs && own(face[0]) && own(face[1]) && own(face[2])) {
-      for (std::uint32_t& v : face) v -= static_cast<std::uint32_t>(tile.first_vertex);
-      continue;
-    }
+  for (const FaceNumber f : faces) {
+    FaceVertices& face = tile.faces[f];
     std::array<bool, 3> hub{};
     bool shared = false;
     for (std::size_t i = 0; i < 3; ++i) {
       hub[i] = incoming.is_hub(face[i]);
-      shared |= !hub[i] && !own(face[i]);
+      shared |= !hub[i] && !tile.owns(face[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) {
       std::uint32_t& v = face[i];
-      const auto other =
-          own(v) ? tile.others.end() : std::lower_bound(tile.others.begin(), tile.others.end(), v);
-      v = other == tile.others.end()
-              ? static_cast<VertexNumber>(v - tile.first_vertex)
-              : static_cast<VertexNumber>(tile.own_vertices + (other - tile.others.begin()));
+      if (tile.owns(v)) {
+        v -= static_cast<std::uint32_t>(tile.first_vertex);
+      } else {
+        const auto other = std::lower_bound(tile.others.begin(), tile.others.end(), v);
+        v = static_cast<VertexNumber>(tile.own_vertices + (other - tile.others.begin()));
+      }
       if (hub[i]) {
         tile.locked[v] = fixed_hub;
       } else if (shared) {
@@ -177,7 +172,7 @@ void lock_shared(Tile& tile, const IncomingFaces& incoming) {
   }
   for (const std::uint32_t hub : incoming.hubs()) {
     const auto other = std::lower_bound(tile.others.begin(), tile.others.end(), hub);
-    if (own(hub)) tile.hubs.push_back(static_cast<VertexNumber>(hub - tile.first_vertex));
+    if (tile.owns(hub)) tile.hubs.push_back(static_cast<VertexNumber>(hub - tile.first_vertex));
     if (other != tile.others.end() && *other == hub)
       tile.hubs.push_back(
           static_cast<VertexNumber>(tile.own_vertices + (other - tile.others.begin())));
@@ -190,20 +185,14 @@ void lock_shared(Tile& tile, const IncomingFaces& incoming) {
   }
 }
 
-}  // namespace
-
-Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
-               std::size_t number, std::size_t state_size, std::size_t attributes) {
-  Tile tile;
-  tile.first_vertex = tiling.first_vertex(number);
-  const std::uint64_t end = tiling.first_vertex(number + 1);
-  tile.own_vertices = static_cast<VertexNumber>(end - tile.first_vertex);
+// By their numbers in the whole mesh.
+void load_faces(Tile& tile, const StoredMesh& whole, const Tiling& tiling,
+                const IncomingFaces& incoming, std::size_t number) {
   const std::uint64_t first_face = tiling.first_face(number);
-  tile.vertices =
-      read_records<IndexedVertex>(whole.vertices->records(), tile.first_vertex, tile.own_vertices);
   const std::uint64_t end_face = tiling.first_face(number + 1);
+  const std::vector<FaceVertices> more = incoming.incoming(number);
   if (incoming.hubs().empty()) {
-    tile.faces = whole.read_faces(first_face, end_face - first_face);
+    tile.faces = whole.read_faces(first_face, end_face - first_face, more.size());
   } else {
     // A hub may have more faces than a tile has room for, most of them in other tiles.
     for (std::uint64_t at = first_face; at < end_face; at += chunk_records) {
@@ -217,41 +206,66 @@ Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFace
     tile.faces.insert(tile.faces.end(), adopted.begin(), adopted.end());
   }
   tile.own_faces = static_cast<FaceNumber>(tile.faces.size());
-  const std::vector<FaceVertices> more = incoming.incoming(number);
   tile.faces.insert(tile.faces.end(), more.begin(), more.end());
+}
 
-  const auto own = [&](std::uint32_t v) { return v >= tile.first_vertex && v < end; };
-  for (const FaceVertices& face : tile.faces) {
+void load_positions(Tile& tile, const StoredMesh& whole, bool records) {
+  tile.positions.reserve(tile.own_vertices + tile.others.size());
+  const auto take = [&](std::span<const IndexedVertex> own) {
+    for (const IndexedVertex& vertex : own) tile.positions.push_back(vertex.position);
+  };
+  const Spool& vertices = whole.vertices->records();
+  if (!records && vertices.in_memory()) {
+    take(records_in_memory<IndexedVertex>(vertices).subspan(tile.first_vertex, tile.own_vertices));
+  } else {
+    tile.vertices = read_records<IndexedVertex>(vertices, tile.first_vertex, tile.own_vertices);
+    take(tile.vertices);
+    if (!records) tile.vertices = {};
+  }
+  if (tile.others.empty()) return;
+  VertexIndex::Reader reader(*whole.vertices);
+  for (const std::uint32_t v : tile.others) tile.positions.push_back(reader.position(v));
+}
+
+}  // namespace
+
+Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
+               std::size_t number, const TileParts& parts) {
+  Tile tile;
+  tile.first_vertex = tiling.first_vertex(number);
+  tile.own_vertices =
+      static_cast<VertexNumber>(tiling.first_vertex(number + 1) - tile.first_vertex);
+  load_faces(tile, whole, tiling, incoming, number);
+
+  // Nearly all faces have corners of the tile alone.
+  const bool no_hubs = incoming.hubs().empty();
+  std::vector<FaceNumber> at_border;
+  for (FaceNumber f = 0; f < tile.faces.size(); ++f) {
+    FaceVertices& face = tile.faces[f];
+    if (no_hubs & tile.owns(face[0]) & tile.owns(face[1]) & tile.owns(face[2])) {
+      for (std::uint32_t& v : face) v -= static_cast<std::uint32_t>(tile.first_vertex);
+      continue;
+    }
+    at_border.push_back(f);
     for (const std::uint32_t v : face) {
-      if (!own(v)) tile.others.push_back(v);
+      if (!tile.owns(v)) tile.others.push_back(v);
     }
   }
   sort_unique(tile.others);
-
   const std::size_t vertices = tile.own_vertices + tile.others.size();
   tile.locked.assign(vertices, free_vertex);
-  if (tile.others.empty() && incoming.hubs().empty()) {
-    for (FaceVertices& face : tile.faces) {
-      for (std::uint32_t& v : face) v -= static_cast<std::uint32_t>(tile.first_vertex);
-    }
-  } else {
-    lock_shared(tile, incoming);
-  }
+  if (!at_border.empty()) lock_shared(tile, incoming, at_border);
 
-  tile.positions.reserve(vertices);
-  for (const IndexedVertex& vertex : tile.vertices) tile.positions.push_back(vertex.position);
-  if (!tile.others.empty()) {
-    VertexIndex::Reader reader(*whole.vertices);
-    for (const std::uint32_t v : tile.others) tile.positions.push_back(reader.at(v).position);
-  }
+  load_positions(tile, whole, parts.records);
   if (whole.state != nullptr) {
-    tile.state.resize(vertices * state_size);
-    whole.state->read(tile.first_vertex * state_size,
-                      std::span(tile.state).first(std::size_t{tile.own_vertices} * state_size));
+    tile.state.resize(vertices * parts.state_size);
+    whole.state->read(
+        tile.first_vertex * parts.state_size,
+        std::span(tile.state).first(std::size_t{tile.own_vertices} * parts.state_size));
   }
-  if (attributes > 0) {
-    tile.attributes = read_records<double>(*whole.attributes, tile.first_vertex * attributes,
-                                           std::uint64_t{tile.own_vertices} * attributes);
+  if (parts.attributes > 0) {
+    tile.attributes = read_records<double>(*whole.attributes, tile.first_vertex * parts.attributes,
+                                           std::uint64_t{tile.own_vertices} * parts.attributes);
   }
   return tile;
 }

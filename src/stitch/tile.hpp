@@ -69,13 +69,18 @@ struct Tile {
   FaceNumber own_faces = 0;             // those that belong to the tile come first
   std::uint64_t frozen = 0;             // of them, that the tile's borders keep as they are
   std::vector<std::uint32_t> others;    // numbers in the whole mesh
-  std::vector<IndexedVertex> vertices;  // the tile's own
+  std::vector<IndexedVertex> vertices;  // the tile's own, where asked for
   std::vector<Point> positions;
   std::vector<FaceVertices> faces;
   std::vector<std::uint8_t> locked;  // corners of faces with corners in several tiles, and hubs
   std::vector<VertexNumber> hubs;    // in ascending order
   std::vector<std::byte> state;      // of all vertices (zero for the others), or empty
   std::vector<double> attributes;    // of the tile's own vertices, so many each
+
+  // By its number in the whole mesh.
+  [[nodiscard]] bool owns(std::uint32_t vertex) const {
+    return vertex - static_cast<std::uint32_t>(first_vertex) < own_vertices;
+  }
 
   // Bytes in use at the most while it is loaded, collapsed and given away.
   static std::uint64_t memory(std::uint64_t vertices, std::uint64_t faces, std::size_t state_size);
@@ -97,8 +102,15 @@ std::uint64_t largest_tile(const Tiling& tiling, const IncomingFaces& incoming,
   return largest;
 }
 
+// What of a tile is loaded beside its faces and positions.
+struct TileParts {
+  bool records = true;  // of its own vertices
+  std::size_t state_size = 0;
+  std::size_t attributes = 0;  // numbers a vertex
+};
+
 Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFaces& incoming,
-               std::size_t number, std::size_t state_size, std::size_t attributes);
+               std::size_t number, const TileParts& parts);
 
 // In place of zeros: the positions of other tiles' vertices in later frames are a part of theirs.
 void load_state_of_others(Tile& tile, const Spool& state, std::size_t state_size);

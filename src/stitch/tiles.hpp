@@ -27,13 +27,10 @@ class Tiles {
   [[nodiscard]] const Tiling& tiling() const { return cut_.tiling; }
   [[nodiscard]] const IncomingFaces& incoming() const { return cut_.incoming; }
 
-  // Without what vertices remember and carry.
-  [[nodiscard]] Tile load(std::size_t number) const { return load(number, 0, 0); }
-  [[nodiscard]] Tile load(std::size_t number, std::size_t state_size,
-                          std::size_t attributes) const {
-    Tile tile = load_tile(whole_, cut_.tiling, cut_.incoming, number, state_size, attributes);
-    if (state_size > 0 && settings_.decimation.sequence)
-      load_state_of_others(tile, *whole_.state, state_size);
+  [[nodiscard]] Tile load(std::size_t number, const TileParts& parts) const {
+    Tile tile = load_tile(whole_, cut_.tiling, cut_.incoming, number, parts);
+    if (parts.state_size > 0 && settings_.decimation.sequence)
+      load_state_of_others(tile, *whole_.state, parts.state_size);
     return tile;
   }
 

@@ -19,7 +19,12 @@ struct TriedTile {
   std::uint64_t frozen = 0;  // faces that cannot change because of the borders between tiles
   double reached = std::numeric_limits<double>::infinity();  // all that costs no more is in it
 
-  void clear() { *this = {}; }
+  void clear() {
+    edges.clear();
+    costs.clear();
+    frozen = 0;
+    reached = std::numeric_limits<double>::infinity();
+  }
 };
 
 // Of one attempt in one round, the tiles in order.

@@ -21,7 +21,7 @@ std::unique_ptr<VertexIndex> unfolded_vertices(Job& job, const StoredMesh& mesh,
   tiles.for_each<std::vector<IndexedVertex>>(
       0,
       [&](std::size_t number, std::vector<IndexedVertex>& moved) {
-        Tile tile = tiles.load(number);
+        Tile tile = tiles.load(number, {});
         job.progress.advance(tile.own_faces);
         moved = unfolded_vertices(std::move(tile), near, ratio, settings.decimation.single);
       },

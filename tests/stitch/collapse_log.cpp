@@ -5,6 +5,7 @@
 #include "support/random.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <tuple>
 
 #include <catch2/catch.hpp>
@@ -34,12 +35,15 @@ Logs random_logs(Random& random, std::size_t tiles, std::size_t most, std::uint6
     std::vector<Collapse> edges(random.below(most + 1));
     std::vector<CollapseLog::Cost> costs;
     double cost = 0;
-    std::uint64_t removed = 0;
+    std::uint32_t removed = 0;
+    const bool single = random.below(2) == 0;  // positions that floats have
     for (std::size_t i = 0; i < edges.size(); ++i) {
+      const auto place = static_cast<double>(i);
+      edges[i].position = {place, -0.0, single ? place / 8 : place / 7};
       edges[i].kept = static_cast<VertexNumber>(random.below(1000));
       edges[i].removed = static_cast<VertexNumber>(1000 + i);
       cost += static_cast<double>(random.below(kinds)) / 16;
-      const std::uint64_t faces = random.between(1, 3);
+      const auto faces = static_cast<std::uint32_t>(random.between(1, 3));
       removed += faces;
       costs.push_back({cost, removed});
       logs.sorted.push_back({cost, tile, i, faces});
@@ -91,6 +95,8 @@ TEST_CASE("a cut takes the cheapest collapses of all tiles and no more") {
             for (std::size_t i = 0; i < count; ++i) {
               REQUIRE(edges[i].kept == logs.edges[t][i].kept);
               REQUIRE(edges[i].removed == logs.edges[t][i].removed);
+              REQUIRE(std::memcmp(&edges[i].position, &logs.edges[t][i].position, sizeof(Point)) ==
+                      0);
             }
           }
         }

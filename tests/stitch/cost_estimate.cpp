@@ -13,7 +13,7 @@ TEST_CASE("the cost of a cut is estimated by the known tiles") {
     if (tile < CostEstimate::fewest_tiles) CHECK(std::isinf(estimate.cost()));
     std::vector<CollapseLog::Cost> costs;
     for (int i = 1; i <= 90; ++i)
-      costs.push_back({static_cast<double>(tile) * 1e-3 + i, static_cast<std::uint64_t>(i), 0});
+      costs.push_back({static_cast<double>(tile) * 1e-3 + i, static_cast<std::uint32_t>(i), 0});
     estimate.add(costs, 100);
     if (tile < CostEstimate::fewest_tiles) continue;
     // Half of the faces go at costs up to 50.
