@@ -150,6 +150,10 @@ void for_each_field(Report& report, Field&& field) {
 // base has), bad_input (damaged, or cut short before the count), resources, cancelled, failed.
 WINNOW_API ExtractReport extract(Context& context, const std::string& input,
                                  const std::string& output, const ExtractOptions& options);
+// The same mesh in memory, which does not count in the budget. What chooses a format is a usage
+// error.
+WINNOW_API Mesh extract(Context& context, const std::string& input, const ExtractOptions& options,
+                        ExtractReport* report = nullptr);
 
 // What the header of a progressive file says.
 struct ProgressiveInfo {

@@ -124,7 +124,7 @@ void unfold(Job& job, SplitPlayer& player, StoredMesh& mesh) {
       unfolded_vertices(job, mesh, reference, settings, refine_memory(job.budget.left()));
 }
 
-ExtractReport extract_in_arena(Job& job, const std::string& input, const std::string& output,
+ExtractReport extract_in_arena(Job& job, const std::string& input, const MeshSink& output,
                                const ExtractOptions& options) {
   const Stopwatch watch;
   remove_stale_files(job.scratch.directory(), scratch_prefix);
@@ -132,7 +132,8 @@ ExtractReport extract_in_arena(Job& job, const std::string& input, const std::st
   writing.to = options.to;
   writing.encoding = options.encoding;
   writing.force = options.force;
-  FileSink sink(job, output, writing);
+  const ResultSinks sinks = open_sinks(job, output, writing);
+  ResultSink& sink = *sinks.front();
   const MeshEncoder& encoder = sink.encoder();
   SplitPlayer player(job, open_source(job, input), false);
   const ProgressiveHeader& header = player.header();
@@ -161,9 +162,8 @@ ExtractReport extract_in_arena(Job& job, const std::string& input, const std::st
   shape.closed = encoder.needs_survey() && is_closed(job, mesh);
   const std::uint64_t written = sink.write(mesh, shape);
   sink.finish();
-  report.output = {output,          sink.format(),
-                   mesh.face_count, mesh.vertices->size(),
-                   written,         encoder.position_error(shape)};
+  report.output = {sink.name(),           sink.format(), mesh.face_count,
+                   mesh.vertices->size(), written,       encoder.position_error(shape)};
   report.attributes = {descriptions(choice), choice.dropped};
   take_usage(job, watch, report);
   return report;
@@ -176,6 +176,17 @@ ExtractReport extract(Context& context, const std::string& input, const std::str
   check(options);
   Job job(context);
   return in_arena(job, [&] { return extract_in_arena(job, input, output, options); });
+}
+
+Mesh extract(Context& context, const std::string& input, const ExtractOptions& options,
+             ExtractReport* report) {
+  check(options);
+  Job job(context);
+  Mesh mesh;
+  ExtractReport told =
+      in_arena(job, [&] { return extract_in_arena(job, input, MeshSink(mesh), options); });
+  if (report != nullptr) *report = std::move(told);
+  return mesh;
 }
 
 }  // namespace winnow

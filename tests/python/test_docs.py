@@ -31,7 +31,16 @@ def test_docs_run_as_one_notebook(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize(
     "name",
-    ["", ".simplify", ".Mesh", ".Stream", ".Report", ".progress_bar"],
+    [
+        "",
+        ".simplify",
+        ".simplify_sequence",
+        ".Mesh",
+        ".Progressive",
+        ".Stream",
+        ".Report",
+        ".progress_bar",
+    ],
 )
 def test_examples_of_docstrings_run(name):
     thing = getattr(winnow, name[1:]) if name else winnow
@@ -70,7 +79,11 @@ reveal_type(points)
 *arrays, where = winnow.simplify(points, faces, target_count=4, return_map=True)
 mesh = winnow.simplify(winnow.Mesh(points, faces), target_reduction=0.5, normals=True)
 reveal_type(mesh.report)
-winnow.simplify_file("a.ply", "b.ply", faces="1M", progress=print).output.faces
+winnow.simplify_file("a.ply", "b.ply", faces="1M", fit=1, progress=print).output.faces
+level = winnow.Progressive("a.wpm").extract(faces=20_000, normals=True)
+reveal_type(level.points)
+frames, shared = winnow.simplify_sequence(np.zeros((5, 9, 3)), faces, target_count=4)
+lists, own = winnow.simplify_sequence([points, points], faces, target_count=4, per_frame=0.5)
 """
 
 

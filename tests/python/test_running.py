@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -9,8 +11,6 @@ import numpy as np
 import pytest
 import winnow
 from conftest import waves
-
-
 
 
 def test_progress_is_told_in_the_callers_thread():
@@ -33,13 +33,15 @@ def test_a_callback_that_raises_stops_the_run():
     class Enough(Exception):
         pass
 
+    raised = []
+
     def progress(*_):
+        raised.append(time.monotonic())
         raise Enough("now")
 
-    start = time.monotonic()
     with pytest.raises(Enough, match="now"):
         winnow.simplify(points, faces, target_count=1000, detail="full", progress=progress)
-    assert time.monotonic() - start < 60
+    assert len(raised) == 1 and time.monotonic() - raised[0] < 1
     # And what comes next is not stopped.
     few_points, few_faces = waves(20)
     assert len(winnow.simplify(few_points, few_faces, target_count=50)[1]) in (49, 50)
@@ -58,7 +60,7 @@ def test_ctrl_c_stops_within_a_second():
     thread.start()
     with pytest.raises(KeyboardInterrupt):
         winnow.simplify(points, faces, target_count=1000, detail="full")
-    assert time.monotonic() - sent[0] < float(os.environ.get("WINNOW_PATIENCE", 1)) * 5
+    assert time.monotonic() - sent[0] < 1
     thread.join()
 
 
@@ -109,3 +111,39 @@ def test_the_bar_shows_every_stage(capsys, monkeypatch):
     winnow.simplify(points, faces, target_count=1000, progress=bar)
     bar.close()
     assert "\r" in capsys.readouterr().err
+
+
+def test_the_bar_is_tqdms_where_that_is_there(capsys):
+    pytest.importorskip("tqdm")
+    points, faces = waves(300)
+    bar = winnow.progress_bar()
+    winnow.simplify(points, faces, target_count=1000, progress=bar)
+    assert bar._bar is not None and "tqdm" in type(bar._bar).__module__
+    bar.close()
+    assert "write" in capsys.readouterr().err
+
+
+PEAK = """
+import numpy as np, winnow
+from conftest import waves
+
+def status(field):
+    lines = open("/proc/self/status").read().splitlines()
+    return next(int(line.split()[1]) for line in lines if line.startswith(field)) / 1024
+
+points, faces = waves(1200)
+winnow.simplify(*waves(20), target_count=50)
+open("/proc/self/clear_refs", "w").write("5")  # the peak begins anew
+before = status("VmRSS")
+new = winnow.simplify(points, faces, target_count=30_000, refine="none", memory="64M", threads=2)
+print(status("VmHWM") - before - sum(array.nbytes for array in new) / 2**20)
+"""
+
+
+def test_memory_is_the_arrays_and_the_budget():
+    environment = dict(os.environ)
+    environment["PYTHONPATH"] += os.pathsep + os.path.dirname(__file__)
+    run = subprocess.run(
+        [sys.executable, "-c", PEAK], env=environment, capture_output=True, text=True, check=True
+    )
+    assert float(run.stdout) < 64 + 32

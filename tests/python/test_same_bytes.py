@@ -9,6 +9,7 @@ OPTIONS = [
     {"target_count": 500},
     {"target_reduction": 0.9},
     {"error": "0.1%"},
+    {"target_count": 500, "fit": 2},
     {"cell": 3.0},
     {"grid": 12, "normals": True},
     {"target_count": 300, "refine": "volume"},

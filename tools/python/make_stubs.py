@@ -127,8 +127,30 @@ def stubs():
         text += stub_of("simplify", winnow.simplify, options, returned, own, overloaded=True)
     several = {"input": "_Path | Sequence[_Path]"}
     text += stub_of("simplify_file", winnow.simplify_file, options, "Report", several)
+    text += stub_of("progressive", winnow.progressive, options, "Report", several)
+    frames = {"frames": "npt.ArrayLike | Sequence[npt.ArrayLike]", "faces": "npt.ArrayLike"}
+    for per_frame, returned in (
+        ("None = ...", "tuple[_Array, _Array]"),
+        ("float | str", "tuple[Any, Any]"),
+    ):
+        text += stub_of(
+            "simplify_sequence",
+            winnow.simplify_sequence,
+            options,
+            returned,
+            frames | {"per_frame": per_frame},
+            overloaded=True,
+        )
     for call in (winnow.convert, winnow.compare, winnow.info):
         text += stub_of(call.__name__, call, options, "Report")
+    text += """
+class Progressive:
+    info: Report
+    face_count: int
+    base_face_count: int
+    def __init__(self, path: _Path) -> None: ...
+"""
+    text += indented(stub_of("extract", winnow.Progressive.extract, options, "Mesh")[1:])
     text += "\nclass Stream:\n    report: Report | None\n"
     text += indented(stub_of("__init__", winnow.Stream.__init__, options, "None")[1:])
     text += indented('''\

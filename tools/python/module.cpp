@@ -9,6 +9,7 @@
 #include "python/option_texts.hpp"
 #include "python/reports.hpp"
 #include "python/running.hpp"
+#include "python/sequences.hpp"
 
 #include <memory>
 #include <vector>
@@ -87,6 +88,46 @@ py::dict info_of_file(const std::string& input, const Texts& options, const Text
   return told_by(call, surroundings, progress);
 }
 
+py::dict progressive_file(const std::vector<std::string>& inputs, const std::string& output,
+                          const Texts& options, const Texts& surroundings,
+                          const py::object& progress) {
+  ProgressiveOptions wanted;
+  read(wanted, progressive_options(), options);
+  const auto call = [&](Context& context) { return progressive(context, inputs, output, wanted); };
+  return told_by(call, surroundings, progress);
+}
+
+py::dict info_of_levels(const std::string& input, const Texts& surroundings) {
+  const auto call = [&](Context& context) { return progressive_info(context, input); };
+  return told_by(call, surroundings, py::none());
+}
+
+py::tuple extract_arrays(const std::string& input, const Texts& options, const Texts& surroundings,
+                         const py::object& progress) {
+  Context context;
+  read(context, context_options(), surroundings);
+  ExtractOptions wanted;
+  read(wanted, extract_options(), options);
+  ExtractReport report;
+  Mesh mesh;
+  run(context, progress, [&] { mesh = extract(context, input, wanted, &report); });
+  return py::make_tuple(arrays_of(std::move(mesh)), dict_of(report));
+}
+
+// What KeptFrames gives, and whether frames have faces of their own.
+py::tuple simplify_frames(const std::vector<py::array>& points, const py::array& faces,
+                          const Texts& options, const Texts& surroundings,
+                          const py::object& progress) {
+  Context context;
+  read(context, context_options(), surroundings);
+  SequenceOptions wanted;
+  read(wanted, sequence_options(), options);
+  ArrayFrames frames(points, faces);
+  KeptFrames kept;
+  run(context, progress, [&] { simplify_sequence(context, frames, kept, wanted); });
+  return py::make_tuple(std::move(kept).arrays(), wanted.per_frame > 0);
+}
+
 // Simplification, whose batches are C-ordered arrays.
 class Stream {
  public:
@@ -137,6 +178,9 @@ py::dict tables() {
   all["simplify"] = rows_of_table(simplify_options());
   all["convert"] = rows_of_table(convert_options());
   all["compare"] = rows_of_table(compare_options());
+  all["progressive"] = rows_of_table(progressive_options());
+  all["extract"] = rows_of_table(extract_options());
+  all["sequence"] = rows_of_table(sequence_options());
   all["context"] = rows_of_table(context_options());
   return all;
 }
@@ -158,6 +202,10 @@ PYBIND11_MODULE(_winnow, module) {
   module.def("convert_file", convert_file);
   module.def("compare_files", compare_files);
   module.def("info_of_file", info_of_file);
+  module.def("progressive_file", progressive_file);
+  module.def("info_of_levels", info_of_levels);
+  module.def("extract_arrays", extract_arrays);
+  module.def("simplify_frames", simplify_frames);
   py::class_<Stream>(module, "Stream")
       .def(py::init<const std::string&, const Texts&, const Texts&>())
       .def("add_points", &Stream::add_points<float>, py::arg().noconvert())

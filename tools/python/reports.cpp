@@ -71,6 +71,16 @@ class Fields {
     (*this)(path + ".boundary", edges.boundary);
     (*this)(path + ".non_manifold", edges.non_manifold);
   }
+  void operator()(const std::string& path, const std::vector<ProgressiveInfo::Prefix>& prefixes) {
+    py::list list;
+    for (const ProgressiveInfo::Prefix& prefix : prefixes) {
+      py::dict dict;
+      dict["faces"] = prefix.faces;
+      dict["bytes"] = prefix.bytes;
+      list.append(dict);
+    }
+    set(path, list);
+  }
   void operator()(const std::string& path, const std::vector<LevelReport>& levels) {
     py::list list;
     for (const LevelReport& level : levels) {
@@ -140,6 +150,15 @@ py::dict dict_of(const InfoReport& report) {
   return dict_by_table(report);
 }
 py::dict dict_of(const CompareReport& report) {
+  return dict_by_table(report);
+}
+py::dict dict_of(const ProgressiveReport& report) {
+  return dict_by_table(report);
+}
+py::dict dict_of(const ProgressiveInfo& info) {
+  return dict_by_table(info);
+}
+py::dict dict_of(const ExtractReport& report) {
   return dict_by_table(report);
 }
 

@@ -4,6 +4,7 @@
 #include <winnow/compare.hpp>
 #include <winnow/convert.hpp>
 #include <winnow/info.hpp>
+#include <winnow/progressive.hpp>
 #include <winnow/simplify.hpp>
 
 #include <pybind11/pybind11.h>
@@ -14,5 +15,8 @@ pybind11::dict dict_of(const SimplifyReport& report);
 pybind11::dict dict_of(const ConvertReport& report);
 pybind11::dict dict_of(const InfoReport& report);
 pybind11::dict dict_of(const CompareReport& report);
+pybind11::dict dict_of(const ProgressiveReport& report);
+pybind11::dict dict_of(const ProgressiveInfo& info);
+pybind11::dict dict_of(const ExtractReport& report);
 
 }  // namespace winnow::python

@@ -9,9 +9,11 @@
 """
 
 from ._calls import compare, convert, has_part, info, simplify, simplify_file
+from ._levels import Progressive, progressive
 from ._mesh import Mesh
 from ._progress import progress_bar
 from ._report import Report
+from ._sequence import simplify_sequence
 from ._stream import Stream
 from ._winnow import Error, MissingPart, __version__
 
@@ -19,6 +21,7 @@ __all__ = [
     "Error",
     "Mesh",
     "MissingPart",
+    "Progressive",
     "Report",
     "Stream",
     "__version__",
@@ -27,8 +30,10 @@ __all__ = [
     "has_part",
     "info",
     "progress_bar",
+    "progressive",
     "simplify",
     "simplify_file",
+    "simplify_sequence",
 ]
 
 for _name in __all__:
