@@ -127,7 +127,9 @@ TEST_CASE("a sequence that fails leaves what was there under its outputs' names"
   CHECK(bytes_of_file(directory.file("s-0.ply")) == "mine");
 }
 
-TEST_CASE("a sequence without a count of faces, or with one file, is a usage error") {
+TEST_CASE("a sequence without a count of faces, or with one mesh, is a usage error") {
+  const Directory directory;
+  write_file(directory.file("one.obj"), obj_of(corners, pyramid));
   TestJob job;
   SequenceOptions options;
   const auto kind_of = [&](const std::vector<std::string>& names) {
@@ -138,7 +140,8 @@ TEST_CASE("a sequence without a count of faces, or with one file, is a usage err
   options.target = Target::cell(0.1);
   CHECK(kind_of({"a1.ply", "a2.ply"}) == ErrorKind::usage);
   options.target = Target::faces(10);
-  CHECK(kind_of({"a1.ply"}) == ErrorKind::usage);
+  CHECK(kind_of({directory.file("one.obj")}) == ErrorKind::usage);
+  CHECK(kind_of({"a1.ply"}) == ErrorKind::bad_input);
   CHECK(kind_of({"a1.ply", "-"}) == ErrorKind::usage);
   CHECK(kind_of({"a1.ply", "a2.ply"}) == ErrorKind::bad_input);
   options.deformation_weight = -1;
