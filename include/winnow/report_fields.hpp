@@ -24,6 +24,15 @@ void for_each_output_field(Output& output, Field&& field) {
   field("output.position_error", output.position_error);
 }
 
+// The same for what became of the surface.
+template <typename Report, typename Field>
+void for_each_lost_field(Report& report, Field&& field) {
+  field("lost.pieces", report.lost.pieces);
+  field("lost.piece_area", report.lost.piece_area);
+  field("lost.handles", report.lost.handles);
+  field("lost.holes", report.lost.holes);
+}
+
 // The same for what a call took: scratch, memory, the time of each stage that it has.
 template <typename Report, typename Field>
 void for_each_usage_field(Report& report, Field&& field) {

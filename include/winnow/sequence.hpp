@@ -6,6 +6,7 @@
 #include <winnow/format.hpp>
 #include <winnow/mesh.hpp>
 #include <winnow/report_fields.hpp>
+#include <winnow/simplify_report.hpp>
 #include <winnow/target.hpp>
 
 #include <concepts>
@@ -59,6 +60,8 @@ struct SequenceReport {
   std::uint64_t joined = 0;     // vertices that were at one place in every frame and became one
   std::uint64_t bad_faces = 0;  // that repeat a vertex or name none; left out
   std::uint64_t tiles = 0, collapses = 0;  // that all frames have in common
+  LevelReport::Lost lost;                  // from all frames; areas are those of the first
+  LevelReport::Area area;                  // of the first frame
 
   std::uint64_t spilled_bytes = 0;       // written to scratch, all kinds together
   std::uint64_t peak_scratch_bytes = 0;  // most scratch in use at one time
@@ -90,6 +93,9 @@ void for_each_field(Report& report, Field&& field) {
   field("joined_vertices", report.joined);
   field("refine.tiles", report.tiles);
   field("refine.collapses", report.collapses);
+  for_each_lost_field(report, field);
+  field("area.input", report.area.input);
+  field("area.output", report.area.output);
   for_each_usage_field(report, field);
   field("notes", report.notes);
 }

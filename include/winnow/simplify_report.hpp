@@ -179,10 +179,7 @@ void for_each_level_field(Report& report, Field&& field) {
   field("fit.moved_vertices", report.fit.moved_vertices);
   field("fit.rms_before", report.fit.rms_before);
   field("fit.rms_after", report.fit.rms_after);
-  field("lost.pieces", report.lost.pieces);
-  field("lost.piece_area", report.lost.piece_area);
-  field("lost.handles", report.lost.handles);
-  field("lost.holes", report.lost.holes);
+  for_each_lost_field(report, field);
   field("topology.input", report.topology.input);
   field("topology.output", report.topology.output);
   field("topology.pieces.input", report.topology.input_pieces);

@@ -2,11 +2,13 @@
 
 #include "base/hash.hpp"
 #include "base/memory_shares.hpp"
+#include "base/text.hpp"
 #include "io/parted_records.hpp"
 #include "io/spool_records.hpp"
 #include "measure/edge_count.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -345,6 +347,16 @@ CountedSurface count_surface(Job& job, const StoredMesh& mesh, std::uint64_t mem
   const ResultSurface surface = survey(job, mesh, memory, false);
   const CountedSurface& counted = surface;
   return counted;
+}
+
+void note_lost_area(Job& job, const std::string& of, double before, double after, double part) {
+  const double lost = 1 - after / before;
+  if (lost > part) job.note(of + percentage(lost) + " of the area is gone");
+}
+
+std::string percentage(double part) {
+  const double tenths = std::round(1000 * part) / 10;
+  return shortest(tenths) + " %";
 }
 
 }  // namespace winnow

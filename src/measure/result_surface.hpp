@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace winnow {
 
@@ -34,5 +35,11 @@ CountedSurface count_surface(Job& job, const StoredMesh& mesh, std::uint64_t mem
 // Whether every side of a face meets one of the opposite direction, by the numbers of vertices: one
 // pass.
 bool is_closed(Job& job, const StoredMesh& mesh);
+
+// Notes where more than this part of the area went; the note begins with `of`.
+void note_lost_area(Job& job, const std::string& of, double before, double after,
+                    double part = 0.01);
+// "12.3 %"
+std::string percentage(double part);
 
 }  // namespace winnow

@@ -24,7 +24,6 @@
 #include "write/mesh_encoder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -75,17 +74,10 @@ Clustered cluster(Job& job, Input& input, const SimplifyOptions& options,
   return clustered;
 }
 
-// Surfaces of which more than this part of the area went get a note.
-constexpr double lost_area = 0.01;
 // Faces that hardly share an edge: more than this part of so many edges are boundaries.
 constexpr double loose_edges = 0.9;
 constexpr std::uint64_t enough_edges = 100;
 constexpr std::uint64_t most_edges_noted = 3 << 20;  // of the 2^20 faces that are always counted
-
-std::string percentage(double part) {
-  const double tenths = std::round(1000 * part) / 10;
-  return shortest(tenths) + " %";
-}
 
 // What a note of one result of several begins with.
 std::string level_named(const Target& target, const SimplifyOptions& options) {
@@ -111,8 +103,7 @@ ResultSurface check_surface(Job& job, const StoredMesh& mesh, const SimplifyOpti
              (welds(options) ? "a larger distance of `weld`" : "`weld` DISTANCE") +
              " joins vertices that lie near each other");
   }
-  const double lost = 1 - surface.area / report.area.input;
-  if (lost > lost_area) job.note(level + percentage(lost) + " of the area is gone");
+  note_lost_area(job, level, report.area.input, surface.area);
   return surface;
 }
 

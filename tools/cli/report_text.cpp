@@ -66,6 +66,20 @@ void Lines::notes(const std::vector<std::string>& notes) const {
   for (const std::string& note : notes) (*this)("note", note);
 }
 
+std::string show_lost(const LevelReport::Lost& lost) {
+  std::string text;
+  const auto add = [&](std::uint64_t count, const char* one) {
+    if (count == 0) return;
+    if (!text.empty()) text += ", ";
+    text += grouped(count) + " " + one + (count == 1 ? "" : "s");
+  };
+  add(lost.pieces, "piece");
+  if (lost.pieces > 0) text += " (area " + show_length(lost.piece_area) + ")";
+  add(lost.handles, "handle");
+  add(lost.holes, "hole");
+  return text;
+}
+
 void show_quantized(const Lines& line, double position_error) {
   if (position_error > 0)
     line("quantized", "no vertex moves by more than " + show_length(position_error));

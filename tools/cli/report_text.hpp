@@ -44,6 +44,9 @@ class Lines {
   std::size_t column_;
 };
 
+// "3 pieces (area 0.25), 1 handle"; empty where nothing was lost.
+std::string show_lost(const LevelReport::Lost& lost);
+
 // Where positions were rounded to whole numbers.
 void show_quantized(const Lines& line, double position_error);
 

@@ -27,6 +27,9 @@ void show(const SequenceReport& report, std::ostream& out) {
   line("faces",
        grouped(report.input.faces) + " -> " + grouped(report.output.faces) + " in each frame");
   line("vertices", grouped(report.input.vertices) + " -> " + grouped(report.output.vertices));
+  line("area", show_length(report.area.input) + " -> " + show_length(report.area.output) +
+                   " in the first frame");
+  if (const std::string lost = show_lost(report.lost); !lost.empty()) line("lost", lost);
   line("files", human_bytes(report.output.bytes));
   line("time", show_time(report.seconds.total, report.input.faces * report.input.frames));
   line("memory", show_memory(report.peak_memory_bytes, report.peak_scratch_bytes));
@@ -34,8 +37,8 @@ void show(const SequenceReport& report, std::ostream& out) {
     line("bad faces", grouped(report.bad_faces) + " repeat a vertex or name none; left out");
   if (report.joined > 0)
     line("joined", grouped(report.joined) +
-                       " vertices that are at the place of another in every "
-                       "frame");
+                       (report.joined == 1 ? " vertex that is" : " vertices that are") +
+                       " at the place of another in every frame");
   line.notes(report.notes);
 }
 

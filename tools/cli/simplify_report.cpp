@@ -33,21 +33,6 @@ std::string describe(const Resumed& resumed) {
   return text;
 }
 
-// "3 pieces (area 0.25), 1 handle"; empty where nothing was lost.
-std::string describe_lost(const SimplifyReport& report) {
-  std::string text;
-  const auto add = [&](std::uint64_t count, const char* one) {
-    if (count == 0) return;
-    if (!text.empty()) text += ", ";
-    text += grouped(count) + " " + one + (count == 1 ? "" : "s");
-  };
-  add(report.lost.pieces, "piece");
-  if (report.lost.pieces > 0) text += " (area " + show_length(report.lost.piece_area) + ")";
-  add(report.lost.handles, "handle");
-  add(report.lost.holes, "hole");
-  return text;
-}
-
 std::string percent(double part) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(),
@@ -126,7 +111,7 @@ void show(const SimplifyReport& report, std::ostream& out) {
     }
     line("area", show_length(report.area.input) + " -> " + show_length(report.area.output));
   }
-  if (const std::string lost = describe_lost(report); !lost.empty()) line("lost", lost);
+  if (const std::string lost = show_lost(report.lost); !lost.empty()) line("lost", lost);
   if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
   if (report.resumed) line("resumed", describe(*report.resumed));
   line("time", show_time(report.seconds.total, report.input.faces));
