@@ -137,8 +137,8 @@ inline constexpr Share joined{1, 2};  // of lists, while vertices are joined
 
 // Fitting, of what refinement has for tiles, while samples look for their faces.
 namespace fitting {
-inline constexpr Share index{1, 2}, hits{1, 4}, placed{1, 4};
-static_assert(fit(index, hits, placed));
+inline constexpr Share index{1, 2}, hits{1, 4}, placed{3, 16}, reading{1, 16};
+static_assert(fit(index, hits, placed, reading));
 }  // namespace fitting
 
 // What comes out of a round: the mesh, and faces on their way to it.

@@ -1,4 +1,4 @@
-// Boxes that are asked which of them are nearest to a point.
+// Boxes that are asked which of them are near a point, or a box.
 #pragma once
 
 #include "base/box.hpp"
@@ -21,22 +21,36 @@ class BoxTree {
  public:
   explicit BoxTree(std::span<const Box> boxes);
 
-  // Bytes in use at most for so many boxes, while it is made.
+  // Bytes in use at most for so many boxes.
+  static constexpr std::size_t memory_made(std::size_t boxes) {
+    return boxes * (sizeof(Node) / 7 + 1 + sizeof(std::uint32_t)) + 2 * sizeof(Node);
+  }
+  // The same while it is made.
   static constexpr std::size_t memory(std::size_t boxes) {
     return boxes * (sizeof(Node) + 2 * sizeof(Box)) / 7 + sizeof(Node) + sizeof(Box) +
            boxes * (sizeof(Box) + sizeof(Point) + sizeof(std::uint32_t));
   }
 
-  // each(number) for all boxes whose squared distance is no more than `limit`, the nearest mostly
-  // first; each() may lower the limit. Farther than 10^18 times the longest side, none may be
-  // found.
+  // each(number) for all boxes whose squared distance from `place` is no more than `limit`, the
+  // nearest mostly first; each() may lower the limit, below 0 to end the search. Farther than 10^18
+  // times the longest side, none may be found. `beyond`: none whose squared distance is no more.
+  template <typename Each>
+  void for_each_within(const Box& place, const double& limit, const Each& each,
+                       float beyond = -1) const {
+    if (levels_.empty()) return;
+    Seen seen{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double low = place.low[axis] - middle_[axis];
+      const double high = place.high[axis] - middle_[axis];
+      seen.middle[axis] = static_cast<float>(0.5 * scale_ * (low + high));
+      seen.half[axis] = static_cast<float>((0.5 + slack) * scale_ * (high - low));
+    }
+    seen.beyond = beyond;
+    visit(levels_.size() - 1, 0, seen, limit, each);
+  }
   template <typename Each>
   void for_each_within(const Point& point, const double& limit, const Each& each) const {
-    if (levels_.empty()) return;
-    std::array<float, 3> seen{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      seen[axis] = static_cast<float>(scale_ * (point[axis] - middle_[axis]));
-    visit(levels_.size() - 1, 0, seen, limit, each);
+    for_each_within(Box{point, point, false}, limit, each);
   }
 
   // Of all boxes.
@@ -53,29 +67,36 @@ class BoxTree {
   struct Node {
     std::array<std::array<float, group>, 3> middle, half;
   };
+  // The place that is asked for.
+  struct Seen {
+    std::array<float, 3> middle, half;
+    float beyond;
+  };
 
   void arrange(std::span<std::uint32_t> part, std::span<const Point> middles) const;
   std::vector<Node> nodes_of(std::vector<Box>& boxes) const;
 
   // Four times the squared distances.
-  static std::array<float, group> squared_distances(const Node& node,
-                                                    const std::array<float, 3>& point) {
+  static std::array<float, group> squared_distances(const Node& node, const Seen& seen) {
     // Twice what is positive, without a branch: compilers use wide registers for it.
     const auto positive = [](float x) { return x + std::abs(x); };
     std::array<float, group> squared;
     for (std::size_t i = 0; i < group; ++i) {
-      const float x = positive(std::abs(point[0] - node.middle[0][i]) - node.half[0][i]);
-      const float y = positive(std::abs(point[1] - node.middle[1][i]) - node.half[1][i]);
-      const float z = positive(std::abs(point[2] - node.middle[2][i]) - node.half[2][i]);
+      const float x =
+          positive(std::abs(seen.middle[0] - node.middle[0][i]) - (node.half[0][i] + seen.half[0]));
+      const float y =
+          positive(std::abs(seen.middle[1] - node.middle[1][i]) - (node.half[1][i] + seen.half[1]));
+      const float z =
+          positive(std::abs(seen.middle[2] - node.middle[2][i]) - (node.half[2][i] + seen.half[2]));
       squared[i] = x * x + y * y + z * z;
     }
     return squared;
   }
 
   template <typename Each>
-  void visit(std::size_t level, std::size_t number, const std::array<float, 3>& point,
-             const double& limit, const Each& each) const {
-    std::array<float, group> squared = squared_distances(levels_[level][number], point);
+  void visit(std::size_t level, std::size_t number, const Seen& seen, const double& limit,
+             const Each& each) const {
+    std::array<float, group> squared = squared_distances(levels_[level][number], seen);
     const auto most = [this, &limit] {
       // Never infinite: where there is no box, the distance is.
       return static_cast<float>(std::min(4 * (1 + slack) * scale_ * scale_ * limit,
@@ -98,9 +119,9 @@ class BoxTree {
       if (k > 0 && !(squared[near[k]] <= most())) return;
       const std::size_t entered = number * group + near[k];
       if (level == 0) {
-        each(std::size_t{order_[entered]});
+        if (squared[near[k]] > seen.beyond) each(std::size_t{order_[entered]});
       } else {
-        visit(level - 1, entered, point, limit, each);
+        visit(level - 1, entered, seen, limit, each);
       }
     }
   }

@@ -1,9 +1,11 @@
 #include "fit/face_index.hpp"
 
 #include "base/closest_point.hpp"
+#include "base/instruction_set.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace winnow {
@@ -15,8 +17,22 @@ constexpr std::size_t least_slots = 16;
 constexpr std::size_t most_slots = 64;
 // Faces of a page where all are in memory: trees of many faces overlap less. Where they are not,
 // few are read at once.
-constexpr std::uint64_t large_page = std::uint64_t{1} << 16;
+constexpr std::uint64_t large_page = std::uint64_t{1} << 14;
 constexpr std::uint64_t small_page = 512;
+
+// Fewer points are looked for one by one, and so are those with more faces around them.
+constexpr std::size_t least_at_once = 4;
+constexpr std::size_t at_once_alone = 64;
+constexpr std::size_t most_around(std::size_t points) {
+  return 32 + 2 * points;
+}
+constexpr std::size_t most_candidates = 2 * most_around(PointGroup::capacity);
+// No more than floats have room for when lengths are multiplied with each other.
+constexpr double farthest_seen = 1e16;
+// Distances by floats are off by less than this part of all lengths that come in.
+constexpr double rounding = 64 * 0x1p-24;
+// Faces that tell how long faces are.
+constexpr std::uint64_t measured_faces = 64;
 
 std::uint64_t pages_of(std::uint64_t faces, std::uint64_t page) {
   return (faces + page - 1) / page;
@@ -28,28 +44,80 @@ Box box_of(const Triangle& t) {
   return box;
 }
 
+// As long as 1 and across `along`, in the plane of the vector `c` where it has a plane.
+Point across_of(const Point& along, const Point& c) {
+  Point across = c - dot(along, c) * along;
+  across = unit(across - dot(along, across) * along);
+  if (dot(across, across) > 0) return across;
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (std::abs(along[i]) < std::abs(along[axis])) axis = i;
+  }
+  Point other{};
+  other[axis] = 1;
+  return unit(cross(along, other));
+}
+
 }  // namespace
 
+FlatFace flat_face(const Triangle& t, double scale) {
+  const Point b = scale * (t[1] - t[0]);
+  const Point c = scale * (t[2] - t[0]);
+  Point along = unit(b);
+  if (!(dot(along, along) > 0)) along = unit(c);
+  if (!(dot(along, along) > 0)) along = {1, 0, 0};
+  const Point across = across_of(along, c);
+  const Point up = cross(along, across);
+  const auto one_by = [](double x, double y) {
+    const auto part = static_cast<float>(1 / (x * x + y * y));
+    return std::isfinite(part) ? part : 0.0F;
+  };
+  FlatFace face;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    face.along[axis] = static_cast<float>(along[axis]);
+    face.across[axis] = static_cast<float>(across[axis]);
+    face.up[axis] = static_cast<float>(up[axis]);
+  }
+  const double second = dot(along, b);
+  const double x = dot(along, c);
+  const double y = dot(across, c);
+  face.second = static_cast<float>(second);
+  face.third[0] = static_cast<float>(x);
+  face.third[1] = static_cast<float>(y);
+  face.by_first_side = one_by(x, y);
+  face.by_second_side = one_by(x - second, y);
+  face.reach = static_cast<float>(std::max(length(b), length(c)));
+  return face;
+}
+
 constexpr std::uint64_t FaceIndex::page_bytes(std::uint64_t faces) {
-  return faces * (sizeof(Triangle) + sizeof(Box)) + BoxTree::memory(faces);
+  return faces * (sizeof(Triangle) + sizeof(FlatFace)) + BoxTree::memory_made(faces);
+}
+
+constexpr std::uint64_t FaceIndex::making_bytes(std::uint64_t faces) {
+  return faces * (sizeof(Triangle) + sizeof(FlatFace) + sizeof(Box)) + BoxTree::memory(faces);
 }
 
 FaceIndex::FaceIndex(Job& job, const StoredMesh& mesh, std::uint64_t memory)
-    : job_(job), mesh_(mesh) {
+    : job_(job),
+      mesh_(mesh),
+      scale_(usual_scale()),
+      kernel_(best_kernel(WINNOW_KERNELS(near_kernel))) {
   const auto top = [&](std::uint64_t page) {
     const std::uint64_t pages = pages_of(mesh.face_count, page);
     return pages * sizeof(Box) + BoxTree::memory(pages);
   };
-  // One page more a thread while they are made.
-  const std::uint64_t making = std::min(large_page, mesh.face_count) * job.threads;
-  const std::uint64_t all = top(large_page) + page_bytes(mesh.face_count + making);
+  const std::uint64_t page = std::min(large_page, mesh.face_count);
+  const std::uint64_t all = top(large_page) + page_bytes(mesh.face_count) +
+                            pages_of(mesh.face_count, large_page) * page_bytes(0) +
+                            job.threads * making_bytes(page);
   if (all <= memory) reserved_ = job.budget.try_reserve(all);
   page_faces_ = reserved_ ? large_page : small_page;
   boxes_.resize(pages_of(mesh.face_count, page_faces_));
   if (reserved_) {
     resident_.resize(boxes_.size());
   } else {
-    const std::uint64_t slot = job.threads * page_bytes(small_page);
+    const std::uint64_t slot = job.threads * making_bytes(small_page);
     slots_a_thread_ = std::clamp<std::uint64_t>(memory / slot, least_slots, most_slots);
     reserved_ = job.budget.reserve(top(small_page) + (slots_a_thread_ + 1) * slot,
                                    "looking for near faces");
@@ -80,6 +148,18 @@ FaceIndex::FaceIndex(Job& job, const StoredMesh& mesh, std::uint64_t memory)
   tree_.emplace(boxes_);
 }
 
+double FaceIndex::usual_scale() const {
+  VertexIndex::Reader vertices(*mesh_.vertices);
+  double longest = 0;
+  const std::uint64_t step = mesh_.face_count / measured_faces + 1;
+  for (std::uint64_t f = 0; f < mesh_.face_count; f += step) {
+    const FaceVertices face = mesh_.face(f);
+    const Point side = vertices.position(face[1]) - vertices.position(face[0]);
+    for (const double x : side) longest = std::max(longest, std::abs(x));
+  }
+  return longest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(longest), -1000, 1000)) : 1;
+}
+
 void FaceIndex::load(std::size_t number, VertexIndex::Reader& vertices, Page& page) const {
   const std::uint64_t first = number * page_faces_;
   const std::uint64_t count = std::min(page_faces_, mesh_.face_count - first);
@@ -87,11 +167,14 @@ void FaceIndex::load(std::size_t number, VertexIndex::Reader& vertices, Page& pa
   boxes.reserve(count);
   page.faces.clear();
   page.faces.reserve(count);
+  page.flat.clear();
+  page.flat.reserve(count);
   page.area = 0;
   for (const auto& [a, b, c] : mesh_.read_faces(first, count)) {
     const Triangle& t = page.faces.emplace_back(
         Triangle{vertices.position(a), vertices.position(b), vertices.position(c)});
     boxes.push_back(box_of(t));
+    page.flat.push_back(flat_face(t, scale_));
     page.area += length(doubled_area(t)) / 2;
   }
   page.tree.emplace(boxes);
@@ -135,6 +218,111 @@ const FaceIndex::Page& FaceIndex::Reader::page(std::size_t number) {
   oldest->number = number;
   oldest->used = turn_;
   return oldest->page;
+}
+
+void FaceIndex::Reader::nearest(std::span<const Point> points, std::vector<Nearest>& out) {
+  out.clear();
+  while (!points.empty()) {
+    std::size_t count = std::min(points.size(), at_once_);
+    if (count >= least_at_once && look_around(points.first(count), out)) {
+      at_once_ = std::min(2 * at_once_, PointGroup::capacity);
+    } else if (count >= 2 * least_at_once) {
+      at_once_ = count / 2;
+      continue;
+    } else {
+      count = std::min(points.size(), at_once_alone);
+      for (const Point& point : points.first(count)) out.push_back(nearest(point));
+    }
+    points = points.subspan(count);
+  }
+}
+
+bool FaceIndex::Reader::look_around(std::span<const Point> points, std::vector<Nearest>& out) {
+  Box box;
+  for (const Point& point : points) box.add(point);
+  const Point middle = 0.5 * box.low + 0.5 * box.high;
+  const double scale = index_.scale_;
+  double size = scale * box.diagonal();
+  const std::size_t lanes =
+      (points.size() + PointGroup::lanes - 1) / PointGroup::lanes * PointGroup::lanes;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const Point& point = points[std::min(i, points.size() - 1)];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      group_.place[axis][i] = static_cast<float>(scale * (point[axis] - middle[axis]));
+    group_.least[i] = std::numeric_limits<float>::max();
+    group_.next[i] = std::numeric_limits<float>::max();
+    group_.nearest[i] = 0;
+  }
+  // First the faces around the points, and then those no farther than these.
+  candidates_.clear();
+  beside_.clear();
+  double limit = 0;
+  double reach = 0;
+  const auto collect = [&](std::size_t most, float beyond) {
+    index_.tree_->for_each_within(box, limit, [&](std::size_t number) {
+      const Page& page = this->page(number);
+      const std::uint64_t first = number * index_.page_faces_;
+      const auto take = [&](std::size_t place) {
+        if (candidates_.size() == most) limit = -1;
+        if (limit < 0) return;
+        const Triangle& corner = page.faces[place];
+        candidates_.push_back({first + place, corner});
+        FaceBeside& beside = beside_.emplace_back();
+        beside.face = page.flat[place];
+        double off = double{beside.face.reach};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const double seen = scale * (corner[0][axis] - middle[axis]);
+          beside.corner[axis] = static_cast<float>(seen);
+          off += std::abs(seen);
+        }
+        if (!(off <= reach)) reach = off;
+      };
+      page.tree->for_each_within(box, limit, take, beyond);
+    });
+    return limit >= 0 && size + reach < farthest_seen;
+  };
+  if (!collect(most_around(points.size()), -1)) return false;
+  if (candidates_.empty()) {
+    // The points are all on one side.
+    limit = length(box.high - box.low) / 2 + std::sqrt(nearest(middle).squared);
+    limit *= limit;
+    if (!collect(most_around(points.size()), -1) || candidates_.empty()) return false;
+  }
+  const float most = index_.kernel_(group_, lanes, beside_.data(), beside_.size(), 0);
+  if (!(most < std::numeric_limits<float>::max())) return false;
+  const double far = (std::sqrt(double{most}) + rounding * (size + reach)) / scale;
+  limit = far * far;
+  const std::size_t around = beside_.size();
+  if (!collect(most_candidates, 0)) return false;
+  index_.kernel_(group_, lanes, beside_.data() + around, beside_.size() - around,
+                 static_cast<std::int32_t>(around));
+  size += reach;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float least = group_.least[i];
+    // As near as the nearest one except for rounding?
+    const double as_near = std::sqrt(double{least}) + 2 * rounding * size;
+    if (!(double{group_.next[i]} > as_near * as_near)) {
+      out.push_back(nearest_candidate(points[i]));
+      continue;
+    }
+    const auto& [face, corner] = candidates_[static_cast<std::size_t>(group_.nearest[i])];
+    const Point here = closest_point(points[i], corner);
+    const Point off = points[i] - here;
+    out.push_back({face, corner, here, dot(off, off)});
+  }
+  last_ = out.back();
+  return true;
+}
+
+const FaceIndex::Nearest& FaceIndex::Reader::nearest_candidate(const Point& point) {
+  last_.squared = std::numeric_limits<double>::infinity();
+  for (const auto& [face, corner] : candidates_) {
+    const Point here = closest_point(point, corner);
+    const double squared = dot(point - here, point - here);
+    if (squared > last_.squared || (squared == last_.squared && face >= last_.face)) continue;
+    last_ = {face, corner, here, squared};
+  }
+  return last_;
 }
 
 const FaceIndex::Nearest& FaceIndex::Reader::nearest(const Point& point) {

@@ -1,17 +1,23 @@
-// The faces of a result, asked which of them is nearest to a point.
+// The faces of a result, asked which of them is nearest to each of some points.
 #pragma once
 
 #include "fit/box_tree.hpp"
+#include "fit/kernel/near_kernel.hpp"
 #include "io/job.hpp"
 #include "mesh/stored_mesh.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace winnow {
+
+// As kernels take it, with lengths times `scale`.
+FlatFace flat_face(const Triangle& t, double scale);
 
 // Faces come in the order of their vertices' keys, so those that follow each other are close. So
 // many of them are a page, with a tree of their boxes; the boxes of all pages are a tree as well.
@@ -39,6 +45,7 @@ class FaceIndex {
  private:
   struct Page {
     std::vector<Triangle> faces;
+    std::vector<FlatFace> flat;
     std::optional<BoxTree> tree;
     double area = 0;
   };
@@ -48,10 +55,19 @@ class FaceIndex {
   class Reader {
    public:
     explicit Reader(const FaceIndex& index);
-    // Of several that are as near the one with the lowest number.
+    // Of each point; of several faces that are as near the one with the lowest number. Quick where
+    // points that follow each other are close.
+    void nearest(std::span<const Point> points, std::vector<Nearest>& out);
     const Nearest& nearest(const Point& point);
 
    private:
+    struct Candidate {
+      std::uint64_t face;
+      Triangle corner;
+    };
+    // Of all points at once. False where they are far apart or lie among many faces.
+    bool look_around(std::span<const Point> points, std::vector<Nearest>& out);
+    const Nearest& nearest_candidate(const Point& point);
     struct Slot {
       std::size_t number = SIZE_MAX;
       std::uint64_t used = 0;
@@ -64,10 +80,16 @@ class FaceIndex {
     std::vector<Slot> slots_;
     std::uint64_t turn_ = 0;
     Nearest last_;
+    std::size_t at_once_ = PointGroup::capacity;
+    PointGroup group_;
+    std::vector<Candidate> candidates_;
+    std::vector<FaceBeside> beside_;  // the same
   };
 
  private:
   static constexpr std::uint64_t page_bytes(std::uint64_t faces);
+  static constexpr std::uint64_t making_bytes(std::uint64_t faces);
+  [[nodiscard]] double usual_scale() const;
   void load(std::size_t number, VertexIndex::Reader& vertices, Page& page) const;
 
   Job& job_;
@@ -79,6 +101,8 @@ class FaceIndex {
   std::vector<Box> boxes_;  // of pages
   std::optional<BoxTree> tree_;
   double area_ = 0;
+  double scale_ = 1;  // a power of two; times this, faces are about as long as 1
+  NearKernel kernel_;
 };
 
 }  // namespace winnow

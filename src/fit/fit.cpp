@@ -15,9 +15,6 @@ namespace winnow {
 
 namespace {
 
-// In the end one in so many samples tells how near the result is.
-constexpr std::uint64_t measured_step = 16;
-
 // No face turns farther in one pass than the angle with this cosine, 20 degrees: a face that does
 // is mostly one that flips.
 constexpr double least_cosine_of_pass = 0.94;
@@ -26,14 +23,23 @@ constexpr double part_of_largest = 0.9;
 // How often faces of the reference may be looked at for each face, in the mean.
 constexpr std::uint64_t looks_a_fitted_face = 10'000;
 
-double rms_of(const SampleSums& sums) {
-  return sums.count == 0 ? 0 : std::sqrt(sums.squares / static_cast<double>(sums.count));
+double rms_of(const SampleSums& sums, double gain = 0) {
+  if (sums.count == 0) return 0;
+  return std::sqrt(std::max(sums.squares - gain, 0.0) / static_cast<double>(sums.count));
 }
 
-// A tile's own vertices, and how many of them have moved.
+// A tile's own vertices, how many of them have moved, and what that took off the squares.
 struct FittedTile {
   std::vector<IndexedVertex> vertices;
   std::uint64_t moved = 0;
+  double gain = 0;
+};
+// What one pass did.
+struct Pass {
+  std::unique_ptr<VertexIndex> vertices;
+  SampleSums samples;  // before
+  std::uint64_t moved = 0;
+  double gain = 0;
 };
 
 // A free vertex has no faces but the tile's own ones, which are those that begin with a vertex of
@@ -59,25 +65,20 @@ std::uint64_t fitted_tile_memory(std::uint64_t vertices, std::uint64_t faces) {
 
 class Fitting {
  public:
-  Fitting(Job& job, const Samples& samples, const ReferenceMesh& reference,
+  Fitting(Job& job, SampledSurface& samples, bool single, const ReferenceMesh& reference,
           const RefineSettings& settings, const RefineMemory& memory)
       : job_(job), samples_(samples), reference_(reference), settings_(settings), memory_(memory) {
     vertex_.single = settings.decimation.single;
     vertex_.least_cosine = std::max(settings.decimation.least_cosine, least_cosine_of_pass);
-    vertex_.rounding = coordinate_rounding(samples.single);
+    vertex_.rounding = coordinate_rounding(single || vertex_.single);
   }
 
-  SampleSums measure(const StoredMesh& mesh, std::uint64_t step) {
-    return sum_up_samples(job_, mesh, samples_, step, memory_.tiles, nullptr);
-  }
-
-  // One pass: the mesh's vertices, moved.
-  std::unique_ptr<VertexIndex> moved(const StoredMesh& mesh, SampleSums& told,
-                                     std::uint64_t& count) {
+  Pass once(const StoredMesh& mesh) {
     Spool sums(job_, memory_.logs);
-    told = sum_up_samples(job_, mesh, samples_, 1, memory_.tiles, &sums);
-    vertex_.far = part_of_largest * told.largest;
-    auto vertices = std::make_unique<VertexIndex>(job_, memory_.mesh);
+    Pass pass;
+    pass.samples = sum_up_samples(job_, mesh, samples_, memory_.tiles, sums);
+    vertex_.far = part_of_largest * pass.samples.largest;
+    pass.vertices = std::make_unique<VertexIndex>(job_, memory_.mesh);
     const Tiles tiles(job_, mesh, settings_, memory_);
     const Reservation beside = job_.budget.reserve(job_.threads * memory_beside(tiles), "fitting");
     tiles.for_each<FittedTile>(
@@ -87,21 +88,22 @@ class Fitting {
           lock_beside_hubs(tile);
           const std::vector<FaceSums> own = sums_of(sums, tiles.tiling(), number, tile);
           ReferenceMesh::Reader reader(reference_, looks_a_fitted_face * tile.faces.size());
-          const std::vector<VertexNumber> changed = fit_vertices(
+          const FittedVertices done = fit_vertices(
               tile.positions, tile.faces, own, tile.locked, vertex_,
               [&](const Triangle& before, const Triangle& after) {
                 return farther_corners(reader, before, after, vertex_.far);
               },
               [this] { job_.progress.check_cancelled(); });
-          if (!changed.empty()) take_positions(tile, changed);
-          fitted = {std::move(tile.vertices), changed.size()};
+          if (!done.moved.empty()) take_positions(tile, done.moved);
+          fitted = {std::move(tile.vertices), done.moved.size(), done.gain};
         },
         [&](std::size_t, const FittedTile& fitted) {
-          vertices->append(fitted.vertices);
-          count += fitted.moved;
+          pass.vertices->append(fitted.vertices);
+          pass.moved += fitted.moved;
+          pass.gain += fitted.gain;
         });
-    vertices->finish();
-    return vertices;
+    pass.vertices->finish();
+    return pass;
   }
 
  private:
@@ -115,7 +117,7 @@ class Fitting {
   }
 
   Job& job_;
-  const Samples& samples_;
+  SampledSurface& samples_;
   const ReferenceMesh& reference_;
   const RefineSettings& settings_;
   const RefineMemory& memory_;
@@ -128,20 +130,20 @@ std::unique_ptr<VertexIndex> fit(Job& job, StoredMesh& mesh, const Samples& samp
                                  unsigned passes, const ReferenceMesh& reference,
                                  const RefineSettings& settings, const RefineMemory& memory,
                                  FitReport& report) {
-  Fitting fitting(job, samples, reference, settings, memory);
+  SampledSurface surface(samples, reference.mesh(), mesh.face_count);
+  Fitting fitting(job, surface, samples.single, reference, settings, memory);
   report = {};
   std::unique_ptr<VertexIndex> old;
   for (; report.passes < passes; ++report.passes) {
-    SampleSums told;
-    std::unique_ptr<VertexIndex> moved = fitting.moved(mesh, told, report.moved);
-    std::swap(mesh.vertices, moved);
-    if (report.passes == 0) {
-      old = std::move(moved);
-      report.samples = told.count;
-      report.rms_before = rms_of(told);
-    }
+    Pass pass = fitting.once(mesh);
+    std::swap(mesh.vertices, pass.vertices);
+    report.moved += pass.moved;
+    report.rms_after = rms_of(pass.samples, pass.gain);
+    if (report.passes > 0) continue;
+    old = std::move(pass.vertices);
+    report.samples = pass.samples.count;
+    report.rms_before = rms_of(pass.samples);
   }
-  report.rms_after = rms_of(fitting.measure(mesh, measured_step));
   return old;
 }
 

@@ -16,7 +16,7 @@ struct FitReport {
   std::uint64_t samples = 0;
   std::uint64_t moved = 0;  // vertices, in all passes together
   double rms_before = 0;    // of the distances of samples from the result, in model units
-  double rms_after = 0;     // of some of the samples
+  double rms_after = 0;     // along normals, where samples keep their places on the faces
 };
 
 // Moves the vertices of the mesh in so many passes, at least one, and returns them as they were.

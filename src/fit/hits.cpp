@@ -1,6 +1,5 @@
 #include "fit/hits.hpp"
 
-#include "base/hash.hpp"
 #include "base/memory_shares.hpp"
 #include "base/parallel.hpp"
 #include "base/per_slot.hpp"
@@ -22,6 +21,9 @@ namespace {
 
 // Samples that are looked for at once.
 constexpr std::uint64_t samples_at_once = 2048;
+// Numbers are rounded by adding this: bits behind the point have no room beside it.
+constexpr double rounder = 0x1.8p52;
+constexpr unsigned most_bits = 50;
 // A sample may be so many times as far off as a face is long, in the mean.
 constexpr double farthest = 2;
 
@@ -81,7 +83,10 @@ class ExactFaceSums {
     const double third = double{hit.weight[1]};
     const std::array<double, 3> weight{1 - second - third, second, third};
     std::size_t at = 0;
-    const auto count_in = [&](double value) { sum_[at++] += std::llrint(scale_ * value); };
+    const auto count_in = [&](double value) {
+      sum_[at++] += std::bit_cast<std::int64_t>(scale_ * value + rounder) -
+                    std::bit_cast<std::int64_t>(rounder);
+    };
     for (std::size_t i = 0; i < 3; ++i) count_in(weight[i] * weight[i]);
     for (std::size_t i = 0; i < 3; ++i) count_in(weight[i] * weight[(i + 1) % 3]);
     double squared = 0;
@@ -127,19 +132,21 @@ class ExactFaceSums {
 
 class Summer {
  public:
-  Summer(Job& job, const StoredMesh& mesh, const Samples& samples, std::uint64_t step,
-         std::uint64_t memory, Spool* out)
+  Summer(Job& job, const StoredMesh& mesh, SampledSurface& samples, std::uint64_t memory,
+         Spool& out)
       : job_(job),
         mesh_(mesh),
         samples_(samples),
-        step_(step),
         memory_(memory),
         out_(out),
-        bits_(static_cast<unsigned>(61 - std::bit_width(samples.count()))) {}
+        bits_(std::min(most_bits, static_cast<unsigned>(61 - std::bit_width(samples.most())))) {
+    const std::uint64_t reading = share::fitting::reading(memory);
+    samples.use(reading / job.threads);
+  }
 
   SampleSums run() {
     using Hits = PartedRecords<Hit>;
-    const std::uint64_t count = samples_.count() / step_ + 1;
+    const std::uint64_t count = samples_.expected();
     std::optional<Hits> hits;
     const PartsPlan plan =
         Hits::plan(share::fitting::hits(memory_), job_.threads, count, sizeof(ExactFaceSums));
@@ -149,15 +156,15 @@ class Summer {
       // A power of two, by which ways can be divided exactly.
       const double face = std::sqrt(index.area() / static_cast<double>(mesh_.face_count));
       if (face > 0) reach_ = std::ldexp(1.0, std::ilogb(farthest * face) + 1);
-      PerSlot<FaceIndex::Reader> readers(
-          job_.threads, [&] { return std::make_unique<FaceIndex::Reader>(index); });
+      PerSlot<Looking> looking(job_.threads, [&] { return std::make_unique<Looking>(index); });
       const auto look_for = [&](std::span<const Point> points) {
-        FaceIndex::Reader& reader = readers.local();
+        Looking& own = looking.local();
         Hits::Lists& lists = hits->local();
-        for (const Point& point : points) {
-          const FaceIndex::Nearest& nearest = reader.nearest(point);
+        own.reader.nearest(points, own.found);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const FaceIndex::Nearest& nearest = own.found[i];
           if (!(nearest.squared <= reach_ * reach_)) continue;
-          lists.add(nearest.face * plan.parts / mesh_.face_count, hit_of(point, nearest));
+          lists.add(nearest.face * plan.parts / mesh_.face_count, hit_of(points[i], nearest));
         }
       };
       job_.progress.begin("fit", count, "samples");
@@ -196,36 +203,30 @@ class Summer {
   }
 
  private:
-  // each(points) for those that are taken, from several threads.
+  // What a thread looks with.
+  struct Looking {
+    explicit Looking(const FaceIndex& index) : reader(index) {}
+    FaceIndex::Reader reader;
+    std::vector<FaceIndex::Nearest> found;
+  };
+
+  // each(points), from several threads.
   template <typename Each>
   void for_each_sample(const Each& each) const {
-    struct Item {
-      std::uint64_t first = 0;
-      std::vector<Point> points;
-    };
     std::uint64_t next = 0;
-    pipeline<Item>(
+    pipeline<std::uint64_t>(
         job_.threads,
-        [&](Item& item) {
-          item.first = next;
-          next += samples_at_once;
-          return item.first < samples_.count();
+        [&](std::uint64_t& block) {
+          block = next++;
+          return block < samples_.blocks();
         },
-        [&](Item& item) {
-          samples_.read(item.first, std::min(samples_at_once, samples_.count() - item.first),
-                        item.points);
-          if (step_ > 1)
-            std::erase_if(item.points, [this](const Point& point) { return !is_taken(point); });
-          each(std::span<const Point>(item.points));
-          job_.progress.advance(item.points.size());
+        [&](const std::uint64_t& block) {
+          samples_.for_each_part(block, [&](std::span<const Point> points) {
+            job_.progress.check_cancelled();
+            each(points);
+            job_.progress.advance(points.size());
+          });
         });
-  }
-
-  // By its place, as the order of samples is any.
-  [[nodiscard]] bool is_taken(const Point& point) const {
-    std::uint64_t hash = 0;
-    for (const double x : point) hash = mixed_hash(hash ^ std::bit_cast<std::uint64_t>(x));
-    return hash % step_ == 0;
   }
 
   [[nodiscard]] Hit hit_of(const Point& point, const FaceIndex::Nearest& nearest) const {
@@ -241,7 +242,7 @@ class Summer {
     std::uint64_t written = 0;
     std::vector<FaceSums> block;
     const auto flush = [&] {
-      if (out_ != nullptr) append_records<FaceSums>(*out_, block);
+      append_records<FaceSums>(out_, block);
       block.clear();
       job_.progress.check_cancelled();
     };
@@ -279,15 +280,14 @@ class Summer {
     end_last();
     while (written < mesh_.face_count) put({});
     flush();
-    if (out_ != nullptr) out_->finish();
+    out_.finish();
   }
 
   Job& job_;
   const StoredMesh& mesh_;
-  const Samples& samples_;
-  std::uint64_t step_;
+  const SampledSurface& samples_;
   std::uint64_t memory_;
-  Spool* out_;
+  Spool& out_;
   unsigned bits_;
   double reach_ = 1;
   SampleSums sums_;
@@ -295,9 +295,9 @@ class Summer {
 
 }  // namespace
 
-SampleSums sum_up_samples(Job& job, const StoredMesh& mesh, const Samples& samples,
-                          std::uint64_t step, std::uint64_t memory, Spool* out) {
-  return Summer(job, mesh, samples, step, memory, out).run();
+SampleSums sum_up_samples(Job& job, const StoredMesh& mesh, SampledSurface& samples,
+                          std::uint64_t memory, Spool& out) {
+  return Summer(job, mesh, samples, memory, out).run();
 }
 
 }  // namespace winnow

@@ -19,9 +19,9 @@ struct SampleSums {
 
 // Looks for the face that is nearest to each sample and appends the sums of each face to `out`, in
 // the order of faces. Samples that are farther off than two faces are long stand for something that
-// went and are left out. Of all samples one in `step` is taken. Inside the job's arena. `memory` of
-// the budget is used while it runs, beside what `out` takes.
-SampleSums sum_up_samples(Job& job, const StoredMesh& mesh, const Samples& samples,
-                          std::uint64_t step, std::uint64_t memory, Spool* out);
+// went and are left out. Inside the job's arena. `memory` of the budget is used while it runs,
+// beside what `out` takes.
+SampleSums sum_up_samples(Job& job, const StoredMesh& mesh, SampledSurface& samples,
+                          std::uint64_t memory, Spool& out);
 
 }  // namespace winnow

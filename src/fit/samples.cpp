@@ -1,8 +1,11 @@
 #include "fit/samples.hpp"
 
+#include "base/box.hpp"
+#include "base/hash.hpp"
 #include "base/memory_shares.hpp"
+#include "base/morton.hpp"
 #include "base/per_slot.hpp"
-#include "measure/surface_sampler.hpp"
+#include "base/rank_order.hpp"
 #include "read/for_each_batch.hpp"
 
 #include <algorithm>
@@ -21,12 +24,38 @@ constexpr double samples_a_face = 12;
 constexpr double few_samples = 1 << 18;
 // Points that a thread gathers before it hands them on.
 constexpr std::size_t gathered = 1024;
+// Points that are handed on at once, or faces that they are taken from.
+constexpr std::uint64_t part = 2048;
+// Points that were kept are read so many at a time, and brought into an order of places.
+constexpr std::uint64_t bytes_a_point = 2 * sizeof(Point) + RankOrder::bytes_a_place;
 
 // The fraction of a point for a face with this number. Numbers that follow each other are mostly
 // those of faces side by side, and steps by the golden ratio take the same part of any row of them:
 // hashes would leave gaps.
 double fraction_of(std::uint32_t number) {
   return static_cast<double>(number * 0x9e3779b9U) * 0x1p-32;
+}
+
+double density_for(std::uint64_t faces, double area) {
+  const double usual = samples_a_face * static_cast<double>(faces);
+  return std::max(usual, std::min(2 * usual, few_samples)) / area;
+}
+
+// The point with number `k` of `count` on a face: alone it stands for all of the face; several lie
+// evenly, on a lattice of irrational steps that is folded at the middle of a side.
+Point point_on(const Triangle& t, std::uint64_t number, std::uint64_t k, std::uint64_t count) {
+  if (count == 1) return 1.0 / 3 * (t[0] + t[1] + t[2]);
+  const std::uint64_t begin = mixed_hash(number);
+  const auto fraction = [](std::uint64_t whole) {
+    return static_cast<double>(whole >> 11) * 0x1p-53;
+  };
+  double second = fraction(begin + k * 0xc13fa9a902a6328fU);
+  double third = fraction(mixed_hash(begin) + k * 0x91e10da5c79e7b1dU);
+  if (second + third > 1) {
+    second = 1 - second;
+    third = 1 - third;
+  }
+  return t[0] + (second * (t[1] - t[0]) + third * (t[2] - t[0]));
 }
 
 // How many points each face gets; what is behind the point says nothing.
@@ -70,8 +99,7 @@ class Gatherer {
       const Triangle t{faces.corner(0, i), faces.corner(1, i), faces.corner(2, i)};
       const auto count = static_cast<std::uint64_t>(wanted[i]);
       for (std::uint64_t k = 0; k < count; ++k) {
-        // Alone it stands for all of its face.
-        add(count == 1 ? middle_of(t) : SurfaceSampler::point(faces.number(i), k, t), own);
+        add(point_on(t, faces.number(i), k, count), own);
         if (own.size() >= 3 * gathered) hand_on(own);
       }
     }
@@ -82,8 +110,6 @@ class Gatherer {
   }
 
  private:
-  static Point middle_of(const Triangle& t) { return 1.0 / 3 * (t[0] + t[1] + t[2]); }
-
   static void add(const Point& point, std::vector<Real>& own) {
     for (const double x : point) own.push_back(static_cast<Real>(x));
   }
@@ -120,26 +146,49 @@ void take(std::span<const std::byte> bytes, std::vector<Point>& out) {
   }
 }
 
-}  // namespace
-
-void Samples::read(std::uint64_t first, std::size_t count, std::vector<Point>& out) const {
-  std::vector<std::byte> bytes(count * point_bytes());
-  points->read(first * point_bytes(), bytes);
-  out.resize(count);
-  if (single) {
+std::vector<Point> points_of(const Samples& samples, std::uint64_t first, std::uint64_t count) {
+  std::vector<std::byte> bytes(count * samples.point_bytes());
+  samples.points->read(first * samples.point_bytes(), bytes);
+  std::vector<Point> out(count);
+  if (samples.single) {
     take<float>(bytes, out);
   } else {
     take<double>(bytes, out);
   }
+  return out;
 }
+
+// By Morton numbers in their box.
+std::vector<Point> by_places(const std::vector<Point>& points) {
+  Box box;
+  for (const Point& point : points) box.add(point);
+  constexpr double cells = 1 << 11;
+  const double scale = box.longest_side() > 0 ? (cells - 1) / box.longest_side() : 0;
+  RankOrder order;
+  std::vector<Point> out;
+  out.reserve(points.size());
+  const auto cell = [&](const Point& point, std::size_t axis) {
+    return static_cast<std::uint32_t>(scale * (point[axis] - box.low[axis]));
+  };
+  for (const RankOrder::Place& place : order.sort(
+           points.size(),
+           [&](std::uint32_t i) {
+             return morton_key(cell(points[i], 0), cell(points[i], 1), cell(points[i], 2));
+           },
+           [](std::uint32_t, std::uint32_t) { return false; }))
+    out.push_back(points[place.number]);
+  return out;
+}
+
+}  // namespace
 
 Samples sample_faces(Job& job, MeshReader& reader, std::uint64_t wanted_faces, double area) {
   Samples samples;
-  if (!(area > 0)) return samples;
-  const double usual = samples_a_face * static_cast<double>(wanted_faces);
-  const double density = std::max(usual, std::min(2 * usual, few_samples)) / area;
-  samples.points = std::make_unique<Spool>(job, share::left::samples(job.budget.left()));
+  samples.area = area;
   samples.single = !reader.facts().double_positions;
+  if (!(area > 0)) return samples;
+  const double density = density_for(wanted_faces, area);
+  samples.points = std::make_unique<Spool>(job, share::left::samples(job.budget.left()));
   job.progress.begin("sample", reader.facts().faces.value_or(0), "faces");
   if (samples.single) {
     sample<float>(job, reader, density, *samples.points);
@@ -149,6 +198,64 @@ Samples sample_faces(Job& job, MeshReader& reader, std::uint64_t wanted_faces, d
   samples.points->finish();
   reader.release_memory();
   return samples;
+}
+
+SampledSurface::SampledSurface(const Samples& samples, const StoredMesh& original,
+                               std::uint64_t wanted_faces)
+    : samples_(samples),
+      original_(original),
+      density_(density_for(wanted_faces, samples.area)),
+      block_(part) {}
+
+void SampledSurface::use(std::uint64_t memory) {
+  if (samples_.points != nullptr)
+    block_ = std::clamp(memory, least_memory, most_memory) / bytes_a_point;
+}
+
+std::uint64_t SampledSurface::expected() const {
+  if (samples_.points != nullptr) return samples_.points->size() / samples_.point_bytes();
+  return static_cast<std::uint64_t>(density_ * samples_.area);
+}
+
+std::uint64_t SampledSurface::most() const {
+  return expected() + (samples_.points != nullptr ? 0 : original_.face_count);
+}
+
+std::uint64_t SampledSurface::blocks() const {
+  const std::uint64_t all = samples_.points != nullptr ? expected() : original_.face_count;
+  return (all + block_ - 1) / block_;
+}
+
+void SampledSurface::for_each_part(std::uint64_t number, const Each& each) const {
+  const std::uint64_t first = number * block_;
+  if (samples_.points != nullptr) {
+    const std::vector<Point> points =
+        by_places(points_of(samples_, first, std::min(block_, expected() - first)));
+    for (std::span<const Point> rest(points); !rest.empty();) {
+      const std::size_t now = std::min<std::size_t>(rest.size(), part);
+      each(rest.first(now));
+      rest = rest.subspan(now);
+    }
+    return;
+  }
+  VertexIndex::Reader vertices(*original_.vertices);
+  std::vector<Point> points;
+  std::uint64_t face = first;
+  for (const auto& [a, b, c] :
+       original_.read_faces(first, std::min(block_, original_.face_count - first))) {
+    const Triangle t{vertices.position(a), vertices.position(b), vertices.position(c)};
+    const double wanted =
+        density_ / 2 * length(doubled_area(t)) + fraction_of(static_cast<std::uint32_t>(face));
+    const auto count = static_cast<std::uint64_t>(wanted < 1e15 ? wanted : 0);
+    for (std::uint64_t k = 0; k < count; ++k) {
+      points.push_back(point_on(t, face, k, count));
+      if (points.size() < part) continue;
+      each(points);
+      points.clear();
+    }
+    ++face;
+  }
+  each(points);
 }
 
 }  // namespace winnow

@@ -73,9 +73,9 @@ class Fitter {
     turn_();
   }
 
-  std::vector<std::uint32_t> run() {
-    std::vector<std::uint32_t> moved;
-    if (!solve()) return moved;
+  FittedVertices run() {
+    FittedVertices done;
+    if (!solve()) return done;
     const std::vector<Point> before = position_;
     for (std::uint32_t v = 0; v < free_.size(); ++v) {
       if (free_[v] == 0) continue;
@@ -88,9 +88,10 @@ class Fitter {
     keep_near(before);
     take_back(before);
     for (std::uint32_t v = 0; v < free_.size(); ++v) {
-      if (position_[v] != before[v]) moved.push_back(v);
+      if (position_[v] != before[v]) done.moved.push_back(v);
     }
-    return moved;
+    done.gain = gain(before);
+    return done;
   }
 
  private:
@@ -266,6 +267,23 @@ class Fitter {
     }
   }
 
+  [[nodiscard]] double gain(const std::vector<Point>& before) const {
+    double all = 0;
+    for (std::size_t f = 0; f < face_.size(); ++f) {
+      const Point normal = point_of(normal_[f]);
+      std::array<double, 3> move{};
+      for (std::size_t i = 0; i < 3; ++i)
+        move[i] = dot(normal, position_[face_[f][i]] - before[face_[f][i]]);
+      double squares = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        squares -= 2 * move[i] * dot(normal, point_of(sums_[f].pull[i]));
+        for (std::size_t k = 0; k < 3; ++k) squares += move[i] * move[k] * sums_[f].product(i, k);
+      }
+      all -= squares;
+    }
+    return all;
+  }
+
   std::vector<Point>& position_;
   std::span<const FaceVertices> face_;
   std::span<const FaceSums> sums_;
@@ -281,13 +299,10 @@ class Fitter {
 
 }  // namespace
 
-std::vector<std::uint32_t> fit_vertices(std::vector<Point>& positions,
-                                        std::span<const FaceVertices> faces,
-                                        std::span<const FaceSums> sums,
-                                        std::span<const std::uint8_t> locked,
-                                        const VertexFitSettings& settings,
-                                        const FartherCorners& farther,
-                                        const std::function<void()>& turn) {
+FittedVertices fit_vertices(std::vector<Point>& positions, std::span<const FaceVertices> faces,
+                            std::span<const FaceSums> sums, std::span<const std::uint8_t> locked,
+                            const VertexFitSettings& settings, const FartherCorners& farther,
+                            const std::function<void()>& turn) {
   return Fitter(positions, faces, sums, locked, settings, farther, turn).run();
 }
 

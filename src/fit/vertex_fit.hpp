@@ -27,16 +27,20 @@ struct VertexFitSettings {
 using FartherCorners =
     std::function<std::array<bool, 3>(const Triangle& before, const Triangle& after)>;
 
-// The vertices that moved, ascending. `locked`: not 0 for vertices that stay. Vertices also stay
+struct FittedVertices {
+  std::vector<std::uint32_t> moved;  // ascending
+  // By how much less the squared distances of all samples are together, along the normals of the
+  // faces and where samples keep their places on them.
+  double gain = 0;
+};
+
+// `locked`: not 0 for vertices that stay. Vertices also stay
 // where an edge has one face or more than two, where a face has samples that all lie on it but for
 // rounding, and where a face would turn too far or become a line. `turn` is called now and then.
-std::vector<std::uint32_t> fit_vertices(std::vector<Point>& positions,
-                                        std::span<const FaceVertices> faces,
-                                        std::span<const FaceSums> sums,
-                                        std::span<const std::uint8_t> locked,
-                                        const VertexFitSettings& settings,
-                                        const FartherCorners& farther,
-                                        const std::function<void()>& turn);
+FittedVertices fit_vertices(std::vector<Point>& positions, std::span<const FaceVertices> faces,
+                            std::span<const FaceSums> sums, std::span<const std::uint8_t> locked,
+                            const VertexFitSettings& settings, const FartherCorners& farther,
+                            const std::function<void()>& turn);
 
 // Bytes in use at most, besides the mesh and the sums.
 std::uint64_t vertex_fit_memory(std::uint64_t vertices, std::uint64_t faces);

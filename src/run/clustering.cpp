@@ -100,14 +100,19 @@ Clustered Clustering::run() {
   out.normals = reader_.facts().normals;
   out.double_positions = reader_.facts().double_positions;
   out.attributes = settings_.attributes.attributes;
-  if (fit_passes(options_) > 0)
-    out.samples = sample_faces(job_, reader_, std::min(target_, available_), report_.area.input);
+  if (fit_passes(options_) > 0) out.samples = samples();
   report_.cell_size = settings_.grid.cell;
   report_.input.vertices = reader_.facts().vertices.value_or(0);
   report_.input.bytes = reader_.bytes();
   report_.input.format = reader_.facts().format;
   out.report = std::move(report_);
   return out;
+}
+
+Samples Clustering::samples() {
+  if (!lattice_)
+    return sample_faces(job_, reader_, std::min(target_, available_), report_.area.input);
+  return {nullptr, !reader_.facts().double_positions, report_.area.input};
 }
 
 std::unique_ptr<Spool> Clustering::map(MeshReader& unwelded, const Clustered& clustered) {

@@ -62,6 +62,7 @@ class Clustering {
   ClusterResult once();
   std::optional<SafeMesh> safely(const Box& box, ClusterResult coarse);
   StoredMesh welded(const std::string& reason);  // why nothing is clustered
+  Samples samples();
   void take_counts(const ClusterCounts& counts);
   [[noreturn]] void refuse_empty() const;
   StoredMesh reported(ClusterResult clustered);

@@ -57,7 +57,8 @@ std::vector<std::string> passes_of(const InputProbe& probe, const SimplifyOption
   if (options.target.of_count() && !refine)
     passes.emplace_back("cluster them again, only if the sample misled by more than 10 %");
   if (!options.map.empty()) passes.emplace_back("find where the vertices of the input went");
-  if (fit_passes(options) > 0) passes.emplace_back("take samples of the faces");
+  if (fit_passes(options) > 0)
+    passes.emplace_back("take samples of the faces, if they were clustered");
   if (refine) passes.emplace_back("collapse edges, tile by tile");
   if (fit_passes(options) > 0) {
     passes.push_back("fit the result to the samples" +
@@ -104,6 +105,8 @@ constexpr std::uint64_t map_bytes_a_vertex = 32;
 constexpr double clustered_a_second = 2.2e7;
 constexpr double welded_a_second = 2e6;
 constexpr double collapsed_a_second = 3e5;
+// Faces that are left, of which each vertex moves once.
+constexpr double fitted_a_second = 3e5;
 // Of a scan: the part of the faces that is near cells which clustering damages, and how many more
 // faces the mesh of cells has when these are split.
 constexpr double near_damage = 0.08;
@@ -135,6 +138,9 @@ void foretell(const SimplifyOptions& options, const MemoryPlan& plan, const Cell
     }
     if (detail.faces > target)
       seconds += static_cast<double>(detail.faces - target) / collapsed_a_second;
+    seconds += fit_passes(options) * static_cast<double>(target) / fitted_a_second;
+    // The input is read once more for its samples.
+    if (fit_passes(options) > 0 && !detail.welded) seconds += faces / clustered_a_second;
     out.scratch_expected =
         std::max(near, refining_scratch(detail.faces, refine_memory(memory), needs));
   }

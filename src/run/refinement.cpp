@@ -171,7 +171,7 @@ void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& opt
   std::size_t level = 0;
   FitReport fitted;
   MoveVertices move;
-  if (samples.count() > 0) {
+  if (samples.area > 0) {
     move = [&](StoredMesh& mesh, const ReferenceMesh& reference) {
       return fit(job, mesh, samples, fit_passes(options), reference, settings, memory, fitted);
     };

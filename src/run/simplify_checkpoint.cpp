@@ -20,6 +20,7 @@ constexpr const char* input_map = "stage-input.map";  // what Clustered::map is 
 
 constexpr const char* attribute_count = "clustered.attributes";
 constexpr const char* samples_file = "stage-0.samples";
+constexpr const char* samples_area = "clustered.samples.area";
 constexpr const char* rounding_relative = "clustered.rounding.relative";
 
 std::string written_key(std::size_t number) {
@@ -110,6 +111,9 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory) const {
   if (directory_->has(samples_file)) {
     clustered.samples.points = std::make_unique<Spool>(
         directory_->load(samples_file, share::left::samples(job.budget.left())));
+  }
+  if (manifest.has(samples_area)) {
+    clustered.samples.area = manifest.real(samples_area);
     clustered.samples.single = manifest.number("clustered.samples.single") != 0;
   }
   for (std::size_t i = 0; i < manifest.number(attribute_count); ++i) {
@@ -151,8 +155,10 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered) {
     if (attribute.no_data) manifest.set(attribute_key(i, "no_data"), *attribute.no_data);
   }
   if (clustered.map != nullptr) directory_->save(input_map, *clustered.map);
-  if (clustered.samples.points != nullptr) {
+  if (clustered.samples.points != nullptr)
     directory_->save(samples_file, *clustered.samples.points);
+  if (clustered.samples.area > 0) {
+    manifest.set(samples_area, clustered.samples.area);
     manifest.set("clustered.samples.single", std::uint64_t{clustered.samples.single});
   }
   save_mesh(*directory_, clustered.mesh, 0, false);

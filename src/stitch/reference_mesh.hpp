@@ -26,6 +26,8 @@ class ReferenceMesh {
   // them.
   ReferenceMesh(Job& job, const StoredMesh& mesh, std::uint64_t memory);
 
+  [[nodiscard]] const StoredMesh& mesh() const { return mesh_; }
+
   // For one thread. Gives no faces for a place if more than most_faces() might be near, and none
   // any more when it has looked at so many faces.
   class Reader final : public ReferenceSurface {

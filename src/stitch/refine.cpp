@@ -176,14 +176,14 @@ class Refiner {
   std::unique_ptr<VertexIndex> moved(StoredMesh& whole) {
     if (checkpoint_ != nullptr) reference_ = load_reference(job_, *checkpoint_, memory_.mesh);
     std::unique_ptr<VertexIndex> before;
-    if (move_) {
+    {
       const ReferenceMesh reference(job_, reference_, share::refine::boxes(memory_.lists));
-      before = move_(whole, reference);
+      if (move_) before = move_(whole, reference);
+      job_.progress.begin("unfold", whole.face_count, "faces");
+      std::unique_ptr<VertexIndex> folded = std::exchange(
+          whole.vertices, unfolded_vertices(job_, whole, reference, settings_, memory_));
+      if (before == nullptr) before = std::move(folded);
     }
-    job_.progress.begin("unfold", whole.face_count, "faces");
-    std::unique_ptr<VertexIndex> folded = std::exchange(
-        whole.vertices, unfolded_vertices(job_, whole, reference_, settings_, memory_));
-    if (before == nullptr) before = std::move(folded);
     if (checkpoint_ != nullptr) reference_ = {};
     return before;
   }

@@ -11,23 +11,30 @@
 namespace winnow {
 
 std::unique_ptr<VertexIndex> unfolded_vertices(Job& job, const StoredMesh& mesh,
-                                               const StoredMesh& reference,
+                                               const ReferenceMesh& reference,
                                                const RefineSettings& settings,
                                                const RefineMemory& memory) {
   auto vertices = std::make_unique<VertexIndex>(job, memory.mesh);
-  const ReferenceMesh near(job, reference, share::refine::boxes(memory.lists));
-  const std::uint64_t ratio = reference.face_count / mesh.face_count;
+  const std::uint64_t ratio = reference.mesh().face_count / mesh.face_count;
   const Tiles tiles(job, mesh, settings, memory);
   tiles.for_each<std::vector<IndexedVertex>>(
       0,
       [&](std::size_t number, std::vector<IndexedVertex>& moved) {
         Tile tile = tiles.load(number, {});
         job.progress.advance(tile.own_faces);
-        moved = unfolded_vertices(std::move(tile), near, ratio, settings.decimation.single);
+        moved = unfolded_vertices(std::move(tile), reference, ratio, settings.decimation.single);
       },
       [&](std::size_t, const std::vector<IndexedVertex>& moved) { vertices->append(moved); });
   vertices->finish();
   return vertices;
+}
+
+std::unique_ptr<VertexIndex> unfolded_vertices(Job& job, const StoredMesh& mesh,
+                                               const StoredMesh& reference,
+                                               const RefineSettings& settings,
+                                               const RefineMemory& memory) {
+  const ReferenceMesh near(job, reference, share::refine::boxes(memory.lists));
+  return unfolded_vertices(job, mesh, near, settings, memory);
 }
 
 }  // namespace winnow

@@ -21,31 +21,44 @@ TEST_CASE("the nearest face of all is found, with few pages in memory or all") {
   const StoredMesh mesh = welded(test.job, scan);
   const std::vector<Triangle> all = triangles_of(mesh);
   Random random(1);
+  // Alone, on corners and beside them; and many at one place, some on a side.
   std::vector<Point> points;
   for (int i = 0; i < 60; ++i) {
-    Point point = random.one_of(all)[0];
+    const Triangle& t = random.one_of(all);
     const double off = random.one_of<double>({0, 1e-4, 0.05, 10});
-    for (double& x : point) x += random.real(-off, off);
-    points.push_back(point);
+    const std::size_t together = random.one_of<std::size_t>({1, 5, 40});
+    for (std::size_t k = 0; k < together; ++k) {
+      const double part = k % 2 == 0 ? 0 : random.unit();
+      Point point = t[0] + part * (t[1] - t[0]);
+      for (double& x : point) x += k % 3 == 0 ? 0 : random.real(-off, off);
+      points.push_back(point);
+    }
+  }
+  points.push_back({1e30, 0, 0});
+  std::vector<FaceIndex::Nearest> want;
+  for (const Point& point : points) {
+    FaceIndex::Nearest& nearest = want.emplace_back();
+    nearest.squared = std::numeric_limits<double>::infinity();
+    for (std::uint64_t f = 0; f < all.size(); ++f) {
+      const Point off = point - closest_point(point, all[f]);
+      if (dot(off, off) >= nearest.squared) continue;
+      nearest.squared = dot(off, off);
+      nearest.face = f;
+    }
   }
   for (const std::uint64_t memory : {std::uint64_t{0}, std::uint64_t{64} << 20}) {
     const FaceIndex index(test.job, mesh, memory);
     CHECK(index.in_memory() == (memory > 0));
-    CHECK(index.pages() == (memory > 0 ? 1 : 118));
+    CHECK(index.pages() == (memory > 0 ? 4 : 118));
     FaceIndex::Reader reader(index);
-    for (const Point& point : points) {
-      std::uint64_t want = 0;
-      double least = std::numeric_limits<double>::infinity();
-      for (std::uint64_t f = 0; f < all.size(); ++f) {
-        const Point off = point - closest_point(point, all[f]);
-        if (dot(off, off) >= least) continue;
-        least = dot(off, off);
-        want = f;
-      }
-      const FaceIndex::Nearest& found = reader.nearest(point);
-      CHECK(found.face == want);
-      CHECK(found.squared == least);
-      CHECK(index.page_near(point) < index.pages());
+    std::vector<FaceIndex::Nearest> found;
+    reader.nearest(points, found);
+    REQUIRE(found.size() == points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      INFO(i);
+      CHECK(found[i].squared == want[i].squared);
+      CHECK(found[i].face == want[i].face);
+      CHECK(index.page_near(points[i]) < index.pages());
     }
   }
 }
