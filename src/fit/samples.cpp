@@ -168,7 +168,7 @@ std::vector<Point> by_places(const std::vector<Point>& points) {
   std::vector<Point> out;
   out.reserve(points.size());
   const auto cell = [&](const Point& point, std::size_t axis) {
-    return static_cast<std::uint32_t>(scale * (point[axis] - box.low[axis]));
+    return static_cast<std::uint32_t>(std::min(cells - 1, scale * (point[axis] - box.low[axis])));
   };
   for (const RankOrder::Place& place : order.sort(
            points.size(),
