@@ -36,7 +36,7 @@ class BoxTree {
   // times the longest side, none may be found. `beyond`: none whose squared distance is no more.
   template <typename Each>
   void for_each_within(const Box& place, const double& limit, const Each& each,
-                       float beyond = -1) const {
+                       double beyond = -1) const {
     if (levels_.empty()) return;
     Seen seen{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -45,7 +45,7 @@ class BoxTree {
       seen.middle[axis] = static_cast<float>(0.5 * scale_ * (low + high));
       seen.half[axis] = static_cast<float>((0.5 + slack) * scale_ * (high - low));
     }
-    seen.beyond = beyond;
+    seen.beyond = beyond < 0 ? -1 : squared_seen(beyond);
     visit(levels_.size() - 1, 0, seen, limit, each);
   }
   template <typename Each>
@@ -76,6 +76,11 @@ class BoxTree {
   void arrange(std::span<std::uint32_t> part, std::span<const Point> middles) const;
   std::vector<Node> nodes_of(std::vector<Box>& boxes) const;
 
+  // Four times a squared distance. Never infinite: where there is no box, the distance is.
+  [[nodiscard]] float squared_seen(double squared) const {
+    return static_cast<float>(std::min(4 * (1 + slack) * scale_ * scale_ * squared,
+                                       double{std::numeric_limits<float>::max()}));
+  }
   // Four times the squared distances.
   static std::array<float, group> squared_distances(const Node& node, const Seen& seen) {
     // Twice what is positive, without a branch: compilers use wide registers for it.
@@ -97,11 +102,7 @@ class BoxTree {
   void visit(std::size_t level, std::size_t number, const Seen& seen, const double& limit,
              const Each& each) const {
     std::array<float, group> squared = squared_distances(levels_[level][number], seen);
-    const auto most = [this, &limit] {
-      // Never infinite: where there is no box, the distance is.
-      return static_cast<float>(std::min(4 * (1 + slack) * scale_ * scale_ * limit,
-                                         double{std::numeric_limits<float>::max()}));
-    };
+    const auto most = [this, &limit] { return squared_seen(limit); };
     std::array<std::uint8_t, group> near;
     std::size_t count = 0;
     const float first_most = most();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace winnow {
 
@@ -23,6 +24,8 @@ constexpr std::uint64_t small_page = 512;
 // Fewer points are looked for one by one, and so are those with more faces around them.
 constexpr std::size_t least_at_once = 4;
 constexpr std::size_t at_once_alone = 64;
+// Points are mostly no farther from their faces than the last ones, times this.
+constexpr double usual_growth = 1.25;
 constexpr std::size_t most_around(std::size_t points) {
   return 32 + 2 * points;
 }
@@ -253,12 +256,14 @@ bool FaceIndex::Reader::look_around(std::span<const Point> points, std::vector<N
     group_.next[i] = std::numeric_limits<float>::max();
     group_.nearest[i] = 0;
   }
-  // First the faces around the points, and then those no farther than these.
+  // First the faces around the points, as far as the last ones were from theirs; and then those no
+  // farther than these, if that was too near.
   candidates_.clear();
   beside_.clear();
-  double limit = 0;
+  const double margin = std::exchange(margin_, 0);
+  double limit = margin * margin;
   double reach = 0;
-  const auto collect = [&](std::size_t most, float beyond) {
+  const auto collect = [&](std::size_t most, double beyond) {
     index_.tree_->for_each_within(box, limit, [&](std::size_t number) {
       const Page& page = this->page(number);
       const std::uint64_t first = number * index_.page_faces_;
@@ -291,11 +296,14 @@ bool FaceIndex::Reader::look_around(std::span<const Point> points, std::vector<N
   const float most = index_.kernel_(group_, lanes, beside_.data(), beside_.size(), 0);
   if (!(most < std::numeric_limits<float>::max())) return false;
   const double far = (std::sqrt(double{most}) + rounding * (size + reach)) / scale;
-  limit = far * far;
-  const std::size_t around = beside_.size();
-  if (!collect(most_candidates, 0)) return false;
-  index_.kernel_(group_, lanes, beside_.data() + around, beside_.size() - around,
-                 static_cast<std::int32_t>(around));
+  const double seen = std::exchange(limit, far * far);
+  if (limit > seen) {
+    const std::size_t around = beside_.size();
+    if (!collect(most_candidates, seen)) return false;
+    index_.kernel_(group_, lanes, beside_.data() + around, beside_.size() - around,
+                   static_cast<std::int32_t>(around));
+  }
+  margin_ = std::min(usual_growth * far, box.diagonal() / 2);
   size += reach;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const float least = group_.least[i];

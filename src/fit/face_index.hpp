@@ -81,6 +81,7 @@ class FaceIndex {
     std::uint64_t turn_ = 0;
     Nearest last_;
     std::size_t at_once_ = PointGroup::capacity;
+    double margin_ = 0;  // around points in which their nearest faces are expected
     PointGroup group_;
     std::vector<Candidate> candidates_;
     std::vector<FaceBeside> beside_;  // the same
