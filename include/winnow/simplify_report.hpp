@@ -67,8 +67,8 @@ struct LevelReport {
     std::uint64_t passes = 0;
     std::uint64_t samples = 0;         // of the input that were near the result
     std::uint64_t moved_vertices = 0;  // in all passes together
-    // Of the distances of the samples from the result before and after, in model units. After: along
-    // the normals of faces on which the samples keep their places.
+    // Of the distances of the samples from the result before and after, in model units. After:
+    // along the normals of faces on which the samples keep their places.
     double rms_before = 0, rms_after = 0;
   } fit;
   std::optional<bool> target_met;    // with target_faces and refinement

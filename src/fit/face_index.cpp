@@ -34,6 +34,10 @@ constexpr std::size_t most_candidates = 2 * most_around(PointGroup::capacity);
 constexpr double farthest_seen = 1e16;
 // Distances by floats are off by less than this part of all lengths that come in.
 constexpr double rounding = 64 * 0x1p-24;
+// The square of what is nothing but rounding beside 1; and of the sine of a corner whose face
+// doubles hardly tell from a line.
+constexpr double line = 1e-20;
+constexpr double thin = 1e-9;
 // Faces that tell how long faces are.
 constexpr std::uint64_t measured_faces = 64;
 
@@ -49,9 +53,11 @@ Box box_of(const Triangle& t) {
 
 // As long as 1 and across `along`, in the plane of the vector `c` where it has a plane.
 Point across_of(const Point& along, const Point& c) {
-  Point across = c - dot(along, c) * along;
-  across = unit(across - dot(along, across) * along);
-  if (dot(across, across) > 0) return across;
+  const Point off = c - dot(along, c) * along;
+  if (dot(off, off) > line * dot(c, c)) {
+    const Point across = unit(off);
+    return unit(across - dot(along, across) * along);
+  }
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i) {
     if (std::abs(along[i]) < std::abs(along[axis])) axis = i;
@@ -59,6 +65,21 @@ Point across_of(const Point& along, const Point& c) {
   Point other{};
   other[axis] = 1;
   return unit(cross(along, other));
+}
+
+// Of a face that is a line, rounding may take any of its points for the nearest inside.
+Point nearest_place(const Point& p, const Triangle& t) {
+  const auto& [a, b, c] = t;
+  const Point ab = b - a;
+  const Point ac = c - a;
+  const Point normal = cross(ab, ac);
+  Point best = closest_point(p, t);
+  if (dot(normal, normal) > thin * dot(ab, ab) * dot(ac, ac)) return best;
+  for (const Triangle& side : {Triangle{a, b, b}, Triangle{a, c, c}, Triangle{b, c, c}}) {
+    const Point other = closest_point(p, side);
+    if (dot(p - other, p - other) < dot(p - best, p - best)) best = other;
+  }
+  return best;
 }
 
 }  // namespace
@@ -87,6 +108,7 @@ FlatFace flat_face(const Triangle& t, double scale) {
   face.second = static_cast<float>(second);
   face.third[0] = static_cast<float>(x);
   face.third[1] = static_cast<float>(y);
+  face.side = static_cast<float>(x - second);
   face.by_first_side = one_by(x, y);
   face.by_second_side = one_by(x - second, y);
   face.reach = static_cast<float>(std::max(length(b), length(c)));
@@ -314,7 +336,7 @@ bool FaceIndex::Reader::look_around(std::span<const Point> points, std::vector<N
       continue;
     }
     const auto& [face, corner] = candidates_[static_cast<std::size_t>(group_.nearest[i])];
-    const Point here = closest_point(points[i], corner);
+    const Point here = nearest_place(points[i], corner);
     const Point off = points[i] - here;
     out.push_back({face, corner, here, dot(off, off)});
   }
@@ -325,7 +347,7 @@ bool FaceIndex::Reader::look_around(std::span<const Point> points, std::vector<N
 const FaceIndex::Nearest& FaceIndex::Reader::nearest_candidate(const Point& point) {
   last_.squared = std::numeric_limits<double>::infinity();
   for (const auto& [face, corner] : candidates_) {
-    const Point here = closest_point(point, corner);
+    const Point here = nearest_place(point, corner);
     const double squared = dot(point - here, point - here);
     if (squared > last_.squared || (squared == last_.squared && face >= last_.face)) continue;
     last_ = {face, corner, here, squared};
@@ -335,7 +357,7 @@ const FaceIndex::Nearest& FaceIndex::Reader::nearest_candidate(const Point& poin
 
 const FaceIndex::Nearest& FaceIndex::Reader::nearest(const Point& point) {
   // Points that follow each other are mostly close, so the last face is near.
-  last_.place = closest_point(point, last_.corner);
+  last_.place = nearest_place(point, last_.corner);
   last_.squared = dot(point - last_.place, point - last_.place);
   index_.tree_->for_each_within(point, last_.squared, [&](std::size_t number) {
     const Page& faces = page(number);
@@ -343,7 +365,7 @@ const FaceIndex::Nearest& FaceIndex::Reader::nearest(const Point& point) {
     faces.tree->for_each_within(point, last_.squared, [&](std::size_t place) {
       const std::uint64_t face = first + place;
       const Triangle& corner = faces.faces[place];
-      const Point here = closest_point(point, corner);
+      const Point here = nearest_place(point, corner);
       const double squared = dot(point - here, point - here);
       if (squared > last_.squared || (squared == last_.squared && face >= last_.face)) return;
       last_ = {face, corner, here, squared};

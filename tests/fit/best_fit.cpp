@@ -21,6 +21,7 @@ struct Fan {
   std::vector<std::uint8_t> locked = std::vector<std::uint8_t>(7, 0);
   double far = 10;
   double ceiling = 10;
+  double gain = 0;  // of the last fit
 
   Fan() {
     for (std::uint32_t i = 0; i < 6; ++i) {
@@ -63,7 +64,7 @@ struct Fan {
     settings.single = false;
     settings.least_cosine = std::cos(degrees / 180 * std::numbers::pi);
     settings.far = far;
-    return fit_vertices(
+    FittedVertices done = fit_vertices(
         positions, faces, sums, locked, settings,
         [this](const Triangle&, const Triangle& after) {
           std::array<bool, 3> farther{};
@@ -71,6 +72,8 @@ struct Fan {
           return farther;
         },
         [] {});
+    gain = done.gain;
+    return done.moved;
   }
 };
 
@@ -82,6 +85,11 @@ TEST_CASE("a vertex moves onto the apex of a cone but for the pull back") {
   CHECK(fan.fit() == std::vector<std::uint32_t>{0});
   // The sum of squares (0.3 - x) w, and 2 % of the weights' squares times x.
   CHECK(fan.positions[0][2] == Approx(0.3 / 1.02).epsilon(1e-5));
+  // What is left of 0.3 w at each sample is (0.3 - x) w.
+  double squares = 0;
+  for (const FaceSums& sum : fan.sums) squares += double{sum.squares};
+  const double left = 1 - 1 / 1.02;
+  CHECK(fan.gain == Approx(squares * (1 - left * left)).epsilon(1e-5));
   CHECK(std::abs(fan.positions[0][0]) < 1e-5);
   CHECK(std::abs(fan.positions[0][1]) < 1e-5);
 }

@@ -26,7 +26,7 @@ void look_at(PointGroup& points, std::size_t count, const FaceBeside& beside, st
   const float nx = face.up[0], ny = face.up[1], nz = face.up[2];
   const float second = face.second;
   const float cx = face.third[0], cy = face.third[1];
-  const float sx = cx - second;
+  const float sx = face.side;
   const float by_first = face.by_first_side, by_second = face.by_second_side;
   for (std::size_t i = 0; i < count; ++i) {
     const float dx = points.place[0][i] - ox;

@@ -12,6 +12,7 @@ struct FlatFace {
   float along[3], across[3], up[3];  // the axes, of length 1
   float second;
   float third[2];
+  float side;  // along the first axis from the second to the third, as exact as floats are
   // 1 / the squared length of the sides from the first and the second corner to the third; 0 where
   // there is none.
   float by_first_side, by_second_side;
