@@ -64,4 +64,11 @@ WINNOW_API SequenceComparison compare_sequence(Context& context,
                                                const std::vector<std::string>& simplified,
                                                std::uint64_t samples = 1'000'000);
 
+// The same. Of `options` count `samples`; and with `picture`, `view`, `viewer` and `force`: a PNG
+// of up to eight frames beside each other, above as they were, below as they are simplified.
+WINNOW_API SequenceComparison compare_sequence(Context& context,
+                                               const std::vector<std::string>& originals,
+                                               const std::vector<std::string>& simplified,
+                                               const CompareOptions& options);
+
 }  // namespace winnow

@@ -10,6 +10,7 @@
 #include "read/for_each_batch.hpp"
 #include "read/good_faces.hpp"
 #include "read/mesh_reader.hpp"
+#include "run/frame_sheet.hpp"
 #include "sequence/frame_names.hpp"
 #include "write/append.hpp"
 
@@ -172,6 +173,14 @@ class FlickerMeter {
 SequenceComparison compare_sequence(Context& context, const std::vector<std::string>& originals,
                                     const std::vector<std::string>& simplified,
                                     std::uint64_t samples) {
+  CompareOptions options;
+  options.samples = samples;
+  return compare_sequence(context, originals, simplified, options);
+}
+
+SequenceComparison compare_sequence(Context& context, const std::vector<std::string>& originals,
+                                    const std::vector<std::string>& simplified,
+                                    const CompareOptions& options) {
   if (originals.size() != simplified.size() || originals.empty())
     throw Error(ErrorKind::usage, "there are " + grouped(originals.size()) + " originals and " +
                                       grouped(simplified.size()) +
@@ -181,10 +190,14 @@ SequenceComparison compare_sequence(Context& context, const std::vector<std::str
   const std::vector<std::string> second = frame_names(simplified).inputs;
   SequenceComparison report;
   report.frames = first.size();
-  CompareOptions options;
-  options.samples = samples;
+  CompareOptions each;
+  each.samples = options.samples;
+  if (!options.picture.empty()) {
+    Job job(context);
+    in_arena(job, [&] { write_frame_sheet(job, first, second, options); });
+  }
   for (std::size_t t = 0; t < first.size(); ++t) {
-    const CompareReport frame = compare(context, first[t], second[t], options);
+    const CompareReport frame = compare(context, first[t], second[t], each);
     const double rms = frame.symmetric.rms;
     const double percent = percent_of(frame.diagonal, rms);
     report.rms.push_back(rms);

@@ -17,4 +17,11 @@ SequenceComparison compare_sequence(Context& /*context*/,
   throw MissingPart(Part::compare, "Sequences cannot be compared");
 }
 
+SequenceComparison compare_sequence(Context& /*context*/,
+                                    const std::vector<std::string>& /*originals*/,
+                                    const std::vector<std::string>& /*simplified*/,
+                                    const CompareOptions& /*options*/) {
+  throw MissingPart(Part::compare, "Sequences cannot be compared");
+}
+
 }  // namespace winnow

@@ -72,4 +72,47 @@ TEST_CASE("the worst frame is told, and two frames have no flicker") {
         }).kind() == ErrorKind::usage);
 }
 
+TEST_CASE("a picture shows up to eight frames above, and below what is left of them") {
+  const Directory directory;
+  const auto falling = [](std::size_t t) { return -0.1 * static_cast<double>(t); };
+  const auto flat = [](std::size_t) { return 0.0; };
+  const auto original = write_squares(directory, "o", 20, 11, falling);
+  const auto simplified = write_squares(directory, "s", 2, 11, falling);
+  CompareOptions options;
+  options.samples = 1000;
+  options.picture = directory.file("sheet.png");
+  options.force = true;
+  const auto picture_of = [&](const std::vector<std::string>& below, unsigned threads) {
+    TestJob job;
+    job.context.threads = threads;
+    (void)compare_sequence(job.context, original, below, options);
+    return bytes_of_file(options.picture);
+  };
+  const std::string picture = picture_of(simplified, 1);
+  REQUIRE(picture.starts_with("\x89PNG"));
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(picture[at]); };
+  const unsigned width = byte(18) * 256U + byte(19);
+  CHECK(width % 8 == 0);
+  CHECK(width >= 800);
+  CHECK(picture_of(simplified, 3) == picture);
+  CHECK(picture_of(write_squares(directory, "f", 2, 11, flat), 1) != picture);
+}
+
+TEST_CASE("a picture of frames is named as one, and replaces none unasked") {
+  const Directory directory;
+  const auto still = [](std::size_t) { return 0.0; };
+  const std::vector<std::string> frames = write_squares(directory, "o", 2, 2, still);
+  CompareOptions options;
+  const auto kind_of = [&] {
+    TestJob job;
+    return error_of([&] { (void)compare_sequence(job.context, frames, frames, options); }).kind();
+  };
+  options.picture = directory.file("sheet.jpg");
+  CHECK(kind_of() == ErrorKind::usage);
+  options.picture = directory.file("sheet.png");
+  write_file(options.picture, "mine");
+  CHECK(kind_of() == ErrorKind::usage);
+  CHECK(bytes_of_file(options.picture) == "mine");
+}
+
 }  // namespace winnow

@@ -16,6 +16,7 @@ namespace {
 
 struct CompareSequenceArguments {
   std::vector<std::string> originals, simplified;
+  std::string picture;
   TableOptions<CompareOptions> options{compare_options()};
   CommonOptions common;
 };
@@ -39,10 +40,11 @@ void show(const SequenceComparison& report, std::ostream& out) {
 void run_compare_sequence(const CompareSequenceArguments& arguments) {
   CompareOptions options;
   arguments.options.read(options);
+  options.picture = arguments.picture;
   Context context;
   prepare(context, arguments.common, "-");
   const SequenceComparison report = with_progress(context, arguments.common, [&] {
-    return compare_sequence(context, arguments.originals, arguments.simplified, options.samples);
+    return compare_sequence(context, arguments.originals, arguments.simplified, options);
   });
   tell(report, arguments.common, std::cout, show);
 }
@@ -67,7 +69,12 @@ void add_compare_sequence(CLI::App& app) {
                    "The frames of the simplified sequence, as many; -- is short for it")
       ->required()
       ->type_name("FRAME ...");
-  arguments->options.add_to(*command, {"samples"});
+  command
+      ->add_option(
+          "--picture", arguments->picture,
+          "Draw up to eight frames beside each other, above as they were, below simplified")
+      ->type_name("FILE.png");
+  arguments->options.add_to(*command, {"samples", "view", "force"});
   arguments->common.add_to(*command, "TMPDIR, or /var/tmp");
   command->footer(
       "Names that differ in one number alone are put in the order of that, on either side.\n"
@@ -77,6 +84,7 @@ void add_compare_sequence(CLI::App& app) {
       "frame.\n"
       "Examples:\n"
       "  winnow compare-sequence frame-*.ply -- small-*.ply --json\n"
+      "  winnow compare-sequence frame-*.ply -- small-*.ply --picture sheet.png\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
       "interrupted.");
   command->callback([arguments] { run_compare_sequence(*arguments); });
