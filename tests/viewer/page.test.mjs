@@ -177,10 +177,7 @@ test("a damaged file shows what lies before the damage", async () => {
   });
   bytes[20] ^= 1;
   writeFileSync("headless.wpm", bytes);
-  await look(["headless.wpm"], async (page) => {
-    await page.page.waitForSelector("#message:not([hidden])");
-    assert.match(await page.text("message"), /its header is not what was written/);
-  });
+  assert.throws(() => run("view", "headless.wpm", "--no-browser"), { status: 3 });
 });
 
 test("two meshes turn together, side by side", () =>
