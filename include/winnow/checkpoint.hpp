@@ -1,7 +1,8 @@
-// Simplify so that a run that was killed can go on.
+// Simplify, or make a progressive file, so that a run that was killed can go on.
 #pragma once
 
 #include <winnow/api.hpp>
+#include <winnow/progressive.hpp>
 #include <winnow/simplify.hpp>
 
 #include <string>
@@ -37,7 +38,18 @@ WINNOW_API SimplifyReport simplify(Context& context, const std::vector<std::stri
 //
 // Throws Error as simplify() does; bad_input also where there is no checkpoint, it is damaged or of
 // another version of winnow, or the input is not what it was; resources where its run is still
-// alive.
+// alive; usage where it is one of progressive().
 WINNOW_API SimplifyReport resume(Context& context, const Checkpoint& settings);
+
+// The same of progressive(). What is kept is each round, too.
+WINNOW_API ProgressiveReport progressive(Context& context, const std::vector<std::string>& inputs,
+                                         const std::string& output,
+                                         const ProgressiveOptions& options,
+                                         const Checkpoint& settings);
+WINNOW_API ProgressiveReport resume_progressive(Context& context, const Checkpoint& settings);
+
+// Whether the run that this directory is of is one of progressive(). False where there is none, or
+// it cannot be read: then resume() tells why.
+WINNOW_API bool is_of_progressive(const Checkpoint& settings);
 
 }  // namespace winnow

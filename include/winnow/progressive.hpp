@@ -24,9 +24,13 @@ struct ProgressiveOptions {
   // Positions are whole numbers of so many bits, 8 to 24, along the longest side of the box; the
   // report says how far they move at most. Default: all positions come back to the bit.
   std::optional<unsigned> bits;
-  Topology topology = Topology::keep;                  // as in SimplifyOptions
-  std::optional<std::vector<std::string>> attributes;  // as in SimplifyOptions, of a PLY
+  // As in SimplifyOptions; attributes as of a PLY. With a weld the levels are of the welded mesh.
+  Boundary boundary = Boundary::weigh;
+  Topology topology = Topology::keep;
+  std::optional<std::vector<std::string>> attributes;
   bool strict = false;  // the first bad face of the input is an error
+  std::optional<std::array<std::array<double, 3>, 2>> crop;
+  std::optional<Distance> weld;
   Format from = Format::automatic;
   bool force = false;  // replace an existing output file; without it that is a usage error
 };
@@ -39,7 +43,9 @@ struct ProgressiveReport {
     std::uint64_t vertices = 0;      // vertices stored; 0 for formats without
     std::uint64_t bytes = 0;         // after decompression
     BadFaces bad_faces;
+    std::uint64_t cropped_faces = 0;  // as in SimplifyReport
   } input;
+  SimplifyReport::Weld weld;
   struct Output {
     std::string name;                                  // as it was given
     std::uint64_t faces = 0, vertices = 0, bytes = 0;  // at full count; bytes: of the file
@@ -50,6 +56,7 @@ struct ProgressiveReport {
   SimplifyReport::Attributes attributes;
   Refine cost = Refine::quadric;
   std::uint64_t rounds = 0, collapses = 0;
+  std::optional<Resumed> resumed;        // where the run went on from a checkpoint
   std::uint64_t spilled_bytes = 0;       // written to scratch, all kinds together
   std::uint64_t peak_scratch_bytes = 0;  // most scratch in use at one time
   std::uint64_t peak_memory_bytes = 0;   // the process's largest resident set so far
@@ -65,6 +72,10 @@ requires std::same_as<std::remove_const_t<Report>, ProgressiveReport>
 void for_each_field(Report& report, Field&& field) {
   for_each_input_field(report.input, field);
   field("input.bad_faces", report.input.bad_faces);
+  field("input.cropped_faces", report.input.cropped_faces);
+  field("weld.distance", report.weld.distance);
+  field("weld.vertices", report.weld.vertices);
+  field("weld.collapsed_faces", report.weld.faces);
   field("output.file", report.output.name);
   field("output.faces", report.output.faces);
   field("output.vertices", report.output.vertices);
@@ -79,6 +90,7 @@ void for_each_field(Report& report, Field&& field) {
   field("refine.cost", report.cost);
   field("refine.rounds", report.rounds);
   field("refine.collapses", report.collapses);
+  field("resumed", report.resumed);
   for_each_usage_field(report, field);
   field("notes", report.notes);
 }
@@ -94,7 +106,9 @@ WINNOW_API ProgressiveReport progressive(Context& context, const std::vector<std
                                          const ProgressiveOptions& options);
 
 struct ExtractOptions {
-  Target target;  // faces or ratio; of all faces. It must be set.
+  // Faces, a ratio of all faces, or an error: the coarsest level that keeps it, as simplify()
+  // would; only of a file of Refine::quadric. It must be set. With an error nothing is unfolded.
+  Target target;
   // Leave folded faces as they are. By default vertices are moved a little where faces are flipped,
   // but not at full count.
   bool raw = false;
@@ -110,7 +124,7 @@ struct ExtractReport {
     std::uint64_t faces = 0;       // that the whole file has
     std::uint64_t bytes_read = 0;  // of the file, the header among them
   } input;
-  std::uint64_t target_faces = 0;  // that were asked for
+  std::uint64_t target_faces = 0;  // that were asked for, or that keep the error asked for
   struct Output {
     std::string name;                                  // as it was given
     std::string format;                                // as in SimplifyReport
@@ -146,8 +160,10 @@ void for_each_field(Report& report, Field&& field) {
 
 // Writes the mesh of so many faces, or of one collapse less, to `output`; names, pipes, formats and
 // compression as in simplify(). `input` is read no further than the count needs; "-" is standard
-// input. The mesh is held in memory, within the budget. Throws Error: usage (fewer faces than the
-// base has), bad_input (damaged, or cut short before the count), resources, cancelled, failed.
+// input. The mesh is held in memory, or in scratch where the budget has no room for it. Throws
+// Error: usage (fewer faces than the base has, an error below that of ProgressiveOptions::bits, or
+// of a file of another cost), bad_input (damaged, or cut short before the count), resources,
+// cancelled, failed.
 WINNOW_API ExtractReport extract(Context& context, const std::string& input,
                                  const std::string& output, const ExtractOptions& options);
 // The same mesh in memory, which does not count in the budget. What chooses a format is a usage
@@ -158,7 +174,7 @@ WINNOW_API Mesh extract(Context& context, const std::string& input, const Extrac
 // What the header of a progressive file says.
 struct ProgressiveInfo {
   std::string name;                                 // as it was given
-  std::string format;                               // "progressive mesh, version 1"
+  std::string format;                               // "progressive mesh, version 2"
   std::uint64_t bytes = 0;                          // of the whole file, as the header has it
   std::uint64_t faces = 0, vertices = 0;            // at full count
   std::uint64_t base_faces = 0, base_vertices = 0;  // of the coarsest mesh
@@ -167,9 +183,11 @@ struct ProgressiveInfo {
   std::string positions;  // "float", "double", "16 bits"
   std::array<double, 3> box_min{}, box_max{};
   std::vector<std::string> attributes;  // "red (uchar)", a line each
-  // The first bytes of the file that so many faces need.
+  // The first bytes of the file that so many faces need, and the error that these keep, in the
+  // units of the model: see ExtractOptions::target. Nothing where none is known.
   struct Prefix {
     std::uint64_t faces = 0, bytes = 0;
+    std::optional<double> error{};
   };
   std::vector<Prefix> prefixes;  // the base, then ten times as many each, up to all
   std::vector<std::string> notes;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -87,7 +88,10 @@ class MemorylessDecimation final : public Decimation {
     largest_error_ = cost.largest_error();
   }
   void repeat(const Collapse& edge) {
-    if (edge.of_piece()) return repeat_piece(mesh_, edge.kept);
+    if (edge.of_piece()) {
+      repeat_piece(mesh_, edge.kept);
+      return;
+    }
     if (settings_.free_topology) {
       star_.find(mesh_, edge.kept, edge.removed);
       const bool changes = find_change(mesh_, star_, change_);
@@ -149,7 +153,10 @@ class AccumulatingDecimation final : public Decimation {
     for (const Collapse& edge : edges) repeat(edge);
   }
   void repeat(const Collapse& edge) {
-    if (edge.of_piece()) return repeat_piece(mesh_, edge.kept);
+    if (edge.of_piece()) {
+      repeat_piece(mesh_, edge.kept);
+      return;
+    }
     star_.find(mesh_, edge.kept, edge.removed);
     const bool changes = settings_.free_topology && find_change(mesh_, star_, change_);
     cost_.repeat(edge, star_, changes ? &change_ : nullptr);
@@ -171,6 +178,69 @@ class AccumulatingDecimation final : public Decimation {
   SurfaceChange change_;
   std::vector<FaceVertices> gone_;
   Cost cost_;
+};
+
+// Repeats what any cost has chosen, and watches what error it needs.
+class WatchingDecimation final : public Decimation {
+ public:
+  WatchingDecimation(TileMesh& mesh, const DecimationSettings& settings,
+                     std::vector<ErrorBound::State> states)
+      : mesh_(mesh),
+        free_topology_(settings.free_topology),
+        at_boundary_(mesh.vertex_count(), 0),
+        star_(settings.rounding_of_positions()),
+        bound_(mesh, std::numeric_limits<double>::infinity(), std::move(states), at_boundary_) {
+    for (VertexNumber v = 0; v < mesh.vertex_count(); ++v)
+      at_boundary_[v] = !mesh.all_edges_even(v);
+  }
+
+  void run(const CollapseLimits& /*limits*/,
+           const std::function<void(const DoneCollapse&)>& /*done*/,
+           const std::function<void()>& /*turn*/) override {
+    throw std::logic_error("what watches an error chooses no collapse");
+  }
+  void repeat(std::span<const Collapse> edges) override {
+    for (const Collapse& edge : edges) repeat(edge);
+  }
+  void repeat(const Collapse& edge) {
+    if (edge.of_piece()) {
+      needed_error_ = bound_.needed(repeat_piece(mesh_, edge.kept));
+      return;
+    }
+    // Inside of the surface planes tell all.
+    const bool boundary = (at_boundary_[edge.kept] | at_boundary_[edge.removed]) != 0;
+    if (boundary || free_topology_) star_.find(mesh_, edge.kept, edge.removed);
+    const bool changes = free_topology_ && find_change(mesh_, star_, change_);
+    (void)bound_.allows(edge, star_, changes ? &change_ : nullptr);
+    needed_error_ = bound_.needed();
+    if (changes) needed_error_ = std::max(needed_error_, bound_.needed(star_, change_));
+    bound_.collapsing(edge);
+    mesh_.collapse(edge);
+    at_boundary_[edge.kept] |= at_boundary_[edge.removed];
+    if (!changes) return;
+    gone_.clear();
+    mesh_.remove_pairs(edge.kept, gone_);
+    for (const FaceVertices& face : gone_) {
+      for (const VertexNumber v : face) {
+        if (!mesh_.all_edges_even(v)) at_boundary_[v] = 1;
+      }
+    }
+  }
+  void save(VertexNumber v, std::byte* into) const override {
+    std::memcpy(into, &bound_.state(v), sizeof(ErrorBound::State));
+  }
+  [[nodiscard]] double largest_error() const override { return bound_.largest_error(); }
+  [[nodiscard]] double needed_error() const override { return needed_error_; }
+
+ private:
+  TileMesh& mesh_;
+  bool free_topology_;
+  std::vector<std::uint8_t> at_boundary_;
+  EdgeStar star_;
+  SurfaceChange change_;
+  std::vector<FaceVertices> gone_;
+  ErrorBound bound_;
+  double needed_error_ = 0;
 };
 
 template <typename State>
@@ -237,6 +307,14 @@ std::uint64_t memory_of(const DecimationSettings& settings, std::uint64_t vertic
 
 }  // namespace
 
+std::unique_ptr<Decimation> Decimation::make_watching(TileMesh& mesh,
+                                                      std::span<const std::byte> state,
+                                                      const DecimationSettings& settings) {
+  mesh.link();
+  if (settings.keep_boundaries) lock_boundaries(mesh);
+  return std::make_unique<WatchingDecimation>(mesh, settings, bound_states(mesh, state, settings));
+}
+
 std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std::byte> state,
                                              const DecimationSettings& settings) {
   if (settings.keep_boundaries || bounds_error(settings) || settings.sequence) mesh.link();
@@ -267,10 +345,11 @@ bool Decimation::find_change(TileMesh& mesh, const EdgeStar& star, SurfaceChange
   return true;
 }
 
-void Decimation::repeat_piece(TileMesh& mesh, VertexNumber v) {
+const Piece& Decimation::repeat_piece(TileMesh& mesh, VertexNumber v) {
   piece_.find(mesh, v);
   changes_.add_piece(mesh, piece_);
   mesh.remove(piece_.vertices, piece_.faces);
+  return piece_;
 }
 
 std::function<void(const DoneCollapse&)> Decimation::counting(
@@ -290,6 +369,10 @@ std::size_t Decimation::first_state_size(const DecimationSettings& settings) {
 std::size_t Decimation::state_size(const DecimationSettings& settings) {
   if (settings.sequence) return Frames::state_size(settings.sequence->frames);
   return bounds_error(settings) ? sizeof(ErrorBound::State) : 0;
+}
+
+std::size_t Decimation::watched_state_size() {
+  return sizeof(ErrorBound::State);
 }
 
 std::uint64_t Decimation::memory(const DecimationSettings& settings, std::uint64_t vertices) {

@@ -49,6 +49,10 @@ class Decimation {
   // collapsed.
   static std::unique_ptr<Decimation> make(TileMesh& mesh, std::span<const std::byte> state,
                                           const DecimationSettings& settings);
+  // Repeats collapses that any cost has chosen, and watches the error that they need
+  // (error_bound.hpp). `state`: what save() gave, of watched_state_size() bytes, or nothing.
+  static std::unique_ptr<Decimation> make_watching(TileMesh& mesh, std::span<const std::byte> state,
+                                                   const DecimationSettings& settings);
   virtual ~Decimation() = default;
 
   // Bytes that a vertex takes to remember what was collapsed into it; 0 where nothing is
@@ -56,6 +60,7 @@ class Decimation {
   static std::size_t state_size(const DecimationSettings& settings);
   // The same of what comes from clustering.
   static std::size_t first_state_size(const DecimationSettings& settings);
+  static std::size_t watched_state_size();
   // Bytes in use at the most, besides the mesh.
   static std::uint64_t memory(const DecimationSettings& settings, std::uint64_t vertices);
 
@@ -72,6 +77,10 @@ class Decimation {
   virtual void repeat(std::span<const Collapse> edges) = 0;
   void repeat(const Collapse& edge) { repeat(std::span(&edge, 1)); }
 
+  // Of make_watching(): the least error within which what was repeated last would have been
+  // allowed, but for points that are remembered.
+  [[nodiscard]] virtual double needed_error() const { return 0; }
+
   // Writes state_size() bytes.
   virtual void save(VertexNumber v, std::byte* into) const = 0;
 
@@ -86,8 +95,8 @@ class Decimation {
   void add(const TopologyChanges& changes) { changes_.add(changes); }
   // Whether the collapse of this edge changes the surface, and how; counts it.
   bool find_change(TileMesh& mesh, const EdgeStar& star, SurfaceChange& change);
-  // Repeats the going of a piece.
-  void repeat_piece(TileMesh& mesh, VertexNumber v);
+  // Repeats the going of a piece, and returns it.
+  const Piece& repeat_piece(TileMesh& mesh, VertexNumber v);
   // For what run() tells: counts the pieces that go.
   std::function<void(const DoneCollapse&)> counting(
       TileMesh& mesh, const std::function<void(const DoneCollapse&)>& done);

@@ -15,9 +15,10 @@ namespace {
 
 // How far a boundary may move, beside the error.
 constexpr double boundary_share = 1.5;
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 double distance(const Point& p, std::span<const std::array<Point, 2>> segments) {
-  double square = std::numeric_limits<double>::infinity();
+  double square = unbounded;
   for (const auto& [a, b] : segments) {
     const Point off = closest_point(p, {a, b, b}) - p;
     square = std::min(square, dot(off, off));
@@ -58,28 +59,43 @@ void ErrorBound::add_box(VertexNumber v, Box& box) const {
 }
 
 bool ErrorBound::allows(const Piece& piece) const {
-  return smaller(piece.vertices);
+  return size_of(piece.vertices) < error_;
 }
 
 bool ErrorBound::allows(const EdgeStar& star, const SurfaceChange& change) const {
-  const auto closes = [&](VertexNumber v) {
-    return smaller(std::array{star.kept(), star.removed(), v});
-  };
-  return !change.pinches_boundary &&
-         std::all_of(change.across.begin(), change.across.end(), closes) &&
-         std::all_of(change.pairs.begin(), change.pairs.end(), [&](const FaceVertices& face) {
-           return smaller(std::array{star.kept(), face[0], face[1], face[2]});
-         });
+  return size_of(star, change) < error_;
 }
 
-// In every direction.
-bool ErrorBound::smaller(std::span<const VertexNumber> vertices) const {
+double ErrorBound::size_of(const EdgeStar& star, const SurfaceChange& change) const {
+  if (change.pinches_boundary) return unbounded;
+  double size = 0;
+  for (const VertexNumber v : change.across)
+    size = std::max(size, size_of(std::array{star.kept(), star.removed(), v}));
+  for (const FaceVertices& face : change.pairs)
+    size = std::max(size, size_of(std::array{star.kept(), face[0], face[1], face[2]}));
+  return size;
+}
+
+double ErrorBound::size_of(std::span<const VertexNumber> vertices) const {
   Box box{mesh_.position(vertices.front()), mesh_.position(vertices.front())};
   for (const VertexNumber v : vertices) add_box(v, box);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!(box.high[axis] - box.low[axis] < error_)) return false;
-  }
-  return true;
+  return box.longest_side();
+}
+
+double ErrorBound::above(double size) {
+  return std::nextafter(size, unbounded);
+}
+
+double ErrorBound::needed(const EdgeStar& star, const SurfaceChange& change) const {
+  return above(size_of(star, change));
+}
+
+double ErrorBound::needed() const {
+  // Its square is compared.
+  constexpr double rounding = 1e-15;
+  const double planes =
+      planes_.c > 0 ? (1 + rounding) * std::sqrt(planes_.c / planes_.weight()) : 0;
+  return std::max(planes, boundary_off_ / boundary_share);
 }
 
 bool ErrorBound::allows(const Collapse& edge, const EdgeStar& star, const SurfaceChange* change) {
@@ -87,15 +103,17 @@ bool ErrorBound::allows(const Collapse& edge, const EdgeStar& star, const Surfac
   planes_.add(state_[edge.removed].planes.from(edge.position - mesh_.position(edge.removed)));
   planes_.c = std::max(0.0, planes_.c);
   boundary_starts_.clear();
+  boundary_off_ = 0;
   if (planes_.c > error_ * error_ * planes_.weight()) return false;
-  return !(at_boundary_[edge.kept] | at_boundary_[edge.removed]) ||
-         moves_boundary_little(edge, star, change);
+  if (!(at_boundary_[edge.kept] | at_boundary_[edge.removed])) return true;
+  boundary_off_ = boundary_moved(edge, star, change);
+  return boundary_off_ <= boundary_share * error_;
 }
 
 // Compares the boundary's edges at the two ends with those at the one that is left. A piece whose
 // boundary goes altogether moves it by more than any bound. One that closes is let go.
-bool ErrorBound::moves_boundary_little(const Collapse& edge, const EdgeStar& star,
-                                       const SurfaceChange* change) {
+double ErrorBound::boundary_moved(const Collapse& edge, const EdgeStar& star,
+                                  const SurfaceChange* change) {
   const VertexNumber kept = edge.kept;
   const VertexNumber removed = edge.removed;
   const Point& to = edge.position;
@@ -139,14 +157,13 @@ bool ErrorBound::moves_boundary_little(const Collapse& edge, const EdgeStar& sta
       if (others == 1) leave(a, b);
     }
   }
-  if (before_.empty()) return true;
-  if (after_.empty()) return false;
+  if (before_.empty()) return 0;
+  if (after_.empty()) return unbounded;
   double moved = distance(to, before_);
   for (const auto& [a, b] : before_) {
     for (const Point& p : {a, b, 0.5 * (a + b)}) moved = std::max(moved, distance(p, after_));
   }
-  boundary_off_ = off + moved;
-  return boundary_off_ <= boundary_share * error_;
+  return off + moved;
 }
 
 void ErrorBound::collapsing(const Collapse& edge) {

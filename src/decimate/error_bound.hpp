@@ -66,6 +66,13 @@ class ErrorBound {
   // To be told of the collapse that allows() was asked about last: before it is done.
   void collapsing(const Collapse& edge);
 
+  // The least errors that allow the edge that allows() was asked about last, and these.
+  [[nodiscard]] double needed() const;
+  [[nodiscard]] double needed(const EdgeStar& star, const SurfaceChange& change) const;
+  [[nodiscard]] double needed(const Piece& piece) const { return above(size_of(piece.vertices)); }
+
+  // The least error where the farthest point that a vertex remembers is so far.
+  static double needed_by(double farthest) { return farthest / farthest_share; }
   // How far the farthest point that a vertex remembers may be.
   [[nodiscard]] double farthest() const { return farthest_share * error_; }
   [[nodiscard]] const State& state(VertexNumber v) const { return state_[v]; }
@@ -76,9 +83,14 @@ class ErrorBound {
   static constexpr double farthest_share = 1.5;
   using Segment = std::array<Point, 2>;
   void add_box(VertexNumber v, Box& box) const;
-  [[nodiscard]] bool smaller(std::span<const VertexNumber> vertices) const;
-  [[nodiscard]] bool moves_boundary_little(const Collapse& edge, const EdgeStar& star,
-                                           const SurfaceChange* change);
+  // The longest side of the box of all that these stand for.
+  [[nodiscard]] double size_of(std::span<const VertexNumber> vertices) const;
+  // The least number that this is smaller than.
+  static double above(double size);
+  // The longest side of all that closes; infinite where nothing may.
+  [[nodiscard]] double size_of(const EdgeStar& star, const SurfaceChange& change) const;
+  // How far the boundary has moved then, all together; infinite where it would go.
+  double boundary_moved(const Collapse& edge, const EdgeStar& star, const SurfaceChange* change);
 
   TileMesh& mesh_;
   double error_;

@@ -47,6 +47,10 @@ double WitnessPoints::near_square(const Point& to, double cost, double rounding)
                   roundings * roundings * rounding * rounding * dot(to, to));
 }
 
+double WitnessPoints::farthest_at(double cost) {
+  return std::sqrt(std::sqrt(cost / weight));
+}
+
 double WitnessPoints::cost_of(double square) {
   return weight * square * square;
 }

@@ -27,6 +27,8 @@ class WitnessPoints {
 
   // Of a point that is off by so much; `square`: of the distance.
   static double cost_of(double square);
+  // The farthest that a point can have been off beside a collapse at this cost.
+  static double farthest_at(double cost);
   // The largest square of a distance that does not count: beside a collapse to `to` at this cost.
   static double near_square(const Point& to, double cost, double rounding);
 

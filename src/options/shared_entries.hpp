@@ -2,6 +2,7 @@
 #pragma once
 
 #include "options/option_kinds.hpp"
+#include "options/target_kind.hpp"
 
 namespace winnow {
 
@@ -34,6 +35,59 @@ Option<Options> strict_option() {
   return {"strict", "", input_group,
           "Stop at the first bad face; by default bad faces are left out and counted",
           flag<Options>(&Options::strict)};
+}
+
+template <typename Options>
+Option<Options> boundary_option(const char* group, const char* help) {
+  return {"boundary", "HOW", group, help,
+          choice<Options>(&Options::boundary,
+                          std::vector<std::pair<const char*, Boundary>>{{"weigh", Boundary::weigh},
+                                                                        {"keep", Boundary::keep}})};
+}
+
+template <typename Options>
+Option<Options> topology_option(const char* group, const char* help) {
+  return {
+      "topology", "HOW", group, help,
+      choice<Options>(&Options::topology, std::vector<std::pair<const char*, Topology>>{
+                                              {"keep", Topology::keep}, {"free", Topology::free}})};
+}
+
+// The sides of a box.
+template <typename Options>
+OptionValue<Options> crop() {
+  constexpr const char* examples =
+      "six numbers like 0,0,0,10,10,5: the low and the high corner of a box";
+  OptionValue<Options> value;
+  value.set = [](Options& options, const std::string& text, const std::string& option) {
+    std::array<double, 6> numbers{};
+    numbers_in(text, option, examples, numbers);
+    const auto& [a, b, c, d, e, f] = numbers;
+    if (!(a <= d && b <= e && c <= f))
+      throw Error(ErrorKind::usage,
+                  "`" + option + "` takes the low and then the high corner of a box");
+    options.crop = {{{a, b, c}, {d, e, f}}};
+  };
+  value.get = [](const Options& options) -> std::string {
+    if (!options.crop) return "";
+    return text_of((*options.crop)[0]) + "," + text_of((*options.crop)[1]);
+  };
+  return value;
+}
+
+template <typename Options>
+Option<Options> crop_option() {
+  return {"crop", "BOX", input_group,
+          "Keep only faces wholly inside this box (model units): xmin,ymin,zmin,xmax,ymax,zmax",
+          crop<Options>()};
+}
+
+template <typename Options>
+Option<Options> weld_option() {
+  return {"weld", "DISTANCE", input_group,
+          "Join vertices closer than this: 0.01 (model units) or 0.001% (of the diagonal). Chains "
+          "of such vertices are joined too.",
+          distance<Options>(&Options::weld, length_range, part_range)};
 }
 
 // `attributes`. "none" is an empty list, "auto" no list at all.

@@ -16,9 +16,6 @@ namespace {
 using Options = SimplifyOptions;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr NumberRange length_range{0, infinity, true, true, "a length above 0"};
-constexpr NumberRange part_range{0, 1, true, true, "a part of the diagonal above 0 and below 100%"};
-constexpr NumberRange ratio_range{0, 1, true, false, "a part above 0 and at most 1 (or 100%)"};
 
 // The same with commas between several, in any order: the finest is the target, the others follow.
 OptionValue<Options> several(const OptionValue<Options>& one) {
@@ -62,26 +59,6 @@ OptionValue<Options> detail() {
   value.get = [get = value.get](const Options& options) {
     return options.detail && std::isinf(*options.detail) && *options.detail > 0 ? "full"
                                                                                 : get(options);
-  };
-  return value;
-}
-
-OptionValue<Options> crop() {
-  constexpr const char* examples =
-      "six numbers like 0,0,0,10,10,5: the low and the high corner of a box";
-  OptionValue<Options> value;
-  value.set = [](Options& options, const std::string& text, const std::string& option) {
-    std::array<double, 6> numbers{};
-    numbers_in(text, option, examples, numbers);
-    const auto& [a, b, c, d, e, f] = numbers;
-    if (!(a <= d && b <= e && c <= f))
-      throw Error(ErrorKind::usage,
-                  "`" + option + "` takes the low and then the high corner of a box");
-    options.crop = {{{a, b, c}, {d, e, f}}};
-  };
-  value.get = [](const Options& options) -> std::string {
-    if (!options.crop) return "";
-    return text_of((*options.crop)[0]) + "," + text_of((*options.crop)[1]);
   };
   return value;
 }
@@ -135,17 +112,13 @@ std::vector<Option<Options>> table() {
        choice<Options>(&Options::refine, words_of<Refine>())},
       {"detail", "D", refinement,
        "Cluster to D times the target first (default 6); 'full' skips clustering", detail()},
-      {"boundary", "HOW", refinement,
-       "Open boundaries: 'weigh' moves them at a cost (default), 'keep' fixes their vertices",
-       choice<Options>(&Options::boundary,
-                       std::vector<std::pair<const char*, Boundary>>{{"weigh", Boundary::weigh},
-                                                                     {"keep", Boundary::keep}})},
-      {"topology", "HOW", refinement,
-       "Handles and holes: 'keep' them, even if the count is missed (default), or be 'free' to "
-       "close them and meet it",
-       choice<Options>(&Options::topology,
-                       std::vector<std::pair<const char*, Topology>>{{"keep", Topology::keep},
-                                                                     {"free", Topology::free}})},
+      boundary_option<Options>(
+          refinement,
+          "Open boundaries: 'weigh' moves them at a cost (default), 'keep' fixes their vertices"),
+      topology_option<Options>(
+          refinement,
+          "Handles and holes: 'keep' them, even if the count is missed (default), or be 'free' to "
+          "close them and meet it"),
       {"keep_pieces", "", refinement,
        "Keep every connected piece, and refine all faces; by default small ones are removed where "
        "that costs least",
@@ -159,13 +132,8 @@ std::vector<Option<Options>> table() {
        count<Options>(&Options::fit, 0, 100, "0 to 100 passes")},
 
       strict_option<Options>(),
-      {"crop", "BOX", input_group,
-       "Keep only faces wholly inside this box (model units): xmin,ymin,zmin,xmax,ymax,zmax",
-       crop()},
-      {"weld", "DISTANCE", input_group,
-       "Join vertices closer than this: 0.01 (model units) or 0.001% (of the diagonal). Chains of "
-       "such vertices are joined too.",
-       distance<Options>(&Options::weld, length_range, part_range)},
+      crop_option<Options>(),
+      weld_option<Options>(),
       from_option<Options>(&Options::from),
 
       {"placement", "HOW", result_group,

@@ -38,12 +38,12 @@ void for_each_vertex(Job& job, const RecordedRounds& rounds, const StoredMesh& b
   std::uint32_t number = 0;
   for (IndexedVertex vertex; vertices.next(vertex); ++number)
     each(numbered ? vertex.unused : number);
-  for (const RecordedPart& part : rounds.parts()) {
+  for_each_part(rounds, [&](const RecordedRound& round, const RecordedPart& part) {
     const std::vector<std::uint32_t> gone =
-        read_records<std::uint32_t>(rounds.gone(), part.first_gone, part.vertices);
+        read_records<std::uint32_t>(round.gone(), part.first_gone, part.vertices);
     for (auto v = gone.rbegin(); v != gone.rend(); ++v) each(*v);
     job.progress.check_cancelled();
-  }
+  });
 }
 
 Spool file_numbers(Job& job, const RecordedRounds& rounds, const StoredMesh& base, bool numbered,
@@ -86,7 +86,13 @@ void finish_chunk(SplitEncoder& encoder, Chunk& chunk) {
 class RoundEncoder {
  public:
   RoundEncoder(Job& job, const RecordedRounds& rounds, const VertexWords& words, EncodedRounds& out)
-      : job_(job), rounds_(rounds), words_(words), out_(out) {}
+      : job_(job), words_(words), out_(out) {
+    for_each_part(rounds, [&](const RecordedRound& round, const RecordedPart& part) {
+      parts_.push_back({&round, &part, part.error});
+    });
+    for (std::size_t i = parts_.size(); i-- > 1;)
+      parts_[i - 1].error = std::max(parts_[i - 1].error, parts_[i].error);
+  }
 
   void add_base(const StoredMesh& base) {
     const std::uint64_t vertices = base.vertices->size();
@@ -108,10 +114,9 @@ class RoundEncoder {
   }
 
   void add_parts(const Spool& numbers) {
-    const std::vector<RecordedPart>& parts = rounds_.parts();
     std::uint64_t largest = mebibyte;
-    for (const RecordedPart& part : parts)
-      largest = std::max(largest, 2 * part.words * sizeof(std::uint32_t));
+    for (const Part& part : parts_)
+      largest = std::max(largest, 2 * part.part->words * sizeof(std::uint32_t));
     const std::uint64_t at_once =
         std::clamp<std::uint64_t>(job_.budget.left() / largest, 1, job_.threads);
     const Reservation reserved = job_.budget.reserve(at_once * largest, "encoding");
@@ -120,15 +125,21 @@ class RoundEncoder {
         at_once,
         [&](Chunk& chunk) {
           chunk = {};
-          if (next == parts.size()) return false;
+          if (next == parts_.size()) return false;
           chunk.part = next++;
           return true;
         },
-        [&](Chunk& chunk) { encode(parts[chunk.part], numbers, chunk); },
+        [&](Chunk& chunk) { encode(parts_[chunk.part], numbers, chunk); },
         [&](const Chunk& chunk) { append(chunk); });
   }
 
  private:
+  struct Part {
+    const RecordedRound* round;
+    const RecordedPart* part;
+    double error;  // of the mesh without it and all behind it
+  };
+
   template <typename Add>
   void in_chunks(std::uint64_t count, const Add& add, std::uint32_t first_new) {
     SplitEncoder encoder(words_.width());
@@ -142,6 +153,7 @@ class RoundEncoder {
         encoder.add(ringed);
         ++chunk.entry.splits;
       }
+      chunk.entry.error = parts_.empty() ? 0 : parts_.front().error;
       finish_chunk(encoder, chunk);
       append(chunk);
     }
@@ -162,8 +174,10 @@ class RoundEncoder {
     split.new_vertices = static_cast<std::uint32_t>(count);
   }
 
-  void encode(const RecordedPart& part, const Spool& numbers, Chunk& chunk) const {
-    const Words words = read_records<std::uint32_t>(rounds_.words(), part.first_word, part.words);
+  void encode(const Part& coded, const Spool& numbers, Chunk& chunk) const {
+    const RecordedPart& part = *coded.part;
+    const Words words =
+        read_records<std::uint32_t>(coded.round->words(), part.first_word, part.words);
     std::vector<std::span<const std::uint32_t>> records;
     RecordedCollapse collapse;
     for (std::span<const std::uint32_t> rest = words; !rest.empty();) {
@@ -181,6 +195,7 @@ class RoundEncoder {
     }
     chunk.entry.vertices = part.vertices;
     chunk.entry.faces = part.faces;
+    chunk.entry.error = coded.error;
     finish_chunk(encoder, chunk);
   }
 
@@ -191,9 +206,9 @@ class RoundEncoder {
   }
 
   Job& job_;
-  const RecordedRounds& rounds_;
   const VertexWords& words_;
   EncodedRounds& out_;
+  std::vector<Part> parts_;  // in the order of the file
 };
 
 }  // namespace
@@ -204,7 +219,8 @@ EncodedRounds encode_rounds(Job& job, const RecordedRounds& rounds, const Stored
   EncodedRounds out{Spool(job, share::progressive::packed(memory)), {}, 0};
   const Spool numbers = file_numbers(job, rounds, base, numbered, vertices, memory);
   std::uint64_t faces = base.face_count;
-  for (const RecordedPart& part : rounds.parts()) faces += part.faces;
+  for_each_part(rounds,
+                [&](const RecordedRound&, const RecordedPart& part) { faces += part.faces; });
   job.progress.begin("encode", faces, "faces");
   RoundEncoder encoder(job, rounds, words, out);
   encoder.add_base(base);

@@ -20,7 +20,7 @@ namespace winnow {
 namespace {
 
 constexpr std::size_t fixed_bytes = 128;
-constexpr std::size_t entry_bytes = 24;
+constexpr std::size_t entry_bytes = 32;
 constexpr std::size_t attribute_bytes = 32;  // and its name
 constexpr std::size_t checksum_at = 16;
 constexpr std::uint32_t most_header_bytes = std::uint32_t{1} << 28;
@@ -131,6 +131,8 @@ ChunkEntry take_entry(Reader& in) {
   entry.vertices = in.u32();
   entry.faces = in.u32();
   entry.checksum = in.u32();
+  entry.error = in.f64();
+  if (!(entry.error >= 0)) in.refuse("the error of a level is none");
   if (entry.raw_bytes > most_chunk_bytes || entry.splits > entry.raw_bytes)
     in.refuse("a chunk is larger than one can be");
   return entry;
@@ -198,6 +200,26 @@ std::size_t ProgressiveHeader::chunks_for(std::uint64_t faces) const {
   return count;
 }
 
+double ProgressiveHeader::position_error() const {
+  if (form.bits == 0) return 0;
+  double rounding = 0;
+  if (!form.doubles) {
+    for (const Point& corner : {box.low, box.high})
+      for (const double x : corner) rounding = std::max(rounding, std::abs(x) * 0x1p-24);
+  }
+  return (form.step / 2 + rounding) * std::sqrt(3.0);
+}
+
+double ProgressiveHeader::error_of(std::size_t chunk_count) const {
+  return chunk_count < chunks.size() ? chunks[chunk_count].error : position_error();
+}
+
+std::size_t ProgressiveHeader::chunks_within(double error) const {
+  std::size_t count = chunks.size();
+  while (count > base_chunks && error_of(count - 1) <= error) --count;
+  return count;
+}
+
 std::uint64_t ProgressiveHeader::bytes() const {
   std::uint64_t bytes = fixed_bytes + chunks.size() * entry_bytes;
   for (const Attribute& attribute : attributes)
@@ -227,6 +249,7 @@ std::vector<std::byte> encode_header(const ProgressiveHeader& header) {
     for (const std::uint32_t word :
          {entry.bytes, entry.raw_bytes, entry.splits, entry.vertices, entry.faces, entry.checksum})
       out.u32(word);
+    out.f64(entry.error);
   }
   out.set_u32(checksum_at, checksum_of(out.bytes()));
   return std::move(out.bytes());
@@ -269,7 +292,11 @@ ProgressiveHeader read_header(Job& job, ByteSource& source) {
   for (std::uint32_t i = 0; i < attributes; ++i) header.attributes.push_back(take_attribute(all));
   if (all.left() != entry_bytes * std::uint64_t{chunks} || header.base_chunks > chunks)
     all.refuse("its header does not have as many chunks as it says");
-  for (std::uint32_t i = 0; i < chunks; ++i) header.chunks.push_back(take_entry(all));
+  for (std::uint32_t i = 0; i < chunks; ++i) {
+    header.chunks.push_back(take_entry(all));
+    if (i > 0 && header.chunks[i].error > header.chunks[i - 1].error)
+      all.refuse("a finer level is farther off");
+  }
   const ProgressiveHeader::Counts base = header.base();
   if (base.vertices == 0 || base.faces == 0) all.refuse("its coarsest mesh is empty");
   const ProgressiveHeader::Counts counts = header.all();

@@ -19,7 +19,7 @@ namespace winnow {
 // for text.
 inline constexpr std::array<std::uint8_t, 8> progressive_magic{0x89, 'W',  'P',  'M',
                                                                '\r', '\n', 0x1a, '\n'};
-inline constexpr std::uint32_t progressive_version = 1;
+inline constexpr std::uint32_t progressive_version = 2;
 
 // What one chunk adds.
 struct ChunkEntry {
@@ -27,6 +27,10 @@ struct ChunkEntry {
   std::uint32_t raw_bytes = 0;  // before they were compressed
   std::uint32_t splits = 0, vertices = 0, faces = 0;
   std::uint32_t checksum = 0;  // CRC-32 of the bytes in the file
+  // Within which the mesh keeps the surface that all chunks before this one give: as
+  // SimplifyOptions::error has it, infinite where none is known. Of base chunks that of the
+  // coarsest mesh.
+  double error = 0;
 };
 
 struct ProgressiveHeader {
@@ -47,6 +51,12 @@ struct ProgressiveHeader {
   [[nodiscard]] Counts all() const { return counts(chunks.size()); }
   // The fewest chunks that have so many faces; all where none have.
   [[nodiscard]] std::size_t chunks_for(std::uint64_t faces) const;
+  // By how much a lattice moves a position at most.
+  [[nodiscard]] double position_error() const;
+  // The least error that a count of chunks keeps, and the fewest that keep this one; all where none
+  // do.
+  [[nodiscard]] double error_of(std::size_t chunk_count) const;
+  [[nodiscard]] std::size_t chunks_within(double error) const;
   [[nodiscard]] std::uint64_t bytes() const;  // of the header itself
 };
 

@@ -13,4 +13,9 @@ inline constexpr Share numbers{1, 4}, sorting{1, 4}, packed{1, 4};  // of encodi
 static_assert(fit(numbers, sorting, packed));
 }  // namespace progressive
 
+// A level that is extracted.
+namespace extracted {
+inline constexpr Share pages{1, 4};  // of its mesh, where that is in scratch
+}
+
 }  // namespace winnow::share

@@ -259,10 +259,23 @@ SplitDecoder::SplitDecoder(std::span<const std::byte> packed, std::uint32_t raw_
   rings_ = section();
   counts_ = section();
   varints_ = section();
-  planes_ = rest_.at;
   if (kinds_.left() != splits || rest_.left() % (4 * width) != 0) refuse();
-  rows_ = rest_.left() / (4 * width);
   read_anchors(anchors);
+  read_words(rest_.left() / (4 * width));
+  ahead_.fill(no_number);
+}
+
+void SplitDecoder::read_words(std::size_t rows) {
+  differences_.resize(rows * width_);
+  for (std::size_t k = 0; k < width_; ++k) {
+    const std::uint8_t* byte = rest_.at + 4 * k * rows;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const std::uint32_t coded = std::uint32_t{byte[row]} | std::uint32_t{byte[rows + row]} << 8 |
+                                  std::uint32_t{byte[2 * rows + row]} << 16 |
+                                  std::uint32_t{byte[3 * rows + row]} << 24;
+      differences_[row * width_ + k] = unzigzag(coded);
+    }
+  }
 }
 
 void SplitDecoder::read_anchors(Bytes bytes) {
@@ -297,8 +310,16 @@ void SplitDecoder::next(const SplitMesh& mesh, Split& split) {
   values(mesh, split);
 }
 
+void SplitDecoder::look_ahead(const SplitMesh& mesh) {
+  for (std::uint32_t& corner : ahead_) corner = mesh.next_expected(corner);
+  const std::size_t begun = anchor_ + splits_ahead;
+  if (begun < anchors_.size()) ahead_[begun % splits_ahead] = mesh.first_expected(anchors_[begun]);
+  if (begun + splits_ahead < anchors_.size()) mesh.expect(anchors_[begun + splits_ahead]);
+}
+
 void SplitDecoder::beside(const SplitMesh& mesh, unsigned kind, Split& split) {
   if (anchor_ == anchors_.size()) refuse();
+  look_ahead(mesh);
   split.anchor = anchors_[anchor_++];
   if (split.anchor >= mesh.vertices()) refuse();
   split.moves = true;
@@ -370,18 +391,16 @@ void SplitDecoder::tell_one_by_one(const SplitMesh& mesh, bool moves, Split& spl
 void SplitDecoder::values(const SplitMesh& mesh, Split& split) {
   if (split.moves && split.anchor >= mesh.vertices()) refuse();
   const std::size_t count = std::size_t{split.new_vertices} + split.moves;
-  if (count > rows_ - row_) refuse();
+  if (count > differences_.size() / width_ - row_) refuse();
   split.words.resize(count * width_);
   const std::span<const std::uint32_t> before =
       split.moves ? mesh.words(split.anchor) : std::span<const std::uint32_t>{};
-  for (std::size_t first = 0; first < split.words.size(); first += width_, ++row_) {
-    for (std::size_t k = 0; k < width_; ++k) {
-      const std::uint8_t* byte = planes_ + 4 * k * rows_ + row_;
-      std::uint32_t coded = 0;
-      for (unsigned i = 0; i < 4; ++i) coded |= std::uint32_t{byte[i * rows_]} << 8 * i;
-      split.words[first + k] = expected_word(split, before, first, k, width_) + unzigzag(coded);
-    }
+  const std::uint32_t* difference = differences_.data() + row_ * width_;
+  for (std::size_t first = 0; first < split.words.size(); first += width_) {
+    for (std::size_t k = 0; k < width_; ++k)
+      split.words[first + k] = expected_word(split, before, first, k, width_) + *difference++;
   }
+  row_ += count;
 }
 
 }  // namespace winnow

@@ -7,6 +7,7 @@
 #include "progressive/split.hpp"
 #include "progressive/split_mesh.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -76,6 +77,8 @@ class SplitDecoder {
   };
   Bytes section();
   void read_anchors(Bytes bytes);
+  void read_words(std::size_t rows);
+  void look_ahead(const SplitMesh& mesh);
   void beside(const SplitMesh& mesh, unsigned kind, Split& split);
   void take_walk(Split& split);
   std::uint32_t take_neighbour();
@@ -90,8 +93,11 @@ class SplitDecoder {
   Bytes rest_, kinds_, rings_, counts_, varints_;
   std::vector<std::uint32_t> anchors_;
   std::size_t anchor_ = 0;
-  const std::uint8_t* planes_ = nullptr;
-  std::size_t rows_ = 0, row_ = 0;  // of words, one a vertex
+  // Corners of the anchors behind, see SplitMesh::expect().
+  static constexpr std::size_t splits_ahead = 8;
+  std::array<std::uint32_t, splits_ahead> ahead_{};
+  Words differences_;    // of the words from what is likely, vertex by vertex
+  std::size_t row_ = 0;  // the next of them
   std::vector<RingFace> ring_;
   std::vector<std::uint32_t> neighbours_, places_;
 };

@@ -4,11 +4,19 @@
 
 namespace winnow {
 
+SplitMesh::SplitMesh(const SplitMesh& other, Memory* memory, std::uint64_t vertices,
+                     std::uint64_t faces)
+    : width_(other.width_), words_(memory), face_(memory), first_(memory) {
+  reserve(vertices, faces);
+  words_.assign(other.words_.begin(), other.words_.end());
+  face_.assign(other.face_.begin(), other.face_.end());
+  first_.assign(other.first_.begin(), other.first_.end());
+}
+
 void SplitMesh::reserve(std::uint64_t vertices, std::uint64_t faces) {
   words_.reserve(vertices * width_);
   first_.reserve(vertices);
   face_.reserve(faces);
-  link_.reserve(3 * faces);
 }
 
 void SplitMesh::add_vertex(std::span<const std::uint32_t> words) {
@@ -17,39 +25,53 @@ void SplitMesh::add_vertex(std::span<const std::uint32_t> words) {
 }
 
 void SplitMesh::add_face(const FaceVertices& face) {
-  const auto corner = 3 * faces();
-  face_.push_back(face);
-  link_.resize(link_.size() + 3);
+  const std::uint32_t corner = 3 * faces();
+  face_.push_back({face, {}, {}});
   for (std::uint32_t i = 0; i < 3; ++i) link(corner + i, face[i]);
 }
 
 void SplitMesh::link(std::uint32_t corner, std::uint32_t v) {
   const std::uint32_t next = first_[v];
-  link_[corner] = {next, no_number};
-  if (next != no_number) link_[next].previous = corner;
+  face_[corner / 3].next[corner % 3] = next;
+  face_[corner / 3].previous[corner % 3] = no_number;
+  if (next != no_number) face_[next / 3].previous[next % 3] = corner;
   first_[v] = corner;
 }
 
 void SplitMesh::unlink(std::uint32_t corner, std::uint32_t v) {
-  const Link link = link_[corner];
-  (link.previous == no_number ? first_[v] : link_[link.previous].next) = link.next;
-  if (link.next != no_number) link_[link.next].previous = link.previous;
+  const std::uint32_t next = face_[corner / 3].next[corner % 3];
+  const std::uint32_t previous = face_[corner / 3].previous[corner % 3];
+  (previous == no_number ? first_[v] : face_[previous / 3].next[previous % 3]) = next;
+  if (next != no_number) face_[next / 3].previous[next % 3] = previous;
 }
 
 void SplitMesh::hand_over(std::uint32_t corner, std::uint32_t from, std::uint32_t to) {
   unlink(corner, from);
   link(corner, to);
-  face_[corner / 3][corner % 3] = to;
+  face_[corner / 3].vertices[corner % 3] = to;
 }
 
 void SplitMesh::find_ring(std::uint32_t v, std::vector<RingFace>& ring) const {
+  // Longer ones are in no file that is taken, but may be in the mesh.
+  constexpr std::ptrdiff_t few = 24;
   ring.clear();
-  for (std::uint32_t corner = first_[v]; corner != no_number; corner = link_[corner].next) {
-    const FaceVertices& face = face_[corner / 3];
+  for (std::uint32_t corner = first_[v]; corner != no_number;) {
+    const Face& face = face_[corner / 3];
     const std::uint32_t i = corner % 3;
-    ring.push_back({{face[(i + 1) % 3], face[(i + 2) % 3]}, corner});
+    ring.push_back(
+        {{face.vertices[i == 2 ? 0 : i + 1], face.vertices[i == 0 ? 2 : i - 1]}, corner});
+    corner = face.next[i];
   }
-  std::sort(ring.begin(), ring.end());
+  if (ring.end() - ring.begin() > few) {
+    std::sort(ring.begin(), ring.end());
+    return;
+  }
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const RingFace moved = ring[i];
+    std::size_t to = i;
+    for (; to > 0 && moved < ring[to - 1]; --to) ring[to] = ring[to - 1];
+    ring[to] = moved;
+  }
 }
 
 // A walk around the vertex at the far end would be as good: the anchor may have very many faces.
@@ -57,14 +79,14 @@ std::uint32_t SplitMesh::corner_at(std::uint32_t v, const FarEdge& far) const {
   if (far[0] >= vertices() || far[1] >= vertices()) return no_number;
   std::uint32_t at_v = first_[v], at_far = first_[far[0]];
   while (at_v != no_number && at_far != no_number) {
-    const FaceVertices& face = face_[at_v / 3];
+    const FaceVertices& face = face_[at_v / 3].vertices;
     const std::uint32_t i = at_v % 3;
     if (face[(i + 1) % 3] == far[0] && face[(i + 2) % 3] == far[1]) return at_v;
-    const FaceVertices& other = face_[at_far / 3];
+    const FaceVertices& other = face_[at_far / 3].vertices;
     const std::uint32_t k = at_far % 3;
     if (other[(k + 1) % 3] == far[1] && other[(k + 2) % 3] == v) return at_far - k + (k + 2) % 3;
-    at_v = link_[at_v].next;
-    at_far = link_[at_far].next;
+    at_v = face_[at_v / 3].next[i];
+    at_far = face_[at_far / 3].next[k];
   }
   return no_number;
 }
@@ -112,7 +134,7 @@ bool SplitMesh::apply(const Split& split) {
     add_vertex(words.subspan(i * width_, width_));
   for (const std::uint32_t corner : handed_) {
     link(corner, first);
-    face_[corner / 3][corner % 3] = first;
+    face_[corner / 3].vertices[corner % 3] = first;
   }
   for (const FaceVertices& face : split.restored) add_face(face);
   return true;
@@ -138,17 +160,16 @@ void SplitMesh::take_back(const Undo& undo, Split& split) {
   split.new_vertices = undo.new_vertices;
   for (std::uint32_t i = undo.restored; i-- > 0;) {
     const std::uint32_t f = faces() - 1;
-    split.restored.push_back(face_[f]);
-    for (std::uint32_t k = 0; k < 3; ++k) unlink(3 * f + k, face_[f][k]);
+    split.restored.push_back(face_[f].vertices);
+    for (std::uint32_t k = 0; k < 3; ++k) unlink(3 * f + k, face_[f].vertices[k]);
     face_.pop_back();
-    link_.resize(3 * face_.size());
   }
   std::reverse(split.restored.begin(), split.restored.end());
   const std::uint32_t first = vertices() - undo.new_vertices;
   if (undo.anchor != no_number && undo.new_vertices > 0) {
     while (first_[first] != no_number) {
       const std::uint32_t corner = first_[first];
-      const FaceVertices& face = face_[corner / 3];
+      const FaceVertices& face = face_[corner / 3].vertices;
       split.moved.push_back({face[(corner % 3 + 1) % 3], face[(corner % 3 + 2) % 3]});
       split.corners.push_back(corner);
       hand_over(corner, first, undo.anchor);

@@ -3,8 +3,10 @@
 
 #include "progressive/split.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -16,22 +18,29 @@ struct RingFace {
   std::uint32_t corner;  // 3 f + i
 
   friend bool operator<(const RingFace& a, const RingFace& b) {
-    return a.far != b.far ? a.far < b.far : a.corner < b.corner;
+    if (a.far[0] != b.far[0]) return a.far[0] < b.far[0];
+    return a.far[1] != b.far[1] ? a.far[1] < b.far[1] : a.corner < b.corner;
   }
 };
 
 class SplitMesh {
-  struct Link {
-    std::uint32_t next = no_number, previous = no_number;  // corners of the same vertex
+  // Each corner knows the next and the previous of the same vertex: what is read of a face lies
+  // side by side.
+  struct Face {
+    FaceVertices vertices;
+    std::array<std::uint32_t, 3> next, previous;
   };
 
  public:
+  using Memory = std::pmr::memory_resource;
   explicit SplitMesh(std::size_t words_a_vertex) : width_(words_a_vertex) {}
+  // The same mesh in other memory, with room for so many, which has to stay.
+  SplitMesh(const SplitMesh& other, Memory* memory, std::uint64_t vertices, std::uint64_t faces);
 
   [[nodiscard]] std::size_t width() const { return width_; }
   [[nodiscard]] std::uint32_t vertices() const { return static_cast<std::uint32_t>(first_.size()); }
   [[nodiscard]] std::uint32_t faces() const { return static_cast<std::uint32_t>(face_.size()); }
-  [[nodiscard]] const FaceVertices& face(std::uint32_t f) const { return face_[f]; }
+  [[nodiscard]] const FaceVertices& face(std::uint32_t f) const { return face_[f].vertices; }
   [[nodiscard]] std::span<const std::uint32_t> words(std::uint32_t v) const {
     return std::span(words_).subspan(v * width_, width_);
   }
@@ -39,8 +48,7 @@ class SplitMesh {
 
   // Bytes that it takes, and room for so many at once.
   static std::uint64_t memory(std::uint64_t vertices, std::uint64_t faces, std::size_t width) {
-    return vertices * (width + 1) * sizeof(std::uint32_t) +
-           faces * (sizeof(FaceVertices) + 3 * sizeof(Link));
+    return vertices * (width + 1) * sizeof(std::uint32_t) + faces * sizeof(Face);
   }
   void reserve(std::uint64_t vertices, std::uint64_t faces);
 
@@ -49,6 +57,22 @@ class SplitMesh {
 
   // All faces at a vertex, in the order of their other corners: what a file counts by.
   void find_ring(std::uint32_t v, std::vector<RingFace>& ring) const;
+
+  // find_ring() without waiting for memory: a few splits before, the processor is told of the
+  // vertex, then of the first of its corners, then step by step of the next. A corner may be one of
+  // another vertex by then.
+  void expect(std::uint32_t v) const {
+    if (v >= vertices()) return;
+    __builtin_prefetch(&first_[v]);
+    __builtin_prefetch(&words_[v * width_]);
+  }
+  [[nodiscard]] std::uint32_t first_expected(std::uint32_t v) const {
+    return v < vertices() ? expected(first_[v]) : no_number;
+  }
+  [[nodiscard]] std::uint32_t next_expected(std::uint32_t corner) const {
+    if (corner >= 3 * faces()) return no_number;
+    return expected(face_[corner / 3].next[corner % 3]);
+  }
 
   // False, and nothing is changed, where the split names what is not there.
   [[nodiscard]] bool apply(const Split& split);
@@ -63,6 +87,10 @@ class SplitMesh {
   void take_back(const Undo& undo, Split& split);
 
  private:
+  [[nodiscard]] std::uint32_t expected(std::uint32_t corner) const {
+    if (corner != no_number) __builtin_prefetch(&face_[corner / 3]);
+    return corner;
+  }
   // The corner of the face at `v` that has these other corners; none where there is none.
   [[nodiscard]] std::uint32_t corner_at(std::uint32_t v, const FarEdge& far) const;
   // Takes the faces that move from the anchor, into handed_.
@@ -72,10 +100,9 @@ class SplitMesh {
   void hand_over(std::uint32_t corner, std::uint32_t from, std::uint32_t to);
 
   std::size_t width_;
-  std::vector<std::uint32_t> words_;
-  std::vector<FaceVertices> face_;
-  std::vector<std::uint32_t> first_;  // of each vertex the first of its corners
-  std::vector<Link> link_;            // of each corner
+  std::pmr::vector<std::uint32_t> words_;
+  std::pmr::vector<Face> face_;
+  std::pmr::vector<std::uint32_t> first_;  // of each vertex the first of its corners
   std::vector<std::uint32_t> handed_;
 };
 

@@ -23,7 +23,7 @@ SplitPlayer::SplitPlayer(Job& job, std::unique_ptr<ByteSource> source, bool back
       back_(back),
       header_(read_header(job, *source_)),
       words_(header_.form, header_.attributes),
-      mesh_(words_.width()) {
+      mesh_(std::in_place, words_.width()) {
   read_base();
 }
 
@@ -35,7 +35,7 @@ void SplitPlayer::read_base() {
       throw Error(ErrorKind::bad_input,
                   "'" + source_->name() + "' is cut short: its coarsest mesh is not whole");
     while (decoder_->left() > 0) {
-      decoder_->next(mesh_, decoded_);
+      decoder_->next(*mesh_, decoded_);
       apply(decoded_, decoder_->left() == 0);
     }
   }
@@ -46,6 +46,17 @@ void SplitPlayer::read_base() {
 void SplitPlayer::expect(std::uint64_t faces) {
   const ProgressiveHeader::Counts counts = header_.counts(header_.chunks_for(faces));
   make_room(counts.vertices, counts.faces);
+}
+
+void SplitPlayer::expect(std::uint64_t faces, ScratchMemory& scratch) {
+  const ProgressiveHeader::Counts counts = header_.counts(header_.chunks_for(faces));
+  if (counts.vertices <= room_vertices_ && counts.faces <= room_faces_) return;
+  SplitMesh moved(*mesh_, &scratch, counts.vertices, counts.faces);
+  mesh_.emplace(std::move(moved));
+  mesh_memory_ = {};
+  scratch_ = &scratch;
+  room_vertices_ = counts.vertices;
+  room_faces_ = counts.faces;
 }
 
 std::uint64_t SplitPlayer::memory_for(std::uint64_t vertices, std::uint64_t faces) const {
@@ -61,7 +72,7 @@ void SplitPlayer::make_room(std::uint64_t vertices, std::uint64_t faces) {
 void SplitPlayer::take_room(std::uint64_t vertices, std::uint64_t faces, Reservation memory) {
   room_vertices_ = vertices;
   room_faces_ = faces;
-  mesh_.reserve(vertices, faces);
+  mesh_->reserve(vertices, faces);
   mesh_memory_ = std::move(memory);
 }
 
@@ -101,7 +112,7 @@ bool SplitPlayer::open_chunk() {
     refuse_chunk(chunk_, "is longer packed than not");
   decoder_.reset();
   chunk_memory_ = {};
-  chunk_memory_ = job_.budget.reserve(entry.bytes + 3 * std::uint64_t{entry.raw_bytes}, "a chunk");
+  chunk_memory_ = job_.budget.reserve(entry.bytes + 4 * std::uint64_t{entry.raw_bytes}, "a chunk");
   const std::vector<std::byte> bytes = chunk_bytes(entry);
   if (bytes.size() < entry.bytes) {
     cut_short_ = true;
@@ -130,7 +141,7 @@ const Split* SplitPlayer::next() {
     if (!open_chunk()) return nullptr;
   }
   try {
-    decoder_->next(mesh_, decoded_);
+    decoder_->next(*mesh_, decoded_);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::bad_input) throw;
     refuse_chunk(chunk_ - 1, "has a split that cannot be");
@@ -141,12 +152,12 @@ const Split* SplitPlayer::next() {
 
 // Where it throws the mesh is as it was.
 void SplitPlayer::apply(const Split& split, bool last_of_chunk) {
-  const std::uint64_t vertices = mesh_.vertices() + std::uint64_t{split.new_vertices};
-  const std::uint64_t faces = mesh_.faces() + std::uint64_t{split.restored.size()};
+  const std::uint64_t vertices = mesh_->vertices() + std::uint64_t{split.new_vertices};
+  const std::uint64_t faces = mesh_->faces() + std::uint64_t{split.restored.size()};
   if (vertices > end_.vertices || faces > end_.faces ||
       (last_of_chunk && (vertices != end_.vertices || faces != end_.faces)))
     refuse_chunk(chunk_ - 1, "brings back other faces than it should");
-  if (!mesh_.apply(split)) refuse_chunk(chunk_ - 1, "has a split that cannot be");
+  if (!mesh_->apply(split)) refuse_chunk(chunk_ - 1, "has a split that cannot be");
 }
 
 bool SplitPlayer::forward() {
@@ -154,7 +165,7 @@ bool SplitPlayer::forward() {
   if (split == nullptr) return false;
   const bool again = !undone_.empty();
   SplitMesh::Undo undo;
-  if (back_) undo = mesh_.undo_of(*split);
+  if (back_) undo = mesh_->undo_of(*split);
   apply(*split, !again && decoder_->left() == 0);
   const bool begins = !again && std::exchange(chunk_begins_, false);
   if (back_) done_.push_back({std::move(undo), begins ? chunk_ - 1 : no_chunk});
@@ -170,7 +181,7 @@ bool SplitPlayer::backward() {
   if (done_.empty()) return false;
   const Done done = std::move(done_.back());
   done_.pop_back();
-  mesh_.take_back(done.undo, undone_.emplace_back());
+  mesh_->take_back(done.undo, undone_.emplace_back());
   if (done.chunk != no_chunk) rewind_to(done.chunk);
   return true;
 }
@@ -186,14 +197,15 @@ void SplitPlayer::rewind_to(std::size_t chunk) {
 }
 
 void SplitPlayer::go_to(std::uint64_t faces) {
-  for (std::uint64_t steps = 0; mesh_.faces() > faces && backward(); ++steps) {
+  for (std::uint64_t steps = 0; mesh_->faces() > faces && backward(); ++steps) {
     if (steps % 4096 == 0) job_.progress.check_cancelled();
   }
   for (std::uint64_t steps = 0;; ++steps) {
     const Split* split = next();
-    if (split == nullptr || mesh_.faces() + split->restored.size() > faces) return;
+    if (split == nullptr || mesh_->faces() + split->restored.size() > faces) return;
     forward();
     if (steps % 4096 == 0) job_.progress.check_cancelled();
+    if (scratch_ != nullptr && steps % 64 == 0) scratch_->give_back();
   }
 }
 

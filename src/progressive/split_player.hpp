@@ -5,6 +5,7 @@
 #include "base/budget.hpp"
 #include "io/byte_source.hpp"
 #include "io/job.hpp"
+#include "io/scratch_memory.hpp"
 #include "progressive/file_header.hpp"
 #include "progressive/split_codec.hpp"
 #include "progressive/split_mesh.hpp"
@@ -25,10 +26,12 @@ class SplitPlayer {
 
   [[nodiscard]] const ProgressiveHeader& header() const { return header_; }
   [[nodiscard]] const VertexWords& words() const { return words_; }
-  [[nodiscard]] const SplitMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const SplitMesh& mesh() const { return *mesh_; }
 
   // Reserves memory for so many faces, once for all that is to come.
   void expect(std::uint64_t faces);
+  // The same in scratch, which has to stay. No step can be taken back.
+  void expect(std::uint64_t faces, ScratchMemory& scratch);
 
   // One split. False where there is none: at full count, or where the file is cut short.
   bool forward();
@@ -70,7 +73,8 @@ class SplitPlayer {
   bool back_;
   ProgressiveHeader header_;
   VertexWords words_;
-  SplitMesh mesh_;
+  std::optional<SplitMesh> mesh_;
+  ScratchMemory* scratch_ = nullptr;  // where the mesh is, or null
   Reservation mesh_memory_, chunk_memory_;
   std::uint64_t room_vertices_ = 0, room_faces_ = 0;
 

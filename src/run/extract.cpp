@@ -8,6 +8,7 @@
 #include "measure/result_surface.hpp"
 #include "options/check_ranges.hpp"
 #include "options/refuse_targets.hpp"
+#include "progressive/shares.hpp"
 #include "run/attributes.hpp"
 #include "run/detail.hpp"
 #include "run/played_mesh.hpp"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,9 +30,9 @@ namespace {
 
 void check(const ExtractOptions& options) {
   if (options.target.kind() == Target::Kind::none)
-    throw Error(ErrorKind::usage, "say how fine: `faces` or `ratio`");
-  if (!options.target.of_count())
-    throw Error(ErrorKind::usage, "only `faces` and `ratio` can be extracted");
+    throw Error(ErrorKind::usage, "say how fine: `faces`, `ratio` or `error`");
+  if (options.target.of_cells())
+    throw Error(ErrorKind::usage, "only `faces`, `ratio` and `error` can be extracted");
   check_ranges(extract_options(), options);
 }
 
@@ -68,11 +70,29 @@ bool writes_normals(const ExtractOptions& options, const ProgressiveHeader& head
   return header.normals && std::none_of(attributes.begin(), attributes.end(), names_normal);
 }
 
+// The count of the coarsest level within an error.
+std::uint64_t faces_within(const ProgressiveHeader& header, const std::string& name,
+                           const Distance& wanted) {
+  if (!facts_of(header.cost).bounds_error)
+    throw Error(ErrorKind::usage, "'" + name + "' was made with `refine` " +
+                                      facts_of(header.cost).name +
+                                      ", whose costs are no distances: `error` goes with quadric "
+                                      "alone");
+  const double error = wanted.length(header.box.diagonal());
+  if (error < header.position_error())
+    throw Error(ErrorKind::usage, "positions in '" + name + "' have " +
+                                      std::to_string(header.form.bits) +
+                                      " bits and are off by up to " +
+                                      shortest(header.position_error()) + ", more than `error`");
+  return header.counts(header.chunks_within(error)).faces;
+}
+
 // The count that is asked for.
 std::uint64_t target_of(const SplitPlayer& player, const std::string& name, const Target& target) {
   const std::uint64_t all = player.header().all().faces;
   const std::uint64_t base = player.header().base().faces;
   if (all == 0) throw Error(ErrorKind::bad_input, "'" + name + "' has no face");
+  if (target.error()) return faces_within(player.header(), name, *target.error());
   const std::uint64_t wanted = std::min(*faces_wanted(target, all), all);
   if (wanted < base)
     throw Error(ErrorKind::usage, "the coarsest mesh in '" + name + "' has " + grouped(base) +
@@ -81,8 +101,17 @@ std::uint64_t target_of(const SplitPlayer& player, const std::string& name, cons
   return wanted;
 }
 
-void go_to(SplitPlayer& player, const std::string& name, std::uint64_t wanted) {
-  player.expect(wanted);
+void expect(SplitPlayer& player, std::uint64_t faces, ScratchMemory* scratch) {
+  if (scratch == nullptr) {
+    player.expect(faces);
+  } else {
+    player.expect(faces, *scratch);
+  }
+}
+
+void go_to(SplitPlayer& player, const std::string& name, std::uint64_t wanted,
+           ScratchMemory* scratch) {
+  expect(player, wanted, scratch);
   player.go_to(wanted);
   const std::uint64_t there = player.mesh().faces();
   if (there < wanted && player.cut_short())
@@ -92,11 +121,17 @@ void go_to(SplitPlayer& player, const std::string& name, std::uint64_t wanted) {
                                           grouped(wanted) + " are asked for");
 }
 
-// Compares with the same surface in so many times the faces.
-constexpr std::uint64_t finer = 8;
+// What flipped faces are found by: the same surface in so many times the faces at least, in more
+// where the file has no more than are quickly played. The finer it is the more are found
+// (bench/RESULTS.md).
+constexpr std::uint64_t finer = 8, finest = 100, quickly_played = std::uint64_t{1} << 21;
 
-// What extracting takes at the most when the file is open, whatever fits into memory: the mesh that
-// is played and what it was before it grew, the meshes made of it, a tile.
+std::uint64_t reference_faces(std::uint64_t faces, std::uint64_t all) {
+  return std::min(all, std::max(finer * faces, std::min(finest * faces, quickly_played)));
+}
+
+// What extracting takes at the most when the file is open: the mesh that is played and what it was
+// before it grew, the meshes made of it, a tile. Where the budget has less the mesh is in scratch.
 std::uint64_t memory_for(const SplitPlayer& player, std::uint64_t faces, bool unfolds) {
   constexpr std::uint64_t tile = 48 * mebibyte;
   const ProgressiveHeader& header = player.header();
@@ -108,15 +143,15 @@ std::uint64_t memory_for(const SplitPlayer& player, std::uint64_t faces, bool un
     return SplitMesh::memory(counts.vertices, counts.faces, player.words().width()) +
            ordering_memory(counts.vertices, counts.faces) + stored + stored / 4;
   };
-  return tile + of(faces) + (unfolds ? of(finer * faces) : 0);
+  return tile + of(faces) + (unfolds ? of(reference_faces(faces, header.all().faces)) : 0);
 }
 
 // Turns flipped faces over. Plays the file further on.
-void unfold(Job& job, SplitPlayer& player, StoredMesh& mesh) {
-  const std::uint64_t faces = std::min(finer * mesh.face_count, player.header().all().faces);
-  player.expect(faces);
+void unfold(Job& job, SplitPlayer& player, StoredMesh& mesh, ScratchMemory* scratch) {
+  const std::uint64_t faces = reference_faces(mesh.face_count, player.header().all().faces);
+  expect(player, faces, scratch);
   player.go_to(faces);
-  const StoredMesh reference = stored_mesh(job, player, {});
+  const StoredMesh reference = stored_mesh(job, player, {}, false, scratch);
   RefineSettings settings;
   settings.decimation.single = !player.header().form.doubles;
   job.progress.begin("unfold", mesh.face_count, "faces");
@@ -135,15 +170,19 @@ ExtractReport extract_in_arena(Job& job, const std::string& input, const MeshSin
   const ResultSinks sinks = open_sinks(job, output, writing);
   ResultSink& sink = *sinks.front();
   const MeshEncoder& encoder = sink.encoder();
+  std::optional<ScratchMemory> pages;  // of the player, which goes before them
   SplitPlayer player(job, open_source(job, input), false);
   const ProgressiveHeader& header = player.header();
   job.progress.begin("extract", 0, "faces");
   ExtractReport report;
   const std::uint64_t all = header.all().faces;
   report.target_faces = target_of(player, input, options.target);
-  const bool unfolds = !options.raw && report.target_faces < all;
-  job.budget.expect(memory_for(player, report.target_faces, unfolds));
-  go_to(player, input, report.target_faces);
+  // Whoever asks for an error gets the surface on which it was watched.
+  const bool unfolds = !options.raw && !options.target.error() && report.target_faces < all;
+  if (memory_for(player, report.target_faces, unfolds) > job.budget.left())
+    pages.emplace(job, share::extracted::pages(job.budget.left()));
+  ScratchMemory* const scratch = pages ? &*pages : nullptr;
+  go_to(player, input, report.target_faces, scratch);
   const Carried carried = carried_by(encoder, header.attributes, options.normals);
   AttributeSelection choice;
   choice.carried = carried.attributes;
@@ -152,12 +191,12 @@ ExtractReport extract_in_arena(Job& job, const std::string& input, const MeshSin
   report.input = {input, header.all().faces, player.bytes_read()};
   report.seconds.read = watch.seconds();
 
-  StoredMesh mesh = stored_mesh(job, player, carried.numbers);
-  if (unfolds && mesh.face_count < all) unfold(job, player, mesh);
+  const bool normals = writes_normals(options, header, encoder, carried.attributes);
+  StoredMesh mesh = stored_mesh(job, player, carried.numbers, normals, scratch);
+  if (unfolds && mesh.face_count < all) unfold(job, player, mesh, scratch);
   const bool doubles = writes_doubles(options.encoding, header.form.doubles);
   MeshShape shape =
-      shape_of(job, mesh, encoder, writes_normals(options, header, encoder, carried.attributes),
-               doubles, header.form.doubles, "extracted by winnow");
+      shape_of(job, mesh, encoder, normals, doubles, header.form.doubles, "extracted by winnow");
   shape.attributes = carried.attributes;
   shape.closed = encoder.needs_survey() && is_closed(job, mesh);
   const std::uint64_t written = sink.write(mesh, shape);

@@ -1,4 +1,5 @@
 // A mesh as a progressive file: read, weld, refine and record, encode, write.
+#include <winnow/checkpoint.hpp>
 #include <winnow/error.hpp>
 #include <winnow/progressive.hpp>
 
@@ -10,17 +11,19 @@
 #include "progressive/encode_rounds.hpp"
 #include "progressive/shares.hpp"
 #include "run/attributes.hpp"
-#include "run/clustering.hpp"
+#include "run/cluster_input.hpp"
 #include "run/input.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
+#include "run/run_checkpoint.hpp"
 #include "run/simplify_options.hpp"
 #include "run/take_usage.hpp"
 #include "stitch/record_rounds.hpp"
 #include "write/formats.hpp"
 
-#include <cmath>
-#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace winnow {
@@ -35,19 +38,6 @@ void check(const ProgressiveOptions& options) {
                 "collapses");
 }
 
-// All faces, of which nothing is clustered.
-SimplifyOptions reading_options(const ProgressiveOptions& options) {
-  SimplifyOptions all;
-  all.target = Target::ratio(1);
-  all.detail = std::numeric_limits<double>::infinity();
-  all.refine = options.refine;
-  all.topology = options.topology;
-  all.attributes = options.attributes;
-  all.strict = options.strict;
-  all.from = options.from;
-  return all;
-}
-
 RefineSettings settings_for(const ProgressiveOptions& options, const SimplifyOptions& reading,
                             const Clustered& clustered) {
   RefineSettings settings;
@@ -58,6 +48,7 @@ RefineSettings settings_for(const ProgressiveOptions& options, const SimplifyOpt
   settings.decimation.rounding = clustered.mesh.rounding;
   settings.decimation.least_cosine = cosine(reading.max_normal_deviation / 180 * pi);
   settings.decimation.free_topology = options.topology == Topology::free;
+  settings.decimation.keep_boundaries = options.boundary == Boundary::keep;
   return settings;
 }
 
@@ -70,9 +61,12 @@ Box box_of(Job& job, const StoredMesh& mesh) {
 
 void note_base(Job& job, std::uint64_t faces, const ProgressiveOptions& options) {
   if (faces <= options.base) return;
+  const bool free = options.topology == Topology::free, kept = options.boundary == Boundary::keep;
   job.note("the coarsest mesh has " + grouped(faces) + " faces instead of " +
-           grouped(options.base) + ": fewer would change the topology or destroy the shape" +
-           (options.topology == Topology::free ? "" : "; `topology` free goes further"));
+           grouped(options.base) + ": fewer would change the " +
+           (kept ? "boundary or the topology" : "topology") + " or destroy the shape" +
+           (free ? "" : "; `topology` free goes further") +
+           (kept ? "; `boundary` weigh goes further" : ""));
 }
 
 void write_file(Job& job, const ProgressiveHeader& header, const Spool& chunks, ByteSink& sink) {
@@ -83,37 +77,45 @@ void write_file(Job& job, const ProgressiveHeader& header, const Spool& chunks, 
     sink.write(part);
     job.progress.advance(part.size());
   });
-  sink.finish();
+  sink.flush_and_sync();
 }
 
-// What refining the clustered mesh gives, in the file. Fills the report.
-void make_file(Job& job, Clustered clustered, const ProgressiveOptions& options,
-               const SimplifyOptions& reading, ByteSink& sink, ProgressiveReport& report,
-               const Stopwatch& watch) {
-  ProgressiveHeader header;
-  header.box = box_of(job, clustered.mesh);
-  header.form = options.bits
-                    ? PositionForm::lattice(clustered.double_positions, *options.bits, header.box)
-                    : PositionForm::exact(clustered.double_positions);
-  header.cost = options.refine;
-  header.normals = clustered.normals;
-  header.attributes = clustered.attributes;
-  const VertexWords words(header.form, header.attributes);
-  const RefineSettings settings = settings_for(options, reading, clustered);
-  const std::uint64_t vertices = clustered.mesh.vertices->size();
-  const std::uint64_t left = job.budget.left();
-  const RecordedMesh recorded = record_rounds(job, std::move(clustered.mesh), settings, words,
-                                              refine_memory(share::progressive::refining(left)),
-                                              share::progressive::records(left));
-  note_base(job, recorded.base.face_count, options);
-  report.seconds.refine = watch.seconds() - report.seconds.read;
-  const EncodedRounds encoded =
-      encode_rounds(job, recorded.rounds, recorded.base, recorded.round_count > 0, vertices, words,
-                    share::progressive::encoding(left));
-  header.base_chunks = encoded.base_chunks;
-  header.chunks = encoded.chunks;
-  write_file(job, header, encoded.bytes, sink);
+// What the whole mesh is like: no round leaves that to be seen.
+struct WholeMesh {
+  Box box;
+  std::uint64_t vertices = 0;
+};
 
+WholeMesh whole_of(Job& job, const StoredMesh& mesh, CheckpointDirectory* checkpoint) {
+  constexpr const char* count = "whole.vertices";
+  const auto key = [](const char* corner, std::size_t axis) {
+    return std::string("whole.").append(corner).append(1, static_cast<char>('x' + axis));
+  };
+  WholeMesh whole;
+  if (checkpoint != nullptr && checkpoint->manifest().has(count)) {
+    const Manifest& manifest = checkpoint->manifest();
+    whole.vertices = manifest.number(count);
+    whole.box.empty = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      whole.box.low[axis] = manifest.real(key("low.", axis));
+      whole.box.high[axis] = manifest.real(key("high.", axis));
+    }
+    return whole;
+  }
+  whole = {box_of(job, mesh), mesh.vertices->size()};
+  if (checkpoint == nullptr) return whole;
+  // On the disk with the first round.
+  Manifest& manifest = checkpoint->manifest();
+  manifest.set(count, whole.vertices);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    manifest.set(key("low.", axis), whole.box.low[axis]);
+    manifest.set(key("high.", axis), whole.box.high[axis]);
+  }
+  return whole;
+}
+
+// What the file itself tells.
+void tell_of(const ProgressiveHeader& header, ProgressiveReport& report) {
   const ProgressiveHeader::Counts all = header.all();
   report.output.faces = all.faces;
   report.output.vertices = all.vertices;
@@ -121,52 +123,121 @@ void make_file(Job& job, Clustered clustered, const ProgressiveOptions& options,
   report.output.base_faces = header.base().faces;
   report.output.base_vertices = header.base().vertices;
   report.output.chunks = header.chunks.size();
-  report.output.position_error = header.form.step / 2 * std::sqrt(3.0);
-  report.rounds = recorded.round_count;
-  report.collapses = recorded.collapses;
+  report.output.position_error = header.position_error();
+  report.cost = header.cost;
 }
 
-ProgressiveReport progressive_in_arena(Job& job, const std::vector<std::string>& inputs,
-                                       const std::string& output,
-                                       const ProgressiveOptions& options) {
+// What refining the clustered mesh gives, in the file. Fills the report.
+void make_file(Job& job, Clustered clustered, const RunRequest& request, ByteSink& sink,
+               RunCheckpoint& checkpoint, ProgressiveReport& report, const Stopwatch& watch) {
+  const ProgressiveOptions& options = *request.progressive;
+  const WholeMesh whole = whole_of(job, clustered.mesh, checkpoint.directory());
+  ProgressiveHeader header;
+  header.box = whole.box;
+  header.form = options.bits
+                    ? PositionForm::lattice(clustered.double_positions, *options.bits, header.box)
+                    : PositionForm::exact(clustered.double_positions);
+  header.cost = options.refine;
+  header.normals = clustered.normals;
+  header.attributes = clustered.attributes;
+  const VertexWords words(header.form, header.attributes);
+  const RefineSettings settings = settings_for(options, request.options, clustered);
+  const std::uint64_t left = job.budget.left();
+  const RecordedMesh recorded =
+      record_rounds(job, std::move(clustered.mesh), settings, words,
+                    refine_memory(share::progressive::refining(left)),
+                    share::progressive::records(left), checkpoint.directory());
+  note_base(job, recorded.base.face_count, options);
+  report.seconds.refine = watch.seconds() - report.seconds.read;
+  const EncodedRounds encoded =
+      encode_rounds(job, recorded.rounds, recorded.base, recorded.round_count > 0, whole.vertices,
+                    words, share::progressive::encoding(left));
+  header.base_chunks = encoded.base_chunks;
+  header.chunks = encoded.chunks;
+  for (ChunkEntry& chunk : header.chunks) chunk.error += header.position_error();
+  write_file(job, header, encoded.bytes, sink);
+  tell_of(header, report);
+  report.rounds = recorded.round_count;
+  report.collapses = recorded.collapses;
+  if (report.resumed) {
+    report.resumed->rounds = recorded.rounds_before;
+    report.resumed->tiles = recorded.tiles_before;
+  }
+}
+
+void tell_of(const SimplifyReport& read, const RunRequest& request, ProgressiveReport& report) {
+  report.input = {request.inputs,          read.input.format, read.input.faces,
+                  read.input.vertices,     read.input.bytes,  read.input.bad_faces,
+                  read.input.cropped_faces};
+  report.weld = read.weld;
+  report.attributes = read.attributes;
+  report.output.name = request.output;
+  report.resumed = read.resumed;
+}
+
+ProgressiveReport progressive_in_arena(Job& job, const RunRequest& request,
+                                       RunCheckpoint& checkpoint) {
   const Stopwatch watch;
-  const SimplifyOptions reading = reading_options(options);
+  const SimplifyOptions& reading = request.options;
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   job.budget.expect(MemoryPlan::smallest_for(job.threads, needs_of(reading)));
   // Before a pipe is waited for.
-  if (inputs.size() == 1 && inputs.front() == "-")
+  if (request.inputs.size() == 1 && request.inputs.front() == "-")
     MemoryPlan::divide(job.budget.total(), 0, job.threads, needs_of(reading));
-  ByteSink sink(job, output, options.force);
+  ByteSink sink(job, request.output,
+                request.progressive->force || checkpoint.is_written(0, request.output),
+                checkpoint.way_out());
   sink.refuse_terminal();
   // A PLY holds whatever vertices carry.
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(Format::ply, {});
-  Input input(job, inputs);
+  std::optional<Input> input;
+  if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
   const AttributeRequest wish = wish_for(reading, *encoder);
   AttributeSelection choice;
-  if (!wish.none()) choice = input.probe(reading, Access::repeatedly, wish).facts.choice;
-  const MemoryPlan plan = MemoryPlan::divide(job.budget.total(), input.memory(), job.threads,
-                                             needs_of(reading, choice));
+  if (input && !wish.none()) choice = input->probe(reading, Access::repeatedly, wish).facts.choice;
+  const MemoryPlan plan =
+      MemoryPlan::divide(job.budget.total(), input ? input->memory() : job.budget.used(),
+                         job.threads, needs_of(reading, choice));
   job.budget.expect(0);
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
-  ReaderMemory memory = plan.reader;
-  memory.any_order = !options.strict;
   Clustered clustered;
-  {
-    const std::unique_ptr<MeshReader> reader =
-        input.reader(reading, Access::repeatedly, wish, memory);
-    TakenAttributes attributes = take_attributes(job, *reader);
-    clustered = Clustering(job, *reader, reading, std::move(attributes), plan, false).run();
+  if (input) {
+    checkpoint.begun();
+    clustered = cluster_input(job, *input, reading, wish, false, plan, watch);
+    if (checkpoint.opened()) clustered.report.resumed.emplace();
+    checkpoint.save(job, clustered);
+  } else {
+    clustered = checkpoint.load(job, plan.cluster.vertices + plan.cluster.result);
   }
   ProgressiveReport report;
-  const SimplifyReport& read = clustered.report;
-  report.input = {inputs,           read.input.format,   read.input.faces, read.input.vertices,
-                  read.input.bytes, read.input.bad_faces};
-  report.attributes = read.attributes;
-  report.cost = options.refine;
+  SimplifyReport read = std::move(clustered.report);
+  tell_of(read, request, report);
   report.seconds.read = watch.seconds();
-  report.output.name = output;
-  make_file(job, std::move(clustered), options, reading, sink, report, watch);
+  make_file(job, std::move(clustered), request, sink, checkpoint, report, watch);
+  read.notes = job.notes;
+  checkpoint.settled(sink.identity(), read);
+  sink.finish();
+  checkpoint.finish(job);
+  take_usage(job, watch, report);
+  return report;
+}
 
+ProgressiveReport progressive_with(Job& job, const RunRequest& request, RunCheckpoint checkpoint) {
+  try {
+    return in_arena(job, [&] { return progressive_in_arena(job, request, checkpoint); });
+  } catch (const Error& error) {
+    checkpoint.fail(error);
+  }
+}
+
+// Of a run that had written its file, and was killed before it had cleared its checkpoint away.
+ProgressiveReport written_before(Job& job, const RunRequest& request, const SimplifyReport& read) {
+  const Stopwatch watch;
+  ProgressiveReport report;
+  tell_of(read, request, report);
+  report.resumed.emplace().written = true;
+  if (request.output != "-") tell_of(read_header(job, *open_source(job, request.output)), report);
+  job.notes = read.notes;
   take_usage(job, watch, report);
   return report;
 }
@@ -177,7 +248,34 @@ ProgressiveReport progressive(Context& context, const std::vector<std::string>& 
                               const std::string& output, const ProgressiveOptions& options) {
   check(options);
   Job job(context);
-  return in_arena(job, [&] { return progressive_in_arena(job, inputs, output, options); });
+  return progressive_with(job, {inputs, output, reading_options(options), options}, {});
+}
+
+ProgressiveReport progressive(Context& context, const std::vector<std::string>& inputs,
+                              const std::string& output, const ProgressiveOptions& options,
+                              const Checkpoint& settings) {
+  check(options);
+  Job job(context, settings.directory);
+  const RunRequest request{inputs, output, reading_options(options), options};
+  return progressive_with(job, request, RunCheckpoint::begin(job, settings, request));
+}
+
+ProgressiveReport resume_progressive(Context& context, const Checkpoint& settings) {
+  Job job(context, settings.directory);
+  RunCheckpoint checkpoint = RunCheckpoint::open(job, settings);
+  const RunRequest request = checkpoint.request();
+  if (!request.progressive)
+    throw Error(ErrorKind::usage, "'" + settings.directory +
+                                      "' is of a run of `simplify`; go on "
+                                      "with it by resume()");
+  SimplifyReport read;
+  if (!checkpoint.are_written({request.output}, read)) {
+    checkpoint.check_inputs();
+    return progressive_with(job, request, std::move(checkpoint));
+  }
+  ProgressiveReport report = written_before(job, request, read);
+  checkpoint.finish(job);
+  return report;
 }
 
 }  // namespace winnow

@@ -9,6 +9,7 @@
 #include "run/attributes.hpp"
 
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <span>
 #include <utility>
@@ -144,9 +145,15 @@ ProgressiveInfo progressive_info(Context& context, const std::string& input) {
   AttributeSelection choice;
   choice.carried = header.attributes;
   info.attributes = descriptions(choice);
-  for (std::uint64_t faces = base.faces; faces < all.faces && faces > 0; faces *= 10)
-    info.prefixes.push_back({faces, header.counts(header.chunks_for(faces)).bytes});
-  info.prefixes.push_back({all.faces, all.bytes});
+  const auto add = [&](std::uint64_t faces) {
+    const std::size_t chunks = header.chunks_for(faces);
+    ProgressiveInfo::Prefix& prefix = info.prefixes.emplace_back();
+    prefix.faces = faces;
+    prefix.bytes = header.counts(chunks).bytes;
+    if (std::isfinite(header.error_of(chunks))) prefix.error = header.error_of(chunks);
+  };
+  for (std::uint64_t faces = base.faces; faces < all.faces && faces > 0; faces *= 10) add(faces);
+  add(all.faces);
   if (source->size() && *source->size() < all.bytes) {
     std::size_t whole = header.base_chunks;
     while (whole < header.chunks.size() && header.counts(whole + 1).bytes <= *source->size())

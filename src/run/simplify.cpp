@@ -5,19 +5,17 @@
 
 #include "base/memory_shares.hpp"
 #include "base/text.hpp"
-#include "cluster/near_welder.hpp"
-#include "cluster/resolution.hpp"
 #include "io/arena.hpp"
 #include "measure/result_surface.hpp"
 #include "mesh/vertex_map.hpp"
 #include "options/level_targets.hpp"
 #include "run/attributes.hpp"
-#include "run/clustering.hpp"
+#include "run/cluster_input.hpp"
 #include "run/input.hpp"
 #include "run/outputs.hpp"
 #include "run/plan.hpp"
 #include "run/refinement.hpp"
-#include "run/simplify_checkpoint.hpp"
+#include "run/run_checkpoint.hpp"
 #include "run/simplify_options.hpp"
 #include "run/simplify_source.hpp"
 #include "run/write_mesh.hpp"
@@ -31,48 +29,6 @@
 namespace winnow {
 
 namespace {
-
-// Vertices nearer to each other than this are joined; in model units.
-double weld_distance(Job& job, MeshReader& reader, const SimplifyOptions& options) {
-  return options.weld->relative ? options.weld->length(measure_box_of_faces(job, reader).diagonal())
-                                : options.weld->value;
-}
-
-// What is left to be read, or to be taken from a checkpoint.
-Clustered cluster(Job& job, Input& input, const SimplifyOptions& options,
-                  const AttributeRequest& wish, bool map, const MemoryPlan& plan,
-                  const Stopwatch& watch) {
-  ReaderMemory reading = plan.reader;
-  // The first bad face is to be named.
-  reading.any_order = !options.strict;
-  std::unique_ptr<MeshReader> reader =
-      input.reader(options, access_for(options, map), wish, reading);
-  TakenAttributes attributes = take_attributes(job, *reader);
-  SimplifyReport::Weld weld;
-  NearWeldedReader* welded = nullptr;
-  if (welds(options)) {
-    weld.distance = weld_distance(job, *reader, options);
-    std::unique_ptr<NearWeldedReader> near =
-        weld_near(job, std::move(reader), weld.distance, plan.weld);
-    weld.vertices = near->merged();
-    welded = near.get();
-    reader = std::move(near);
-  }
-  Clustering clustering(job, *reader, options, std::move(attributes), plan, weld.vertices > 0);
-  const double opened = watch.seconds();
-  Clustered clustered = clustering.run();
-  SimplifyReport& report = clustered.report;
-  if (welded != nullptr) {
-    weld.faces = welded->collapsed();
-    report.input.cropped_faces -= weld.faces;
-  }
-  report.weld = weld;
-  if (map)
-    clustered.map = clustering.map(welded != nullptr ? welded->unwelded() : *reader, clustered);
-  report.seconds.read += opened;
-  report.seconds.cluster = watch.seconds() - report.seconds.read;
-  return clustered;
-}
 
 // Faces that hardly share an edge: more than this part of so many edges are boundaries.
 constexpr double loose_edges = 0.9;
@@ -128,7 +84,7 @@ Style style_of(const SimplifyOptions& options, const MeshEncoder& encoder,
 
 // `input`: of a run whose mesh is not in the checkpoint.
 SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const Outputs& outputs,
-                            const SimplifyRequest& request, SimplifyCheckpoint& checkpoint,
+                            const RunRequest& request, RunCheckpoint& checkpoint,
                             const Stopwatch& watch) {
   const SimplifyOptions& options = request.options;
   const bool mapped = !outputs.maps.empty();
@@ -147,7 +103,7 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const Outputs&
   Clustered clustered;
   if (input) {
     checkpoint.begun();
-    clustered = cluster(job, *input, options, wish, mapped, plan, watch);
+    clustered = cluster_input(job, *input, options, wish, mapped, plan, watch);
     if (checkpoint.opened()) clustered.report.resumed.emplace();
     checkpoint.save(job, clustered);
   } else {
@@ -242,13 +198,9 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const Outputs&
   return report;
 }
 
-// A run that is resumed cannot be told to replace a file.
-constexpr const char* move_away = "move it away and resume again";
-
-SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
-                                 SimplifyCheckpoint& checkpoint) {
+SimplifyReport simplify_in_arena(Job& job, const RunRequest& request, RunCheckpoint& checkpoint) {
   const SimplifyOptions& options = request.options;
-  const char* way_out = checkpoint.opened() ? move_away : ByteSink::by_force;
+  const char* way_out = checkpoint.way_out();
   const Stopwatch watch;
   // Before a pipe is waited for; of a file, decompressing may need more, and the message should say
   // it all.
@@ -273,8 +225,7 @@ SimplifyReport simplify_in_arena(Job& job, const SimplifyRequest& request,
   return run_pipeline(job, std::move(input), outputs, request, checkpoint, watch);
 }
 
-SimplifyReport simplify_with(Job& job, const SimplifyRequest& request,
-                             SimplifyCheckpoint checkpoint) {
+SimplifyReport simplify_with(Job& job, const RunRequest& request, RunCheckpoint checkpoint) {
   try {
     return in_arena(job, [&] { return simplify_in_arena(job, request, checkpoint); });
   } catch (const Error& error) {
@@ -292,7 +243,7 @@ void expect_plan(Job& job, const SimplifyOptions& options) {
 
 SimplifyReport simplify_input(Job& job, Input input, const Outputs& outputs,
                               const SimplifyOptions& options, const Stopwatch& watch) {
-  SimplifyCheckpoint none;
+  RunCheckpoint none;
   return run_pipeline(job, std::move(input), outputs, {{}, {}, options}, none, watch);
 }
 
@@ -313,15 +264,19 @@ SimplifyReport simplify(Context& context, const std::vector<std::string>& inputs
                         const Checkpoint& settings) {
   check(options);
   Job job(context, settings.directory);
-  const SimplifyRequest request{inputs, output, options};
-  return simplify_with(job, request, SimplifyCheckpoint::begin(job, settings, request));
+  const RunRequest request{inputs, output, options};
+  return simplify_with(job, request, RunCheckpoint::begin(job, settings, request));
 }
 
 SimplifyReport resume(Context& context, const Checkpoint& settings) {
   const Stopwatch watch;
   Job job(context, settings.directory);
-  SimplifyCheckpoint checkpoint = SimplifyCheckpoint::open(job, settings);
-  const SimplifyRequest request = checkpoint.request();
+  RunCheckpoint checkpoint = RunCheckpoint::open(job, settings);
+  const RunRequest request = checkpoint.request();
+  if (request.progressive)
+    throw Error(ErrorKind::usage, "'" + settings.directory +
+                                      "' is of a run of `progressive`; go on with it by "
+                                      "resume_progressive()");
   SimplifyReport report;
   if (!checkpoint.are_written(output_names(request.output, request.options), report)) {
     checkpoint.check_inputs();

@@ -26,6 +26,8 @@ constexpr std::uint64_t last_round = 4;
 // No tile goes below this part of its share of the wanted faces in the first round: what flat tiles
 // can give beyond is left to the later rounds.
 constexpr double deepest = 1.0 / 4;
+// The same where a round takes half of the faces: tiles differ less then.
+constexpr double deepest_of_recorded = 0.6;
 // How much costlier than the costliest collapse of the last round those of the next may be, before
 // it is tried again: with more, and then without a limit.
 constexpr double first_headroom = 2;
@@ -58,17 +60,18 @@ float float_below(double error) {
 }  // namespace
 
 CollapseChooser::CollapseChooser(const Tiles& tiles, std::uint64_t round, KnownCosts& costs,
-                                 const CheckpointDirectory* checkpoint)
+                                 const CheckpointDirectory* checkpoint, std::uint64_t kept_as)
     : tiles_(tiles),
       settings_(tiles.settings()),
       round_(round),
       costs_(costs),
       checkpoint_(checkpoint),
+      kept_as_(kept_as),
       sweeps_cost_(round == 1 ? no_limit : sweeps_beside_costliest * costs.costliest) {}
 
 std::uint64_t CollapseChooser::faces_to_try() const {
   const bool deep = round_ == 1 && tiles_.count() > 1;
-  const double left = (deep ? deepest : 1) * static_cast<double>(settings_.faces);
+  const double left = (deep ? deepest_share() : 1) * static_cast<double>(settings_.faces);
   return tiles_.faces() - std::min(tiles_.faces(), static_cast<std::uint64_t>(left));
 }
 
@@ -81,7 +84,7 @@ ChosenCollapses CollapseChooser::all() {
 ChosenCollapses CollapseChooser::cheapest() {
   const bool first = round_ == 1;
   double more = more_headroom;
-  TryLimits limits{first ? deepest : 0,
+  TryLimits limits{first ? deepest_share() : 0,
                    first || costs_.costliest == 0 ? no_limit : first_headroom * costs_.costliest};
   limits.cost = std::min(limits.cost, costs_.highest_cost_allowed);
   Tried tried = try_all(limits);
@@ -141,6 +144,10 @@ std::uint64_t CollapseChooser::wanted_now(std::uint64_t frozen) const {
                               : static_cast<std::uint64_t>(free - left);
 }
 
+double CollapseChooser::deepest_share() const {
+  return settings_.records() ? deepest_of_recorded : deepest;
+}
+
 // The part of the faces that can change which a round leaves that is not the last.
 double CollapseChooser::left_by_tiles() const {
   return spare * static_cast<double>(settings_.faces) / static_cast<double>(tiles_.faces());
@@ -151,7 +158,8 @@ bool CollapseChooser::Tried::complete_to(double cost) const {
 }
 
 CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most, const Tried* before) {
-  return try_all(most, settings_.decimation, TriedTiles(checkpoint_, round_, attempts_++), before);
+  return try_all(most, settings_.decimation, TriedTiles(checkpoint_, kept_as_, attempts_++),
+                 before);
 }
 
 CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
@@ -187,7 +195,7 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
           tried.reached = before->reached[number];
           return;
         }
-        Tile tile = tiles_.load(number, {false, settings_.known_state_size(), 0});
+        Tile tile = tiles_.load(number, {false, settings_.choosing_state_size(), 0});
         TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked),
                       false);
         tried.frozen = tile.frozen;

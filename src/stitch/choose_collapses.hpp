@@ -29,9 +29,10 @@ struct ChosenCollapses {
 // Of one round.
 class CollapseChooser {
  public:
-  // Goes on with `costs`. `checkpoint`: tiles that were tried are kept there, unless it is null.
+  // Goes on with `costs`. `checkpoint`: tiles that were tried are kept there, unless it is null, as
+  // those of round `kept_as`.
   CollapseChooser(const Tiles& tiles, std::uint64_t round, KnownCosts& costs,
-                  const CheckpointDirectory* checkpoint);
+                  const CheckpointDirectory* checkpoint, std::uint64_t kept_as);
 
   // What the round is going to remove, for its progress: the first of many tiles tries more than it
   // keeps.
@@ -70,6 +71,7 @@ class CollapseChooser {
   Tried try_all(const TryLimits& most, const DecimationSettings& settings, TriedTiles kept,
                 const Tried* before);
   [[nodiscard]] std::uint64_t wanted_now(std::uint64_t frozen) const;
+  [[nodiscard]] double deepest_share() const;
   [[nodiscard]] double left_by_tiles() const;
 
   const Tiles& tiles_;
@@ -77,6 +79,7 @@ class CollapseChooser {
   std::uint64_t round_;
   KnownCosts& costs_;
   const CheckpointDirectory* checkpoint_;
+  std::uint64_t kept_as_;
   double sweeps_cost_;
   unsigned attempts_ = 0;
   std::uint64_t tiles_before_ = 0;

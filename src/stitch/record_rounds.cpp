@@ -1,13 +1,18 @@
 #include "stitch/record_rounds.hpp"
 
+#include "decimate/error_bound.hpp"
+#include "decimate/witness_points.hpp"
+#include "mesh/saved_mesh.hpp"
 #include "stitch/choose_collapses.hpp"
 #include "stitch/collapse_recorder.hpp"
 #include "stitch/reorder.hpp"
 #include "stitch/round_output.hpp"
+#include "stitch/saved_records.hpp"
 #include "stitch/tiles.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -45,56 +50,67 @@ class RoundRecorder {
   RoundRecorder(const Tiles& tiles, const VertexWords& words, bool first)
       : tiles_(tiles), words_(words), first_(first) {}
 
-  StoredMesh run(const ChosenCollapses& chosen, const Bands& bands, RecordedRounds& into) {
+  StoredMesh run(const ChosenCollapses& chosen, const Bands& bands, RecordedRound& into) {
     const RefineSettings& settings = tiles_.settings();
     const MeshLayout layout{settings.state_size(), settings.attributes.size()};
     RoundOutput output(tiles_.job(), layout, false, tiles_.memory().mesh);
     tiles_.for_each<RecordedTile>(
         0,
         [&](std::size_t number, RecordedTile& recorded) {
-          record(number, chosen.log->edges(number, bands.back()[number]), bands, recorded);
+          record(number, *chosen.log, bands, recorded);
         },
         [&](std::size_t, RecordedTile& recorded) {
           into.append(std::move(recorded.parts), recorded.words, recorded.gone);
           output.append(std::move(recorded.rest));
         });
-    into.finish_round();
+    into.finish();
     return output.finish(tiles_.tiling(), tiles_.incoming().hubs());
   }
 
  private:
-  void record(std::size_t number, const std::vector<Collapse>& edges, const Bands& bands,
+  void record(std::size_t number, const CollapseLog& log, const Bands& bands,
               RecordedTile& out) const {
     out = {};
+    const std::vector<Collapse> edges = log.edges(number, bands.back()[number]);
+    const std::vector<CollapseLog::Cost> costs = log.costs(number);
     const RefineSettings& settings = tiles_.settings();
     Tile tile =
         tiles_.load(number, {true, settings.known_state_size(), settings.attributes.size()});
     const std::vector<std::uint32_t> numbers = take_numbers(tile);
     TileMesh mesh(std::move(tile.positions), std::move(tile.faces), std::move(tile.locked));
     const std::unique_ptr<Decimation> decimation =
-        Decimation::make(mesh, tile.state, settings.decimation);
+        Decimation::make_watching(mesh, tile.state, settings.decimation);
     CarriedValues values = carried_values(tile, settings.attributes);
     CollapseRecorder recorder(mesh, *decimation, values, words_);
     std::vector<std::uint8_t> gone(mesh.vertex_count(), 0);
     std::uint32_t band = 0;
-    const auto add = [&](RecordedCollapse& collapse) {
+    const auto add = [&](RecordedCollapse& collapse, double error) {
       for (const VertexNumber v : collapse.gone) gone[v] = 1;
       if (out.parts.empty() || out.parts.back().band != band ||
           out.parts.back().splits == most_splits)
         begin_part(band, out);
       append(collapse, numbers, out);
+      out.parts.back().error = std::max(out.parts.back().error, error);
     };
     for (std::size_t i = 0; i < edges.size(); ++i) {
       while (i >= bands[band][number]) ++band;
-      add(recorder.repeat(edges[i]));
+      RecordedCollapse& collapse = recorder.repeat(edges[i]);
+      add(collapse, std::max(decimation->needed_error(), error_at(costs[i].cost)));
       if (i % 1024 == 0) tiles_.job().progress.check_cancelled();
     }
     for (VertexNumber v = 0; v < tile.own_vertices; ++v) {
       const bool hub = std::binary_search(tile.hubs.begin(), tile.hubs.end(), v);
-      if (!mesh.has_faces(v) && gone[v] == 0 && !hub) add(recorder.leave_out(v));
+      if (!mesh.has_faces(v) && gone[v] == 0 && !hub) add(recorder.leave_out(v), 0);
     }
     if (!out.parts.empty()) out.parts.back().words = out.words.size() - out.parts.back().first_word;
     out.rest = rest_of(tile, mesh, *decimation, values, nullptr, settings.state_size());
+  }
+
+  // By the points that vertices remember in a round. Costs that are no distance know no error.
+  [[nodiscard]] double error_at(double cost) const {
+    return facts_of(tiles_.settings().decimation.cost).bounds_error
+               ? ErrorBound::needed_by(WitnessPoints::farthest_at(cost))
+               : std::numeric_limits<double>::infinity();
   }
 
   // What the vertices of a tile are called from the first round to the last.
@@ -170,52 +186,113 @@ std::uint64_t removed_by(const ChosenCollapses& chosen) {
   return removed;
 }
 
-ChosenCollapses choose(const Tiles& tiles, std::uint64_t base) {
-  // Every round is like the first of a run: the mesh is another one.
-  KnownCosts costs;
-  CollapseChooser chooser(tiles, 1, costs, nullptr);
-  tiles.job().progress.begin("refine", chooser.faces_to_try(), "faces");
-  if (tiles.count() > 1) return chooser.cheapest();
-  ChosenCollapses chosen = chooser.all();
-  const std::uint64_t most = tiles.faces() - base;
-  if (chosen.log->removed() > most) chosen.counts = chosen.log->cut(most);
-  return chosen;
+// Fine to coarse: each round takes about half as much as the one before.
+std::uint64_t memory_of_round(std::uint64_t memory, std::uint64_t rounds_before) {
+  return std::max(memory >> std::min<std::uint64_t>(rounds_before + 1, 20), mebibyte / 4);
 }
+
+// The loop of rounds.
+class RoundsRecorder {
+ public:
+  RoundsRecorder(Job& job, RefineSettings settings, const VertexWords& words,
+                 const RefineMemory& memory, std::uint64_t record_memory,
+                 CheckpointDirectory* checkpoint)
+      : job_(job),
+        settings_(std::move(settings)),
+        words_(words),
+        memory_(memory),
+        record_memory_(record_memory),
+        checkpoint_(checkpoint),
+        base_(settings_.faces) {
+    settings_.record_bytes = recorded_bytes(words.width());
+  }
+
+  RecordedMesh run(StoredMesh whole) {
+    state_.done = whole.face_count <= base_;
+    if (checkpoint_ != nullptr && saved_records(*checkpoint_) > 0) load();
+    while (!state_.done) whole = round(std::move(whole));
+    out_.round_count = out_.rounds.size();
+    out_.collapses = state_.collapses;
+    out_.base = std::move(whole);
+    return std::move(out_);
+  }
+
+ private:
+  void load() {
+    state_ = load_record_state(*checkpoint_);
+    out_.rounds_before = saved_records(*checkpoint_);
+    for (std::uint64_t i = 0; i < out_.rounds_before; ++i)
+      out_.rounds.push_back(load_record(*checkpoint_, i + 1, memory_of_round(record_memory_, i)));
+    settings_.decimation.boundaries_known = true;
+  }
+
+  StoredMesh round(StoredMesh whole) {
+    const std::uint64_t before = whole.face_count;
+    settings_.faces =
+        std::max(base_, static_cast<std::uint64_t>(left_by_round * static_cast<double>(before)));
+    RecordedRound recorded(job_, memory_of_round(record_memory_, out_.rounds.size()));
+    bool one_tile = false;
+    {
+      const Tiles tiles(job_, whole, settings_, memory_);
+      one_tile = tiles.count() == 1;
+      const ChosenCollapses chosen = choose(tiles);
+      const Bands bands = bands_of(chosen, tiles, removed_by(chosen));
+      for (const std::uint64_t count : bands.back()) state_.collapses += count;
+      RoundRecorder recorder(tiles, words_, out_.rounds.empty());
+      whole = recorder.run(chosen, bands, recorded);
+    }
+    out_.rounds.push_back(std::move(recorded));
+    settings_.decimation.boundaries_known = true;
+    if (before - whole.face_count <= before / hardly_any) ++state_.idle;
+    state_.done = one_tile || state_.idle > 1 || whole.face_count <= base_;
+    if (!state_.done) {
+      const bool back = out_.rounds.size() % 2 == 0;
+      whole = reorder(job_, std::move(whole), back, memory_.lists, memory_.mesh);
+    }
+    keep(whole);
+    return whole;
+  }
+
+  ChosenCollapses choose(const Tiles& tiles) {
+    // Every round is like the first of a run: the mesh is another one.
+    KnownCosts costs;
+    CollapseChooser chooser(tiles, 1, costs, checkpoint_, out_.rounds.size() + 1);
+    job_.progress.begin("refine", chooser.faces_to_try(), "faces");
+    ChosenCollapses chosen = tiles.count() > 1 ? chooser.cheapest() : chooser.all();
+    if (out_.rounds.size() == out_.rounds_before) out_.tiles_before = chooser.tiles_before();
+    if (tiles.count() > 1) return chosen;
+    const std::uint64_t most = tiles.faces() - base_;
+    if (chosen.log->removed() > most) chosen.counts = chosen.log->cut(most);
+    return chosen;
+  }
+
+  void keep(const StoredMesh& whole) {
+    if (checkpoint_ == nullptr) return;
+    job_.progress.begin("keep", 0, "bytes");
+    const std::uint64_t rounds = out_.rounds.size();
+    save_mesh(*checkpoint_, whole, rounds, false);
+    save_record(job_, *checkpoint_, rounds, out_.rounds.back(), state_);
+    checkpoint_->commit();
+  }
+
+  Job& job_;
+  RefineSettings settings_;
+  const VertexWords& words_;
+  RefineMemory memory_;
+  std::uint64_t record_memory_;
+  CheckpointDirectory* checkpoint_;
+  std::uint64_t base_;  // faces
+  RecordState state_;
+  RecordedMesh out_;
+};
 
 }  // namespace
 
 RecordedMesh record_rounds(Job& job, StoredMesh whole, RefineSettings settings,
                            const VertexWords& words, const RefineMemory& memory,
-                           std::uint64_t record_memory) {
-  RecordedMesh out{RecordedRounds(job, record_memory), {}, 0, 0};
-  const std::uint64_t base = settings.faces;
-  settings.record_bytes = recorded_bytes(words.width());
-  unsigned idle = 0;
-  bool done = whole.face_count <= base;
-  while (!done) {
-    const std::uint64_t before = whole.face_count;
-    settings.faces =
-        std::max(base, static_cast<std::uint64_t>(left_by_round * static_cast<double>(before)));
-    bool one_tile = false;
-    {
-      const Tiles tiles(job, whole, settings, memory);
-      one_tile = tiles.count() == 1;
-      const ChosenCollapses chosen = choose(tiles, base);
-      const Bands bands = bands_of(chosen, tiles, removed_by(chosen));
-      for (const std::uint64_t count : bands.back()) out.collapses += count;
-      RoundRecorder recorder(tiles, words, out.round_count == 0);
-      whole = recorder.run(chosen, bands, out.rounds);
-    }
-    ++out.round_count;
-    settings.decimation.boundaries_known = true;
-    if (before - whole.face_count <= before / hardly_any) ++idle;
-    done = one_tile || idle > 1 || whole.face_count <= base;
-    if (!done)
-      whole = reorder(job, std::move(whole), out.round_count % 2 == 0, memory.lists, memory.mesh);
-  }
-  out.rounds.finish();
-  out.base = std::move(whole);
-  return out;
+                           std::uint64_t record_memory, CheckpointDirectory* checkpoint) {
+  return RoundsRecorder(job, std::move(settings), words, memory, record_memory, checkpoint)
+      .run(std::move(whole));
 }
 
 }  // namespace winnow

@@ -100,7 +100,7 @@ class Refiner {
 
   CollapsedMesh collapse(const Tiles& tiles) {
     RefineReport& report = state_.report;
-    CollapseChooser chooser(tiles, report.rounds, state_.costs, checkpoint_);
+    CollapseChooser chooser(tiles, report.rounds, state_.costs, checkpoint_, report.rounds);
     job_.progress.begin("refine", chooser.faces_to_try(), "faces");
     if (tiles.faces() <= settings_.faces) return collapse_nothing(tiles);
     const bool all = settings_.faces == 0;

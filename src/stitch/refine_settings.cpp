@@ -16,6 +16,7 @@ std::uint64_t tile_memory(const RefineSettings& settings, std::uint64_t vertices
                           std::uint64_t faces) {
   const std::uint64_t collapsing = Tile::memory(vertices, faces, settings.state_size()) +
                                    Decimation::memory(settings.decimation, vertices) +
+                                   (settings.records() ? vertices * settings.state_size() : 0) +
                                    CarriedValues::memory(vertices, settings.attributes.size()) +
                                    (settings.map ? CollapsedInto::memory(vertices) : 0) +
                                    result_memory(settings, faces);

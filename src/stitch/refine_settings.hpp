@@ -28,10 +28,20 @@ struct RefineSettings {
   // With so many times the wanted faces left sweeps begin to be finer.
   static constexpr double fine_beside_wanted = 2;
 
+  // Whether what collapses take away is written down. Then the error is watched that they need.
+  [[nodiscard]] bool records() const { return record_bytes > 0; }
+
   // Bytes a vertex that rounds leave, and that a round begins with.
-  [[nodiscard]] std::size_t state_size() const { return Decimation::state_size(decimation); }
+  [[nodiscard]] std::size_t state_size() const {
+    return records() ? Decimation::watched_state_size() : Decimation::state_size(decimation);
+  }
   [[nodiscard]] std::size_t known_state_size() const {
-    return decimation.boundaries_known ? state_size() : Decimation::first_state_size(decimation);
+    return decimation.boundaries_known || records() ? state_size()
+                                                    : Decimation::first_state_size(decimation);
+  }
+  // That a round chooses collapses by.
+  [[nodiscard]] std::size_t choosing_state_size() const {
+    return records() ? 0 : known_state_size();
   }
 };
 

@@ -4,7 +4,7 @@
 #include "fuzz/targets.hpp"
 #include "io/checkpoint_directory.hpp"
 #include "io/journal.hpp"
-#include "run/simplify_request.hpp"
+#include "run/run_request.hpp"
 #include "stitch/tried_tiles.hpp"
 
 #include <filesystem>

@@ -16,7 +16,7 @@ namespace winnow::fuzz {
 namespace {
 
 constexpr std::size_t fixed_bytes = 128;
-constexpr std::size_t entry_bytes = 24;
+constexpr std::size_t entry_bytes = 32;
 
 std::uint32_t u32_at(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;

@@ -73,7 +73,7 @@ TEST_CASE("every field of the options is in its table once", "[options]") {
   CHECK(compare_options().size() == field_count<CompareOptions>() - 1);
   CHECK(generate_options().size() == field_count<GenerateOptions>());
   CHECK(progressive_options().size() == field_count<ProgressiveOptions>());
-  CHECK(extract_options().size() == field_count<ExtractOptions>() + encoding + 1);
+  CHECK(extract_options().size() == field_count<ExtractOptions>() + encoding + 2);
   check_table(simplify_options());
   check_table(progressive_options());
   check_table(extract_options());

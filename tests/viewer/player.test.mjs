@@ -90,7 +90,7 @@ function withChunk(bytes, number, change) {
   change(content);
   const packed = deflateRawSync(content);
   const whole = Buffer.concat([bytes.subarray(0, begin), packed, bytes.subarray(end.bytes)]);
-  const entry = size - 24 * (chunks.length - number);
+  const entry = size - 32 * (chunks.length - number);
   whole.writeUInt32LE(packed.length, entry);
   whole.writeUInt32LE(checksumOf(packed), entry + 20);
   whole.writeUInt32LE(0, 16);

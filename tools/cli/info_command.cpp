@@ -88,8 +88,12 @@ void show(const ProgressiveInfo& report, std::ostream& out) {
   line("cost", facts_of(report.cost).name);
   line("positions", report.positions);
   for (const std::string& attribute : report.attributes) line("also", attribute);
-  for (const ProgressiveInfo::Prefix& prefix : report.prefixes)
-    line("bytes", grouped(prefix.bytes) + " for " + grouped(prefix.faces) + " faces");
+  for (const ProgressiveInfo::Prefix& prefix : report.prefixes) {
+    line("bytes", grouped(prefix.bytes) + " for " + grouped(prefix.faces) + " faces" +
+                      (prefix.error && *prefix.error > 0
+                           ? ", within an error of " + show_length(*prefix.error)
+                           : ""));
+  }
   line.notes(report.notes);
 }
 

@@ -133,6 +133,19 @@ int digits_for(std::initializer_list<std::array<double, 3>> places, double size)
   return 6 + static_cast<int>(std::min(more, 11.0));
 }
 
+std::string show_resumed(const Resumed& resumed) {
+  if (resumed.written) return "all was done";
+  if (!resumed.clustered) return "nothing was done yet";
+  std::string text = "the input was read";
+  if (resumed.rounds > 0)
+    text +=
+        ", " + grouped(resumed.rounds) + (resumed.rounds == 1 ? " round" : " rounds") + " refined";
+  if (resumed.tiles > 0)
+    text += ", " + grouped(resumed.tiles) + (resumed.tiles == 1 ? " tile" : " tiles") +
+            " of the next tried";
+  return text;
+}
+
 std::string show_bad_faces(const BadFaces& bad) {
   std::string text = grouped(bad.total()) + " left out:";
   const char* separator = " ";

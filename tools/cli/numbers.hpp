@@ -28,5 +28,6 @@ int digits_for(std::initializer_list<std::array<double, 3>> places, double size)
 
 // "3 left out: 1 repeat a corner, 2 name a vertex that does not exist"
 std::string show_bad_faces(const BadFaces& bad);
+std::string show_resumed(const Resumed& resumed);  // what had been done before
 
 }  // namespace winnow::cli

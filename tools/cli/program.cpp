@@ -153,6 +153,21 @@ void CommonOptions::add_to(CLI::App& command, const std::string& scratch) {
   command.add_flag("-q,--quiet", quiet, "Print no summary and no progress")->group("Messages");
 }
 
+void CheckpointOptions::add_to(CLI::App& command) {
+  const std::string killed = "Long runs";
+  command
+      .add_option("--checkpoint", settings.directory,
+                  "Save the run's state in this new or empty directory; if it is killed, 'winnow "
+                  "resume DIR' "
+                  "goes on")
+      ->type_name("DIR")
+      ->group(killed);
+  command
+      .add_flag("--keep-checkpoint", settings.keep,
+                "Leave the files in DIR when the run is done (default: they are removed)")
+      ->group(killed);
+}
+
 void prepare(Context& context, const CommonOptions& options, const std::string& output) {
   options.surroundings.read(context);
   std::error_code ignored;

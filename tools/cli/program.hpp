@@ -1,6 +1,7 @@
 // What all commands share: the options of speed and memory, signals, progress on the terminal.
 #pragma once
 
+#include <winnow/checkpoint.hpp>
 #include <winnow/context.hpp>
 #include <winnow/simplify.hpp>
 
@@ -24,6 +25,18 @@ struct CommonOptions {
 
   // `scratch`: where it goes by default, in words; without them the command has no scratch.
   void add_to(CLI::App& command, const std::string& scratch = "");
+};
+
+// The options of a run that can be resumed.
+struct CheckpointOptions {
+  Checkpoint settings;
+
+  void add_to(CLI::App& command);
+  [[nodiscard]] bool given() const { return !settings.directory.empty(); }
+  // Scratch is in the checkpoint's directory, where nothing else was said.
+  void prepare(Context& context, const CommonOptions& common) const {
+    if (given() && !common.surroundings.given("scratch")) context.scratch.clear();
+  }
 };
 
 // Progress on standard error while it lives.

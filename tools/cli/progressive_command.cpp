@@ -4,6 +4,7 @@
 
 #include "numbers.hpp"
 #include "program.hpp"
+#include "progressive_report.hpp"
 #include "report_json.hpp"
 #include "report_text.hpp"
 
@@ -20,6 +21,7 @@ struct ProgressiveArguments {
   std::vector<std::string> inputs;
   std::string output;
   TableOptions<ProgressiveOptions> options{progressive_options()};
+  CheckpointOptions checkpoint;
   CommonOptions common;
 };
 
@@ -32,21 +34,41 @@ void show(const ProgressiveReport& report, std::ostream& out) {
        human_bytes(report.output.bytes) + " in " + grouped(report.output.chunks) + " chunks");
   show_quantized(line, report.output.position_error);
   if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
+  if (report.resumed) line("resumed", show_resumed(*report.resumed));
   line("time", show_time(report.seconds.total, report.input.faces));
   line("memory", show_memory(report.peak_memory_bytes, report.peak_scratch_bytes));
+  if (report.input.cropped_faces > 0)
+    line("cropped", grouped(report.input.cropped_faces) + " faces, not wholly inside of the box");
+  if (report.weld.distance > 0) {
+    line("welded", grouped(report.weld.vertices) + " vertices nearer than " +
+                       show_length(report.weld.distance) + " to another; " +
+                       grouped(report.weld.faces) + " faces collapsed");
+  }
   if (report.input.bad_faces.total() > 0) line("bad faces", show_bad_faces(report.input.bad_faces));
   line.notes(report.notes);
 }
+
+}  // namespace
+
+void tell(const ProgressiveReport& report, const CommonOptions& options) {
+  tell(report, options, report_stream(report.output.name), show);
+}
+
+namespace {
 
 void run_progressive(const ProgressiveArguments& arguments) {
   ProgressiveOptions options;
   arguments.options.read(options);
   Context context;
   prepare(context, arguments.common, arguments.output);
+  arguments.checkpoint.prepare(context, arguments.common);
   const ProgressiveReport report = with_progress(context, arguments.common, [&] {
-    return progressive(context, arguments.inputs, arguments.output, options);
+    return arguments.checkpoint.given()
+               ? progressive(context, arguments.inputs, arguments.output, options,
+                             arguments.checkpoint.settings)
+               : progressive(context, arguments.inputs, arguments.output, options);
   });
-  tell(report, arguments.common, report_stream(arguments.output), show);
+  tell(report, arguments.common);
 }
 
 }  // namespace
@@ -66,6 +88,7 @@ void add_progressive(CLI::App& app) {
       ->required()
       ->type_name("OUT");
   arguments->options.add_to(*command);
+  arguments->checkpoint.add_to(*command);
   arguments->common.add_to(*command, "the output's");
   command->footer(
       "'winnow extract' writes any count of faces between the coarsest mesh and all of them. "
@@ -76,6 +99,7 @@ void add_progressive(CLI::App& app) {
       "Examples:\n"
       "  winnow progressive scan.ply -o scan.wpm\n"
       "  winnow progressive scan.ply -o scan.wpm --base 200 --bits 16\n"
+      "  winnow progressive scan.ply -o scan.wpm --checkpoint kept\n"
       "  winnow extract scan.wpm -o small.ply --faces 100k\n"
       "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
       "interrupted.");

@@ -57,8 +57,10 @@ inline Json json_of(const std::vector<SimplifyPlan::Part>& parts) {
 
 inline Json json_of(const std::vector<ProgressiveInfo::Prefix>& prefixes) {
   Json json = Json::array();
-  for (const ProgressiveInfo::Prefix& prefix : prefixes)
+  for (const ProgressiveInfo::Prefix& prefix : prefixes) {
     json.push_back({{"faces", prefix.faces}, {"bytes", prefix.bytes}});
+    if (prefix.error) json.back()["error"] = *prefix.error;
+  }
   return json;
 }
 

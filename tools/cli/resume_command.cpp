@@ -1,6 +1,7 @@
 #include <winnow/checkpoint.hpp>
 
 #include "program.hpp"
+#include "progressive_report.hpp"
 #include "simplify_report.hpp"
 
 #include <memory>
@@ -19,17 +20,23 @@ void run_resume(const ResumeArguments& arguments) {
   prepare(context, arguments.common, "-");
   if (!arguments.common.surroundings.given("scratch"))
     context.scratch.clear();  // that is the checkpoint's directory
-  const SimplifyReport report = with_progress(
-      context, arguments.common, [&] { return resume(context, arguments.checkpoint); });
-  tell(report, arguments.common);
+  if (is_of_progressive(arguments.checkpoint)) {
+    tell(with_progress(context, arguments.common,
+                       [&] { return resume_progressive(context, arguments.checkpoint); }),
+         arguments.common);
+  } else {
+    tell(with_progress(context, arguments.common,
+                       [&] { return resume(context, arguments.checkpoint); }),
+         arguments.common);
+  }
 }
 
 }  // namespace
 
 void add_resume(CLI::App& app) {
   auto arguments = std::make_shared<ResumeArguments>();
-  CLI::App* command =
-      app.add_subcommand("resume", "Go on with a run of simplify --checkpoint that was killed");
+  CLI::App* command = app.add_subcommand(
+      "resume", "Go on with a run of simplify or progressive --checkpoint that was killed");
   command
       ->add_option("directory", arguments->checkpoint.directory,
                    "The directory that --checkpoint named")
@@ -45,6 +52,7 @@ void add_resume(CLI::App& app) {
       "refinement, each tile in a round. If the input was not read to its end, the run starts "
       "again; a\n"
       "pipe cannot be read again.\n"
+      "A checkpoint of 'progressive' is taken up the same way.\n"
       "\nExamples:\n"
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept\n"
       "  winnow resume kept\n"

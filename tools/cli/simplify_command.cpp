@@ -1,4 +1,3 @@
-#include <winnow/checkpoint.hpp>
 #include <winnow/options.hpp>
 
 #include "program.hpp"
@@ -15,8 +14,9 @@ namespace {
 
 struct SimplifyArguments {
   std::vector<std::string> inputs;
-  std::string output, checkpoint;
-  bool keep_checkpoint = false, dry_run = false;
+  std::string output;
+  CheckpointOptions checkpoint;
+  bool dry_run = false;
   TableOptions<SimplifyOptions> options{simplify_options()};
   CommonOptions common;
 };
@@ -33,14 +33,11 @@ void run_simplify(const SimplifyArguments& arguments) {
   SimplifyReport report;
   {
     const ProgressBar bar(context, arguments.common);
-    if (arguments.checkpoint.empty()) {
-      report = simplify(context, arguments.inputs, arguments.output, options);
-    } else {
-      if (!arguments.common.surroundings.given("scratch"))
-        context.scratch.clear();  // that is the checkpoint's directory
-      report = simplify(context, arguments.inputs, arguments.output, options,
-                        {arguments.checkpoint, arguments.keep_checkpoint});
-    }
+    arguments.checkpoint.prepare(context, arguments.common);
+    report = arguments.checkpoint.given()
+                 ? simplify(context, arguments.inputs, arguments.output, options,
+                            arguments.checkpoint.settings)
+                 : simplify(context, arguments.inputs, arguments.output, options);
   }
   tell(report, arguments.common);
 }
@@ -59,18 +56,7 @@ void add_simplify(CLI::App& app) {
       ->type_name("OUT");
 
   arguments->options.add_to(*command);
-  const std::string killed = "Long runs";
-  command
-      ->add_option("--checkpoint", arguments->checkpoint,
-                   "Save the run's state in this new or empty directory; if it is killed, 'winnow "
-                   "resume DIR' "
-                   "goes on")
-      ->type_name("DIR")
-      ->group(killed);
-  command
-      ->add_flag("--keep-checkpoint", arguments->keep_checkpoint,
-                 "Leave the files in DIR when the run is done (default: they are removed)")
-      ->group(killed);
+  arguments->checkpoint.add_to(*command);
   command
       ->add_flag("--dry-run", arguments->dry_run,
                  "Show passes, memory and scratch, and write nothing")

@@ -19,20 +19,6 @@ namespace winnow::cli {
 
 namespace {
 
-// What had been done before.
-std::string describe(const Resumed& resumed) {
-  if (resumed.written) return "all was done";
-  if (!resumed.clustered) return "nothing was done yet";
-  std::string text = "the input was read";
-  if (resumed.rounds > 0)
-    text +=
-        ", " + grouped(resumed.rounds) + (resumed.rounds == 1 ? " round" : " rounds") + " refined";
-  if (resumed.tiles > 0)
-    text += ", " + grouped(resumed.tiles) + (resumed.tiles == 1 ? " tile" : " tiles") +
-            " of the next tried";
-  return text;
-}
-
 std::string percent(double part) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(),
@@ -113,7 +99,7 @@ void show(const SimplifyReport& report, std::ostream& out) {
   }
   if (const std::string lost = show_lost(report.lost); !lost.empty()) line("lost", lost);
   if (!report.attributes.carried.empty()) line("carried", show_list(report.attributes.carried));
-  if (report.resumed) line("resumed", describe(*report.resumed));
+  if (report.resumed) line("resumed", show_resumed(*report.resumed));
   line("time", show_time(report.seconds.total, report.input.faces));
   line("memory", show_memory(report.peak_memory_bytes, report.peak_scratch_bytes));
   const BadFaces& bad = report.input.bad_faces;

@@ -3,10 +3,10 @@ import { ByteReader, checksumOf } from "./bytes.js";
 import { CutShort, Damaged } from "./damaged.js";
 
 export const fixedBytes = 128;
-const version = 1;
+const version = 2;
 const magic = [0x89, 0x57, 0x50, 0x4d, 0x0d, 0x0a, 0x1a, 0x0a];
 const checksumAt = 16;
-const entryBytes = 24;
+const entryBytes = 32;
 const mostChunkBytes = 1 << 26;
 const mostHeaderBytes = 1 << 28;
 const mostName = 1024;
@@ -84,6 +84,7 @@ function takeEntry(reader, end) {
   end.faces += reader.u32();
   end.bytes += entry.bytes;
   entry.checksum = reader.u32();
+  entry.error = reader.f64();
   if (entry.rawBytes > mostChunkBytes || entry.splits > entry.rawBytes)
     throw new Damaged("a chunk is larger than one can be");
   entry.end = { ...end };

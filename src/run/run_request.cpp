@@ -1,4 +1,4 @@
-#include "run/simplify_request.hpp"
+#include "run/run_request.hpp"
 
 #include <winnow/error.hpp>
 #include <winnow/options.hpp>
@@ -6,7 +6,9 @@
 #include "base/checksum.hpp"
 
 #include <filesystem>
+#include <limits>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <type_traits>
 #include <vector>
@@ -19,6 +21,7 @@ namespace winnow {
 
 namespace {
 
+constexpr const char* of_progressive = "progressive";
 constexpr std::size_t end_bytes = std::size_t{1} << 16;
 
 // Fields of the report.
@@ -149,6 +152,29 @@ std::string option_key(const std::string& name) {
   return "option." + name;
 }
 
+template <typename Options>
+void put_options(Manifest& manifest, std::span<const Option<Options>> table,
+                 const Options& options) {
+  for (const Option<Options>& option : table) {
+    if (const std::string text = option.get(options); !text.empty())
+      manifest.set(option_key(option.name), text);
+  }
+}
+
+template <typename Options>
+void take_options(const Manifest& manifest, std::span<const Option<Options>> table,
+                  Options& options) {
+  for (const Option<Options>& option : table) {
+    const std::string key = option_key(option.name);
+    if (!manifest.has(key)) continue;
+    try {
+      option.set(options, manifest.text(key));
+    } catch (const Error&) {
+      damaged_checkpoint(manifest.path(), "'" + key + "' is no value of that option");
+    }
+  }
+}
+
 std::vector<std::string> inputs_in(const Manifest& manifest) {
   std::vector<std::string> inputs;
   for (std::size_t i = 0; i < manifest.number("inputs"); ++i)
@@ -178,31 +204,48 @@ std::optional<Identity> identity_of(const std::string& input) {
 
 }  // namespace
 
-void put(Manifest& manifest, const SimplifyRequest& request) {
+SimplifyOptions reading_options(const ProgressiveOptions& options) {
+  SimplifyOptions all;
+  all.target = Target::ratio(1);
+  all.detail = std::numeric_limits<double>::infinity();
+  all.refine = options.refine;
+  all.boundary = options.boundary;
+  all.topology = options.topology;
+  all.attributes = options.attributes;
+  all.strict = options.strict;
+  all.crop = options.crop;
+  all.weld = options.weld;
+  all.from = options.from;
+  return all;
+}
+
+const char* command_in(const Manifest& manifest) {
+  return manifest.has(of_progressive) ? "progressive" : "simplify";
+}
+
+void put(Manifest& manifest, const RunRequest& request) {
   manifest.set("inputs", std::uint64_t{request.inputs.size()});
   for (std::size_t i = 0; i < request.inputs.size(); ++i)
     manifest.set(input_key(i), absolute(request.inputs[i]));
   manifest.set("output", absolute(request.output));
+  if (request.progressive) {
+    manifest.set(of_progressive, std::uint64_t{1});
+    return put_options(manifest, progressive_options(), *request.progressive);
+  }
   SimplifyOptions options = request.options;
   if (!options.map.empty()) options.map = absolute(options.map);
-  for (const Option<SimplifyOptions>& option : simplify_options()) {
-    if (const std::string text = option.get(options); !text.empty())
-      manifest.set(option_key(option.name), text);
-  }
+  put_options(manifest, simplify_options(), options);
 }
 
-SimplifyRequest request_in(const Manifest& manifest) {
-  SimplifyRequest request;
+RunRequest request_in(const Manifest& manifest) {
+  RunRequest request;
   request.inputs = inputs_in(manifest);
   request.output = manifest.text("output");
-  for (const Option<SimplifyOptions>& option : simplify_options()) {
-    const std::string key = option_key(option.name);
-    if (!manifest.has(key)) continue;
-    try {
-      option.set(request.options, manifest.text(key));
-    } catch (const Error&) {
-      damaged_checkpoint(manifest.path(), "'" + key + "' is no value of that option");
-    }
+  if (manifest.has(of_progressive)) {
+    take_options(manifest, progressive_options(), request.progressive.emplace());
+    request.options = reading_options(*request.progressive);
+  } else {
+    take_options(manifest, simplify_options(), request.options);
   }
   return request;
 }
@@ -228,7 +271,7 @@ void check_inputs(const Manifest& manifest, bool read, const std::string& direct
   const std::vector<std::string> inputs = inputs_in(manifest);
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::bad_input,
-                what + "; remove '" + directory + "' and run `simplify` again");
+                what + "; remove '" + directory + "' and run `" + command_in(manifest) + "` again");
   };
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const std::string key = input_key(i);

@@ -1,4 +1,5 @@
-// A run of simplify() in its checkpoint: what is kept of it when, and where it goes on.
+// A run of simplify() or progressive() in its checkpoint: what is kept of it when, and where it
+// goes on.
 #pragma once
 
 #include <winnow/checkpoint.hpp>
@@ -8,7 +9,7 @@
 #include "io/checkpoint_directory.hpp"
 #include "run/clustering.hpp"
 #include "run/outputs.hpp"
-#include "run/simplify_request.hpp"
+#include "run/run_request.hpp"
 
 #include <memory>
 #include <string>
@@ -16,21 +17,25 @@
 
 namespace winnow {
 
-class SimplifyCheckpoint {
+class RunCheckpoint {
  public:
-  SimplifyCheckpoint() = default;  // keeps nothing
-  static SimplifyCheckpoint begin(Job& job, const Checkpoint& settings,
-                                  const SimplifyRequest& request);
-  static SimplifyCheckpoint open(Job& job, const Checkpoint& settings);
+  RunCheckpoint() = default;  // keeps nothing
+  static RunCheckpoint begin(Job& job, const Checkpoint& settings, const RunRequest& request);
+  static RunCheckpoint open(Job& job, const Checkpoint& settings);
 
   // Of a checkpoint that was opened.
-  [[nodiscard]] SimplifyRequest request() const;
+  [[nodiscard]] RunRequest request() const;
   // Throws Error(bad_input) where an input is not what it was.
   void check_inputs() const;
 
   // The input could be opened: from now on the run can be resumed.
   void begun();
   [[nodiscard]] bool opened() const { return opened_; }
+  // Where an output is there that the run has not written. One that is resumed cannot be told to
+  // replace it.
+  [[nodiscard]] const char* way_out() const {
+    return opened_ ? "move it away and resume again" : ByteSink::by_force;
+  }
   // Whether the input was read, and its mesh is here.
   [[nodiscard]] bool has_mesh() const;
   Clustered load(Job& job, std::uint64_t memory) const;
@@ -42,6 +47,8 @@ class SimplifyCheckpoint {
   [[nodiscard]] bool is_written(std::size_t number, const std::string& output) const;
   // Before the outputs get their names.
   void settled(const Outputs& outputs, const SimplifyReport& report);
+  // The same of one output that is no mesh; `identity`: see ByteSink.
+  void settled(const std::string& identity, const SimplifyReport& report);
   // Whether this file is the map of this number that the run wrote before it was killed.
   [[nodiscard]] bool holds_map(std::size_t number, const std::string& path) const;
   // When they have them: removes the files, unless they are to be kept.

@@ -1,24 +1,33 @@
-// What simplify() was asked for, in the manifest of a checkpoint and back.
+// What simplify() or progressive() was asked for, in the manifest of a checkpoint and back.
 #pragma once
 
+#include <winnow/progressive.hpp>
 #include <winnow/simplify.hpp>
 
 #include "io/manifest.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace winnow {
 
-struct SimplifyRequest {
+struct RunRequest {
   std::vector<std::string> inputs;
   std::string output;  // with {faces} or the like where there are several results
   SimplifyOptions options;
+  // Of progressive(); `options` are how it reads then.
+  std::optional<ProgressiveOptions> progressive{};
 };
 
+// All faces, of which nothing is clustered.
+SimplifyOptions reading_options(const ProgressiveOptions& options);
+
 // Names of files are made absolute: the run may go on elsewhere.
-void put(Manifest& manifest, const SimplifyRequest& request);
-SimplifyRequest request_in(const Manifest& manifest);
+void put(Manifest& manifest, const RunRequest& request);
+RunRequest request_in(const Manifest& manifest);
+// The command that a run is one of.
+const char* command_in(const Manifest& manifest);
 
 // Size, time and both ends of the content of each input.
 void put_inputs(Manifest& manifest, const std::vector<std::string>& inputs);

@@ -1,10 +1,13 @@
-#include "run/simplify_checkpoint.hpp"
+#include "run/run_checkpoint.hpp"
 
 #include <winnow/version.hpp>
 
 #include "base/memory_shares.hpp"
 #include "mesh/saved_mesh.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -41,9 +44,9 @@ std::string attribute_key(std::size_t number, const char* what) {
 
 }  // namespace
 
-SimplifyCheckpoint SimplifyCheckpoint::begin(Job& job, const Checkpoint& settings,
-                                             const SimplifyRequest& request) {
-  SimplifyCheckpoint checkpoint;
+RunCheckpoint RunCheckpoint::begin(Job& job, const Checkpoint& settings,
+                                   const RunRequest& request) {
+  RunCheckpoint checkpoint;
   checkpoint.directory_ = CheckpointDirectory::begin(job, settings.directory);
   checkpoint.keep_ = settings.keep;
   Manifest& manifest = checkpoint.directory_->manifest();
@@ -53,39 +56,52 @@ SimplifyCheckpoint SimplifyCheckpoint::begin(Job& job, const Checkpoint& setting
   return checkpoint;
 }
 
-SimplifyCheckpoint SimplifyCheckpoint::open(Job& job, const Checkpoint& settings) {
-  SimplifyCheckpoint checkpoint;
+RunCheckpoint RunCheckpoint::open(Job& job, const Checkpoint& settings) {
+  RunCheckpoint checkpoint;
   checkpoint.opened_ = true;
   checkpoint.directory_ = CheckpointDirectory::open(job, settings.directory);
   checkpoint.keep_ = settings.keep;
   const Manifest& manifest = checkpoint.directory_->manifest();
   if (manifest.text("version") != WINNOW_VERSION) {
-    throw Error(ErrorKind::bad_input,
-                "'" + settings.directory + "' is of winnow " + manifest.text("version") +
-                    ", this is " + WINNOW_VERSION +
-                    "; resume it with that one, or remove it and run `simplify` again");
+    throw Error(ErrorKind::bad_input, "'" + settings.directory + "' is of winnow " +
+                                          manifest.text("version") + ", this is " + WINNOW_VERSION +
+                                          "; resume it with that one, or remove it and run `" +
+                                          command_in(manifest) + "` again");
   }
   return checkpoint;
 }
 
-void SimplifyCheckpoint::check_inputs() const {
+void RunCheckpoint::check_inputs() const {
   winnow::check_inputs(directory_->manifest(), has_mesh(), directory_->path());
 }
 
-SimplifyRequest SimplifyCheckpoint::request() const {
+RunRequest RunCheckpoint::request() const {
   return request_in(directory_->manifest());
 }
 
-void SimplifyCheckpoint::begun() {
+bool is_of_progressive(const Checkpoint& settings) {
+  try {
+    const std::string name = settings.directory + "/manifest";
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(name, ignored)) return false;
+    std::ifstream in(name, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    return request_in(Manifest::parse(text, name)).progressive.has_value();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+void RunCheckpoint::begun() {
   if (directory_ != nullptr) directory_->commit();
   begun_ = true;
 }
 
-bool SimplifyCheckpoint::has_mesh() const {
+bool RunCheckpoint::has_mesh() const {
   return directory_ != nullptr && directory_->manifest().has(goal_count);
 }
 
-Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory) const {
+Clustered RunCheckpoint::load(Job& job, std::uint64_t memory) const {
   const Manifest& manifest = directory_->manifest();
   Clustered clustered;
   SimplifyReport& report = clustered.report;
@@ -128,7 +144,7 @@ Clustered SimplifyCheckpoint::load(Job& job, std::uint64_t memory) const {
   return clustered;
 }
 
-void SimplifyCheckpoint::save(Job& job, Clustered& clustered) {
+void RunCheckpoint::save(Job& job, Clustered& clustered) {
   if (directory_ == nullptr) return;
   job.progress.begin("keep", 0, "bytes");
   Manifest& manifest = directory_->manifest();
@@ -165,14 +181,14 @@ void SimplifyCheckpoint::save(Job& job, Clustered& clustered) {
   directory_->commit();
 }
 
-bool SimplifyCheckpoint::is_written(std::size_t number, const std::string& output) const {
+bool RunCheckpoint::is_written(std::size_t number, const std::string& output) const {
   if (directory_ == nullptr || !directory_->manifest().has(written_key(number))) return false;
   const std::string identity = directory_->manifest().text(written_key(number));
   return identity == done || ByteSink::is(output, identity);
 }
 
-bool SimplifyCheckpoint::are_written(const std::vector<std::string>& outputs,
-                                     SimplifyReport& report) const {
+bool RunCheckpoint::are_written(const std::vector<std::string>& outputs,
+                                SimplifyReport& report) const {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (!is_written(i, outputs[i])) return false;
   }
@@ -180,13 +196,20 @@ bool SimplifyCheckpoint::are_written(const std::vector<std::string>& outputs,
   return true;
 }
 
-bool SimplifyCheckpoint::holds_map(std::size_t number, const std::string& path) const {
+bool RunCheckpoint::holds_map(std::size_t number, const std::string& path) const {
   const std::string key = written_map_key(number);
   return opened_ && directory_->manifest().has(key) &&
          ByteSink::is(path, directory_->manifest().text(key));
 }
 
-void SimplifyCheckpoint::settled(const Outputs& outputs, const SimplifyReport& report) {
+void RunCheckpoint::settled(const std::string& identity, const SimplifyReport& report) {
+  if (directory_ == nullptr) return;
+  put_report(directory_->manifest(), report);
+  directory_->manifest().set(written_key(0), identity);
+  directory_->commit();
+}
+
+void RunCheckpoint::settled(const Outputs& outputs, const SimplifyReport& report) {
   if (directory_ == nullptr) return;
   Manifest& manifest = directory_->manifest();
   put_report(manifest, report);
@@ -197,7 +220,7 @@ void SimplifyCheckpoint::settled(const Outputs& outputs, const SimplifyReport& r
   directory_->commit();
 }
 
-void SimplifyCheckpoint::finish(Job& job) {
+void RunCheckpoint::finish(Job& job) {
   if (directory_ == nullptr || keep_) return;
   Manifest& manifest = directory_->manifest();
   bool straight = false;
@@ -213,7 +236,7 @@ void SimplifyCheckpoint::finish(Job& job) {
                        "' is no longer needed and was removed");
 }
 
-void SimplifyCheckpoint::fail(const Error& error) {
+void RunCheckpoint::fail(const Error& error) {
   if (directory_ == nullptr) throw Error(error);
   // A pipe that was not read to its end cannot be read again.
   const bool can_go_on = has_mesh() || (begun_ && inputs_are_files(directory_->manifest()));
