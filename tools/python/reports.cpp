@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <pybind11/stl.h>
+
 namespace winnow::python {
 
 namespace {
@@ -77,6 +79,7 @@ class Fields {
       py::dict dict;
       dict["faces"] = prefix.faces;
       dict["bytes"] = prefix.bytes;
+      dict["error"] = prefix.error;
       list.append(dict);
     }
     set(path, list);
