@@ -254,7 +254,7 @@ Tile load_tile(const StoredMesh& whole, const Tiling& tiling, const IncomingFace
   sort_unique(tile.others);
   const std::size_t vertices = tile.own_vertices + tile.others.size();
   tile.locked.assign(vertices, free_vertex);
-  if (!at_border.empty()) lock_shared(tile, incoming, at_border);
+  if (!at_border.empty() || !no_hubs) lock_shared(tile, incoming, at_border);
 
   load_positions(tile, whole, parts.records);
   if (whole.state != nullptr) {

@@ -3,6 +3,7 @@
 #include <winnow/convert.hpp>
 #include <winnow/info.hpp>
 #include <winnow/progressive.hpp>
+#include <winnow/sequence.hpp>
 #include <winnow/simplify.hpp>
 
 #include "generate/generate.hpp"
@@ -54,8 +55,12 @@ TEST_CASE("every field of a report has a place of its own") {
   CHECK(places<InfoReport>() == field_count<InfoReport>() + more_in<SurfaceEdges>());
   CHECK(places<ProgressiveReport>() ==
         field_count<ProgressiveReport>() +
-            more_in<ProgressiveReport::Input, ProgressiveReport::Output, Report::Attributes,
-                    ProgressiveReport::Seconds>());
+            more_in<ProgressiveReport::Input, Report::Weld, ProgressiveReport::Output,
+                    Report::Attributes, ProgressiveReport::Seconds>());
+  CHECK(places<SequenceReport>() ==
+        field_count<SequenceReport>() +
+            more_in<SequenceReport::Input, SequenceReport::Output, LevelReport::Lost,
+                    LevelReport::Area, SequenceReport::Seconds>());
   CHECK(places<ExtractReport>() ==
         field_count<ExtractReport>() +
             more_in<ExtractReport::Input, ExtractReport::Output, ExtractReport::Attributes,
