@@ -115,10 +115,10 @@ void go_to(SplitPlayer& player, const std::string& name, std::uint64_t wanted,
   player.go_to(wanted);
   const std::uint64_t there = player.mesh().faces();
   if (there < wanted && player.cut_short())
-    throw Error(ErrorKind::bad_input, "'" + name + "' is cut short: it ends after " +
-                                          grouped(there) + " of its " +
-                                          grouped(player.header().all().faces) + " faces, and " +
-                                          grouped(wanted) + " are asked for");
+    throw Error(ErrorKind::bad_input,
+                "'" + name + "' is cut short: it ends after " + grouped(there) + " of its " +
+                    grouped(player.header().all().faces) + " faces, and " + grouped(wanted) +
+                    " are asked for; `faces` " + std::to_string(there) + " gives what is there");
 }
 
 // What flipped faces are found by: the same surface in so many times the faces at least, in more

@@ -30,8 +30,9 @@ namespace winnow {
 
 namespace {
 
-void check(const ProgressiveOptions& options) {
+void check(const ProgressiveOptions& options, const std::string& output) {
   check_ranges(progressive_options(), options);
+  check_progressive_name(output);
   if (options.refine == Refine::none)
     throw Error(ErrorKind::usage,
                 "`refine` takes quadric, volume or importance: a progressive file is made by "
@@ -246,7 +247,7 @@ ProgressiveReport written_before(Job& job, const RunRequest& request, const Simp
 
 ProgressiveReport progressive(Context& context, const std::vector<std::string>& inputs,
                               const std::string& output, const ProgressiveOptions& options) {
-  check(options);
+  check(options, output);
   Job job(context);
   return progressive_with(job, {inputs, output, reading_options(options), options}, {});
 }
@@ -254,7 +255,7 @@ ProgressiveReport progressive(Context& context, const std::vector<std::string>& 
 ProgressiveReport progressive(Context& context, const std::vector<std::string>& inputs,
                               const std::string& output, const ProgressiveOptions& options,
                               const Checkpoint& settings) {
-  check(options);
+  check(options, output);
   Job job(context, settings.directory);
   const RunRequest request{inputs, output, reading_options(options), options};
   return progressive_with(job, request, RunCheckpoint::begin(job, settings, request));

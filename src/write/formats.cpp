@@ -27,23 +27,36 @@ std::string list_of(const std::function<bool(const OutputFormat&)>& has, bool en
 }
 
 // What is no ending of a mesh that is written, but of one in another format, or of an archive.
-constexpr std::array other_endings{".gltf", ".3mf",  ".dae", ".fbx",  ".3ds",  ".wrl",  ".x3d",
-                                   ".vtk",  ".vtp",  ".usd", ".usda", ".usdc", ".usdz", ".stp",
-                                   ".step", ".iges", ".las", ".laz",  ".e57",  ".xyz",  ".pcd",
-                                   ".pts",  ".json", ".bz2", ".xz",   ".zip",  ".7z",   ".lz4"};
+constexpr std::array other_endings{
+    ".gltf", ".3mf",  ".dae",  ".fbx", ".3ds",  ".wrl",  ".x3d", ".vtk", ".vtp", ".usd",
+    ".usda", ".usdc", ".usdz", ".stp", ".step", ".iges", ".las", ".laz", ".e57", ".xyz",
+    ".pcd",  ".pts",  ".json", ".bz2", ".xz",   ".zip",  ".7z",  ".lz4", ".wpm"};
 
-Format format_of_name(const std::string& path) {
+// As it stands behind the last dot, in small letters; without what compresses the file.
+std::string ending_of(const std::string& path) {
   const std::string name = std::filesystem::path(without_compression(path)).filename().string();
   const std::size_t dot = name.rfind('.');
   std::string ending = dot == std::string::npos ? "" : name.substr(dot);
   std::transform(ending.begin(), ending.end(), ending.begin(), ascii_to_lower);
+  return ending;
+}
+
+bool is_mesh_ending(const std::string& ending) {
+  return std::any_of(output_formats.begin(), output_formats.end(), [&](const auto& entry) {
+    return ending == std::string(".") + facts_of(entry.first).endings[0];
+  });
+}
+
+Format format_of_name(const std::string& path) {
+  const std::string ending = ending_of(path);
   for (const auto& [format, output] : output_formats) {
     if (ending == std::string(".") + facts_of(format).endings[0]) return format;
   }
   if (std::find(other_endings.begin(), other_endings.end(), ending) != other_endings.end()) {
     throw Error(ErrorKind::usage,
                 "'" + path + "': " + ending + " is not written; name the output " +
-                    list_of([](const OutputFormat&) { return true; }, true) + ", or say `to` ply");
+                    list_of([](const OutputFormat&) { return true; }, true) +
+                    (ending == ".wpm" ? "; `progressive` writes .wpm" : ", or say `to` ply"));
   }
   return Format::ply;
 }
@@ -121,6 +134,16 @@ std::string format_written(Format format, const std::string& path, const Encodin
   const std::string plain = without_compression(path);
   if (plain != path) name += path.ends_with("zst") ? ", zstd" : ", gzip";
   return name;
+}
+
+void check_progressive_name(const std::string& path) {
+  const std::string ending = ending_of(path);
+  if (!is_mesh_ending(ending) &&
+      (ending == ".wpm" ||
+       std::find(other_endings.begin(), other_endings.end(), ending) == other_endings.end()))
+    return;
+  throw Error(ErrorKind::usage, "'" + path + "': a progressive file is no " + ending +
+                                    "; name it .wpm, and `extract` writes meshes of it");
 }
 
 }  // namespace winnow

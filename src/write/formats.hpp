@@ -62,4 +62,7 @@ std::string format_written(Format format, const std::string& path, const Encodin
 // Whether that is text, which a terminal can show.
 bool writes_text(Format format, const std::string& path, const Encoding& encoding = {});
 
+// Throws Error(usage) where a progressive file would be named like a mesh or an archive.
+void check_progressive_name(const std::string& path);
+
 }  // namespace winnow
