@@ -19,6 +19,7 @@
 #include "run/simplify_options.hpp"
 #include "run/take_usage.hpp"
 #include "stitch/record_rounds.hpp"
+#include "write/coarse_floats.hpp"
 #include "write/formats.hpp"
 
 #include <memory>
@@ -158,6 +159,7 @@ void make_file(Job& job, Clustered clustered, const RunRequest& request, ByteSin
   for (ChunkEntry& chunk : header.chunks) chunk.error += header.position_error();
   write_file(job, header, encoded.bytes, sink);
   tell_of(header, report);
+  note_coarse_steps(job, header.box, report.output.faces, report.output.position_error);
   report.rounds = recorded.round_count;
   report.collapses = recorded.collapses;
   if (report.resumed) {

@@ -103,4 +103,18 @@ TEST_CASE("on a lattice no position moves by more than half a step", "[progressi
   }
 }
 
+TEST_CASE("a note tells of a lattice that is coarse beside the edges", "[progressive]") {
+  ProgressivePlace place;
+  for (const int bits : {8, 16}) {
+    ProgressiveOptions options;
+    options.bits = bits;
+    place.made(mountains(), options);
+    const auto& notes = place.report.notes;
+    const bool told = std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("more bits keep them apart") != std::string::npos;
+    });
+    CHECK(told == (bits == 8));
+  }
+}
+
 }  // namespace winnow::test
