@@ -105,7 +105,7 @@ TEST_CASE("on a lattice no position moves by more than half a step", "[progressi
 
 TEST_CASE("a note tells of a lattice that is coarse beside the edges", "[progressive]") {
   ProgressivePlace place;
-  for (const int bits : {8, 16}) {
+  for (const unsigned bits : {8U, 16U}) {
     ProgressiveOptions options;
     options.bits = bits;
     place.made(mountains(), options);
