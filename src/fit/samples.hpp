@@ -47,9 +47,9 @@ class SampledSurface {
   [[nodiscard]] std::uint64_t most() const;
   [[nodiscard]] std::uint64_t blocks() const;
 
-  // Parts of a block; points that follow each other are mostly close.
+  // Parts of the block `number`; points that follow each other are mostly close.
   using Each = std::function<void(std::span<const Point>)>;
-  void for_each_part(std::uint64_t block, const Each& each) const;
+  void for_each_part(std::uint64_t number, const Each& each) const;
 
  private:
   const Samples& samples_;

@@ -59,7 +59,7 @@ template <typename Record>
 class SpoolCursor {
  public:
   SpoolCursor(const Job& job, const Spool& spool) : job_(job), spool_(spool) {}
-  SpoolCursor(SpoolCursor&&) = default;  // not copied: records_ may be the chunk
+  SpoolCursor(SpoolCursor&&) noexcept = default;  // not copied: records_ may be the chunk
 
   // False at the end.
   bool next(Record& record) {

@@ -106,8 +106,8 @@ void emit_motion_accessors(const GlbMotion& motion, std::size_t view, const Emit
 
 void emit_motion_views(const GlbMotion& motion, std::uint64_t begin, const Emit& emit) {
   const auto view = [&](std::uint64_t bytes) {
-    const std::string text = R"(,{"buffer":0,"byteOffset":)" + glb_number(begin) +
-                             R"(,"byteLength":)" + glb_number(bytes);
+    std::string text = R"(,{"buffer":0,"byteOffset":)" + glb_number(begin) + R"(,"byteLength":)" +
+                       glb_number(bytes);
     begin += bytes;
     return text;
   };

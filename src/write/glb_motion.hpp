@@ -32,9 +32,10 @@ struct GlbMotion {
 // Of the mesh and the head; `motion` must stay, and be whole when the header is made.
 std::unique_ptr<MeshEncoder> make_encoder_of(const Encoding& encoding, const GlbMotion& motion);
 
-// Members and entries of the JSON. `first`: the number of the motion's first accessor, or view.
+// Members and entries of the JSON. `first` and `view`: the number of the motion's first accessor,
+// or view.
 void emit_glb_targets(const GlbMotion& motion, std::size_t first, const Emit& emit);
-void emit_motion_accessors(const GlbMotion& motion, std::size_t first, const Emit& emit);
+void emit_motion_accessors(const GlbMotion& motion, std::size_t view, const Emit& emit);
 void emit_motion_views(const GlbMotion& motion, std::uint64_t begin, const Emit& emit);
 void emit_glb_animations(const GlbMotion& motion, std::size_t first, const Emit& emit);
 

@@ -42,7 +42,7 @@ std::vector<DoneCollapse> collapses(const std::vector<Triangle>& faces,
 
 }  // namespace
 
-TEST_CASE("what is collapsed up to a cost does not hang on how far a run may go") {
+TEST_CASE("what is collapsed up to a cost does not hang on how far a run may go", "[long]") {
   DecimationSettings settings;
   settings.cost = GENERATE(from_range(costs()));
   settings.free_topology = GENERATE(false, true);
