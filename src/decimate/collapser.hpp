@@ -211,13 +211,13 @@ class Collapser {
       const VertexNumber v = offers_.cheapest();
       // What is found beyond a limit lies beyond it, whatever it costs: a piece is offered only
       // when its edges were refused, and an offer made anew may be cheaper than it was.
-      highest_ = std::max(highest_, offers_.of(v).cost);
+      const Candidate candidate = offers_.of(v);
+      highest_ = std::max(highest_, candidate.cost);
       if (highest_ > limits.cost) return;
       if (offers_.stale(v)) {
         offer_anew(v);
         continue;
       }
-      const Candidate candidate = offers_.of(v);
       if (candidate.partner == v) {
         take_piece(v, limits, done);
         continue;

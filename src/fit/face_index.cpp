@@ -346,13 +346,16 @@ bool FaceIndex::Reader::look_around(std::span<const Point> points, std::vector<N
 
 const FaceIndex::Nearest& FaceIndex::Reader::nearest_candidate(const Point& point) {
   last_.squared = std::numeric_limits<double>::infinity();
-  for (const auto& [face, corner] : candidates_) {
-    const Point here = nearest_place(point, corner);
-    const double squared = dot(point - here, point - here);
-    if (squared > last_.squared || (squared == last_.squared && face >= last_.face)) continue;
-    last_ = {face, corner, here, squared};
-  }
+  for (const auto& [face, corner] : candidates_) take_nearer(point, face, corner);
   return last_;
+}
+
+void FaceIndex::Reader::take_nearer(const Point& point, std::uint64_t face,
+                                    const Triangle& corner) {
+  const Point here = nearest_place(point, corner);
+  const double squared = dot(point - here, point - here);
+  if (squared > last_.squared || (squared == last_.squared && face >= last_.face)) return;
+  last_ = {face, corner, here, squared};
 }
 
 const FaceIndex::Nearest& FaceIndex::Reader::nearest(const Point& point) {
@@ -363,12 +366,7 @@ const FaceIndex::Nearest& FaceIndex::Reader::nearest(const Point& point) {
     const Page& faces = page(number);
     const std::uint64_t first = number * index_.page_faces_;
     faces.tree->for_each_within(point, last_.squared, [&](std::size_t place) {
-      const std::uint64_t face = first + place;
-      const Triangle& corner = faces.faces[place];
-      const Point here = nearest_place(point, corner);
-      const double squared = dot(point - here, point - here);
-      if (squared > last_.squared || (squared == last_.squared && face >= last_.face)) return;
-      last_ = {face, corner, here, squared};
+      take_nearer(point, first + place, faces.faces[place]);
     });
   });
   return last_;

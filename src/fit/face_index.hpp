@@ -68,6 +68,8 @@ class FaceIndex {
     // Of all points at once. False where they are far apart or lie among many faces.
     bool look_around(std::span<const Point> points, std::vector<Nearest>& out);
     const Nearest& nearest_candidate(const Point& point);
+    // Leaves the face in last_ if it is nearer to the point.
+    void take_nearer(const Point& point, std::uint64_t face, const Triangle& corner);
     struct Slot {
       std::size_t number = SIZE_MAX;
       std::uint64_t used = 0;

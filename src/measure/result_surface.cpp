@@ -30,11 +30,6 @@ PackedEdge edge_of(std::uint32_t a, std::uint32_t b) {
   return {std::uint64_t{std::min(a, b)} << 32 | std::max(a, b)};
 }
 
-// As all faces are, but for those of `convert`.
-FaceVertices from_lowest(const FaceVertices& face) {
-  return face[0] < face[1] && face[0] < face[2] ? face : lowest_first(face);
-}
-
 // Which faces leave the two edges at their first vertex to be counted when that vertex's turn
 // comes: those that come in the order of it, and no more of one vertex than memory always has room
 // for.
@@ -98,7 +93,7 @@ class FacesInTurn {
 
   bool next(FaceVertices& face) {
     for (FaceVertices next; faces_.next(next);) {
-      face = from_lowest(next);
+      face = lowest_first(next);
       if (in_turn_(face[0])) return true;
     }
     return false;
@@ -172,7 +167,7 @@ void for_each_other_edge(const Job& job, const StoredMesh& mesh, const Each& eac
   SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
   InTurn in_turn;
   for (FaceVertices face; faces.next(face);) {
-    const auto [first, second, third] = from_lowest(face);
+    const auto [first, second, third] = lowest_first(face);
     each(second, third);
     if (in_turn(first)) continue;
     each(first, second);
@@ -303,6 +298,12 @@ SurfaceEdges count_edges(Job& job, const StoredMesh& mesh, std::uint64_t memory)
   return runs.finish();
 }
 
+double area_of(const FaceVertices& face, VertexIndex::Reader& vertices) {
+  return length(doubled_area({vertices.position(face[0]), vertices.position(face[1]),
+                              vertices.position(face[2])})) /
+         2;
+}
+
 ResultSurface survey(Job& job, const StoredMesh& mesh, std::uint64_t memory, bool areas) {
   ResultSurface out;
   job.progress.begin("check", 2 * mesh.face_count, "faces");
@@ -321,10 +322,7 @@ ResultSurface survey(Job& job, const StoredMesh& mesh, std::uint64_t memory, boo
     for (FaceVertices face; faces.next(face);) {
       if (joined) joined->add(face);
       if (!areas) continue;
-      const Point a = vertices.position(face[0]);
-      const Point u = vertices.position(face[1]) - a;
-      const Point v = vertices.position(face[2]) - a;
-      out.area += length(cross(u, v)) / 2;
+      out.area += area_of(face, vertices);
       directions += directions_of(face);
     }
     out.closed = areas && mesh.face_count > 0 && directions == 0;
@@ -347,6 +345,14 @@ CountedSurface count_surface(Job& job, const StoredMesh& mesh, std::uint64_t mem
   const ResultSurface surface = survey(job, mesh, memory, false);
   const CountedSurface& counted = surface;
   return counted;
+}
+
+double area_of(const Job& job, const StoredMesh& mesh) {
+  VertexIndex::Reader vertices(*mesh.vertices);
+  SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
+  double area = 0;
+  for (FaceVertices face; faces.next(face);) area += area_of(face, vertices);
+  return area;
 }
 
 void note_lost_area(Job& job, const std::string& of, double before, double after, double part) {

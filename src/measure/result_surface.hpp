@@ -36,6 +36,9 @@ CountedSurface count_surface(Job& job, const StoredMesh& mesh, std::uint64_t mem
 // pass.
 bool is_closed(Job& job, const StoredMesh& mesh);
 
+// The area alone. One pass.
+double area_of(const Job& job, const StoredMesh& mesh);
+
 // Notes where more than this part of the area went; the note begins with `of`.
 void note_lost_area(Job& job, const std::string& of, double before, double after,
                     double part = 0.01);

@@ -17,6 +17,7 @@ inline bool has(const FaceVertices& face, std::uint32_t v) {
 
 // The same face with its lowest number first.
 inline FaceVertices lowest_first(FaceVertices face) {
+  if (face[0] < face[1] && face[0] < face[2]) return face;  // as most are
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   return face;
 }

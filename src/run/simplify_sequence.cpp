@@ -158,10 +158,7 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
   const bool doubles = writes_doubles(options.encoding, sequence.double_positions);
   const std::uint64_t wanted = faces_wanted(options.target, sequence.mesh.face_count).value_or(0);
   const RefineSettings settings = settings_for(options, sequence, wanted, doubles);
-  const auto area_of = [&](const StoredMesh& mesh) {
-    return measure_result(job, mesh, share::left::checking(job.budget.left())).area;
-  };
-  report.area.input = area_of(sequence.mesh);
+  report.area.input = area_of(job, sequence.mesh);
   const RefineMemory memory = refine_memory(job.budget.left());
   expect_beside_tile(job, sequence.mesh, {}, settings, plan_of);
   Refined refined = refine(job, std::move(sequence.mesh), settings, memory);
@@ -183,7 +180,7 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
         if (mesh.face_count > wanted && options.per_frame > 0) own = finisher.simplified(mesh);
         StoredMesh& written = own.vertices != nullptr ? own : mesh;
         if (report.collapses > 0) finisher.unfold(frame, written);
-        if (frame == 0) report.area.output = area_of(written);
+        if (frame == 0) report.area.output = area_of(job, written);
         MeshShape shape = shape_of(job, written, encoder, sequence.normals, doubles,
                                    sequence.double_positions, "simplified by winnow");
         shape.closed = closed;

@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace winnow {
@@ -27,10 +28,11 @@ std::string list_of(const std::function<bool(const OutputFormat&)>& has, bool en
 }
 
 // What is no ending of a mesh that is written, but of one in another format, or of an archive.
-constexpr std::array other_endings{
-    ".gltf", ".3mf",  ".dae",  ".fbx", ".3ds",  ".wrl",  ".x3d", ".vtk", ".vtp", ".usd",
-    ".usda", ".usdc", ".usdz", ".stp", ".step", ".iges", ".las", ".laz", ".e57", ".xyz",
-    ".pcd",  ".pts",  ".json", ".bz2", ".xz",   ".zip",  ".7z",  ".lz4", ".wpm"};
+constexpr std::array other_endings{".gltf", ".3mf",  ".dae", ".fbx",  ".3ds",  ".wrl",  ".x3d",
+                                   ".vtk",  ".vtp",  ".usd", ".usda", ".usdc", ".usdz", ".stp",
+                                   ".step", ".iges", ".las", ".laz",  ".e57",  ".xyz",  ".pcd",
+                                   ".pts",  ".json", ".bz2", ".xz",   ".zip",  ".7z",   ".lz4"};
+constexpr const char* progressive_ending = ".wpm";
 
 // As it stands behind the last dot, in small letters; without what compresses the file.
 std::string ending_of(const std::string& path) {
@@ -41,24 +43,27 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-bool is_mesh_ending(const std::string& ending) {
-  return std::any_of(output_formats.begin(), output_formats.end(), [&](const auto& entry) {
-    return ending == std::string(".") + facts_of(entry.first).endings[0];
-  });
+bool is_other(const std::string& ending) {
+  return std::find(other_endings.begin(), other_endings.end(), ending) != other_endings.end();
+}
+
+// Of a mesh that is written.
+std::optional<Format> format_ending_with(const std::string& ending) {
+  for (const auto& [format, output] : output_formats) {
+    if (ending == std::string(".") + facts_of(format).endings[0]) return format;
+  }
+  return {};
 }
 
 Format format_of_name(const std::string& path) {
   const std::string ending = ending_of(path);
-  for (const auto& [format, output] : output_formats) {
-    if (ending == std::string(".") + facts_of(format).endings[0]) return format;
-  }
-  if (std::find(other_endings.begin(), other_endings.end(), ending) != other_endings.end()) {
-    throw Error(ErrorKind::usage,
-                "'" + path + "': " + ending + " is not written; name the output " +
-                    list_of([](const OutputFormat&) { return true; }, true) +
-                    (ending == ".wpm" ? "; `progressive` writes .wpm" : ", or say `to` ply"));
-  }
-  return Format::ply;
+  if (const auto format = format_ending_with(ending)) return *format;
+  const bool progressive = ending == progressive_ending;
+  if (!progressive && !is_other(ending)) return Format::ply;
+  throw Error(ErrorKind::usage,
+              "'" + path + "': " + ending + " is not written; name the output " +
+                  list_of([](const OutputFormat&) { return true; }, true) +
+                  (progressive ? "; `progressive` writes .wpm" : ", or say `to` ply"));
 }
 
 struct Chosen {
@@ -138,10 +143,7 @@ std::string format_written(Format format, const std::string& path, const Encodin
 
 void check_progressive_name(const std::string& path) {
   const std::string ending = ending_of(path);
-  if (!is_mesh_ending(ending) &&
-      (ending == ".wpm" ||
-       std::find(other_endings.begin(), other_endings.end(), ending) == other_endings.end()))
-    return;
+  if (!format_ending_with(ending) && !is_other(ending)) return;
   throw Error(ErrorKind::usage, "'" + path + "': a progressive file is no " + ending +
                                     "; name it .wpm, and `extract` writes meshes of it");
 }
