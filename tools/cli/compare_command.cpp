@@ -126,15 +126,13 @@ void add_compare(CLI::App& app) {
       "from the\n"
       "original to the simplified mesh, backward the other way.\n"
       "In the picture y is up, or z for a mesh that is flat in z.\n"
+      "Above --fail-above the exit code is 1.\n"
       "Examples:\n"
       "  winnow compare scan.ply small.ply\n"
       "  winnow compare scan.ply small.ply --json --samples 10M\n"
       "  winnow compare scan.ply small.ply --fail-above 0.1% --quiet || echo too coarse\n"
       "  winnow compare scan.ply small.ply --colored distances.ply --picture distances.png\n"
-      "  winnow compare scan.ply small.ply --picture below.png --view 1,-1,-0.5\n"
-      "\nExit codes: 0 done, 1 above --fail-above or failed otherwise, 2 usage, 3 bad input, 4 "
-      "memory or\n"
-      "disk, 130 interrupted.");
+      "  winnow compare scan.ply small.ply --picture below.png --view 1,-1,-0.5");
   command->callback([arguments] { run_compare(*arguments); });
 }
 

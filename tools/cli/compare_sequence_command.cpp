@@ -84,9 +84,7 @@ void add_compare_sequence(CLI::App& app) {
       "frame.\n"
       "Examples:\n"
       "  winnow compare-sequence frame-*.ply -- small-*.ply --json\n"
-      "  winnow compare-sequence frame-*.ply -- small-*.ply --picture sheet.png\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
-      "interrupted.");
+      "  winnow compare-sequence frame-*.ply -- small-*.ply --picture sheet.png");
   command->callback([arguments] { run_compare_sequence(*arguments); });
 }
 

@@ -70,9 +70,7 @@ void add_convert(CLI::App& app) {
       "  winnow convert scan.ply -o scan.glb\n"
       "  winnow convert scan.ply -o web.glb --quantize 14 --compress meshopt --up z\n"
       "  winnow convert scan.stl -o scan.ply.zst\n"
-      "  winnow convert tile.ply -o tile.obj --positions double\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
-      "interrupted.");
+      "  winnow convert tile.ply -o tile.obj --positions double");
   command->callback([arguments] { run_convert(*arguments); });
 }
 

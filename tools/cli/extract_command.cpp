@@ -69,9 +69,7 @@ void add_extract(CLI::App& app) {
       "  winnow extract scan.wpm -o small.ply --faces 123456\n"
       "  winnow extract scan.wpm -o - --ratio 10% | next-stage\n"
       "  winnow extract scan.wpm -o near.stl --error 0.5\n"
-      "  head -c 1000000 scan.wpm | winnow extract - -o first.glb --faces 20k\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
-      "interrupted.");
+      "  head -c 1000000 scan.wpm | winnow extract - -o first.glb --faces 20k");
   command->callback([arguments] { run_extract(*arguments); });
 }
 

@@ -45,4 +45,10 @@ std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
   return entry(command->get_display_name(true), command->get_description());
 }
 
+std::string HelpFormatter::make_footer(const CLI::App* command) const {
+  return CLI::Formatter::make_footer(command) +
+         "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
+         "interrupted.\n";
+}
+
 }  // namespace winnow::cli

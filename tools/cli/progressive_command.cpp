@@ -100,9 +100,7 @@ void add_progressive(CLI::App& app) {
       "  winnow progressive scan.ply -o scan.wpm\n"
       "  winnow progressive scan.ply -o scan.wpm --base 200 --bits 16\n"
       "  winnow progressive scan.ply -o scan.wpm --checkpoint kept\n"
-      "  winnow extract scan.wpm -o small.ply --faces 100k\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
-      "interrupted.");
+      "  winnow extract scan.wpm -o small.ply --faces 100k");
   command->callback([arguments] { run_progressive(*arguments); });
 }
 

@@ -53,12 +53,10 @@ void add_resume(CLI::App& app) {
       "again; a\n"
       "pipe cannot be read again.\n"
       "A checkpoint of 'progressive' is taken up the same way.\n"
+      "The exit code is 3 for a checkpoint that is damaged, and 4 for one in use.\n"
       "\nExamples:\n"
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept\n"
-      "  winnow resume kept\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input or checkpoint, 4 memory, "
-      "disk or\n"
-      "checkpoint in use, 130 interrupted.");
+      "  winnow resume kept");
   command->callback([arguments] { run_resume(*arguments); });
 }
 

@@ -81,9 +81,7 @@ void add_sequence(CLI::App& app) {
       "  winnow sequence frame-*.ply -o 'small-{frame}.ply' --faces 5k\n"
       "  winnow sequence walk/*.obj -o 'small/{frame}.ply.zst' --ratio 10% --memory 2G\n"
       "  winnow sequence walk/*.obj -o walk.glb --faces 5k\n"
-      "  winnow sequence clip.glb -o small.glb --ratio 10%\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
-      "interrupted.");
+      "  winnow sequence clip.glb -o small.glb --ratio 10%");
   command->callback([arguments] { run_sequence(*arguments); });
 }
 

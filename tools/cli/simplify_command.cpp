@@ -73,9 +73,7 @@ void add_simplify(CLI::App& app) {
       "  winnow simplify bone.ply -o small.ply --ratio 2% --topology free\n"
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept\n"
       "  winnow simplify part-*.ply -o all.ply --faces 5M --crop 0,0,-10,500,500,90\n"
-      "  zstdcat scan.ply.zst | winnow simplify - -o - --cell 2.5 | next-stage\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
-      "interrupted.");
+      "  zstdcat scan.ply.zst | winnow simplify - -o - --cell 2.5 | next-stage");
   command->callback([arguments] { run_simplify(*arguments); });
 }
 

@@ -170,9 +170,7 @@ void add_view(CLI::App& app) {
       "Examples:\n"
       "  winnow view scan.wpm\n"
       "  winnow view scan.ply\n"
-      "  winnow view scan.wpm --export page.html\n"
-      "\nExit codes: 0 done, 1 failed otherwise, 2 usage, 3 bad input, 4 memory or disk, 130 "
-      "interrupted.");
+      "  winnow view scan.wpm --export page.html");
   command->callback([arguments] { run_view(*arguments); });
 }
 

@@ -44,7 +44,7 @@ void set_footer(CommandTable& table, const std::string& footer) {
       examples = true;
     } else if (examples && line.starts_with("  ")) {
       table.examples.push_back(line.substr(2));
-    } else if (!line.empty() && !line.starts_with("Exit codes:")) {
+    } else if (!line.empty()) {
       table.remarks.push_back(line);
     }
   }
