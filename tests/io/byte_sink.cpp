@@ -8,42 +8,16 @@
 #include "support/sources.hpp"
 
 #include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <thread>
 
 #include <catch2/catch.hpp>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace winnow {
 
 namespace {
 
 using Names = std::vector<std::string>;
-
-void write_all(ByteSink& sink, const std::string& text) {
-  sink.write(test::bytes_of(text));
-}
-
-unsigned mode_of(const std::string& path) {
-  struct stat status {};
-  REQUIRE(::stat(path.c_str(), &status) == 0);
-  return status.st_mode & 07777U;
-}
-
-// The umask of the process, for as long as the object lives.
-class Umask {
- public:
-  explicit Umask(mode_t mask) : before_(::umask(mask)) {}
-  ~Umask() { ::umask(before_); }
-  Umask(const Umask&) = delete;
-  Umask& operator=(const Umask&) = delete;
-
- private:
-  mode_t before_;
-};
 
 }  // namespace
 
@@ -58,7 +32,7 @@ TEST_CASE("an output is under its name only when it is finished") {
     ByteSink sink(test.job, path, false);
     std::size_t at = 0;
     for (const std::size_t part : random.parts(size, 600'000)) {
-      write_all(sink, content.substr(at, part));
+      sink.write(test::bytes_of(content.substr(at, part)));
       at += part;
     }
     CAPTURE(size);
@@ -77,7 +51,7 @@ TEST_CASE("an output that is not finished leaves nothing") {
     test::TestJob test;
     {
       ByteSink sink(test.job, directory.file("out.ply"), force);
-      write_all(sink, std::string(1'000'000, 'x'));
+      sink.write(test::bytes_of(std::string(1'000'000, 'x')));
       CHECK(directory.names().size() == 1);  // it is written in the same directory
     }
     CHECK(directory.names().empty());
@@ -91,7 +65,7 @@ TEST_CASE("an output that is not finished leaves the old file as it was") {
   {
     test::TestJob test;
     ByteSink sink(test.job, path, true);
-    write_all(sink, std::string(1'000'000, 'x'));
+    sink.write(test::bytes_of(std::string(1'000'000, 'x')));
     CHECK(test::bytes_of_file(path) == "old");
   }
   CHECK(test::bytes_of_file(path) == "old");
@@ -116,66 +90,12 @@ TEST_CASE("a file that appears meanwhile is not replaced") {
   {
     test::TestJob test;
     ByteSink sink(test.job, path, false);
-    write_all(sink, "mine");
+    sink.write(test::bytes_of("mine"));
     test::write_file(path, "theirs");
     CHECK(test::error_of([&] { sink.finish(); }).kind() == ErrorKind::usage);
   }
   CHECK(test::bytes_of_file(path) == "theirs");
   CHECK(directory.names() == Names{"out.ply"});
-}
-
-TEST_CASE("a replaced file hands its mode on") {
-  const test::Directory directory;
-  const std::string path = directory.file("out.ply");
-  for (const unsigned mode : {0600U, 0644U, 0664U, 0755U, 0400U}) {
-    const Umask mask(077);
-    test::TestJob test;
-    std::filesystem::remove(path);
-    test::write_file(path, "old");
-    REQUIRE(::chmod(path.c_str(), mode) == 0);
-    ByteSink sink(test.job, path, true);
-    write_all(sink, "new");
-    sink.finish();
-    CAPTURE(mode);
-    CHECK(mode_of(path) == mode);
-    CHECK(test::bytes_of_file(path) == "new");
-  }
-}
-
-TEST_CASE("a new file gets the mode of any new file") {
-  const test::Directory directory;
-  for (const mode_t mask : {0, 022, 077}) {
-    const Umask now(mask);
-    const std::string path = directory.file("out" + std::to_string(mask));
-    test::TestJob test;
-    ByteSink sink(test.job, path, false);
-    sink.finish();
-    CHECK(mode_of(path) == (0666U & ~mask));
-    const mode_t after = ::umask(mask);
-    CHECK(after == mask);  // looking at it did not change it
-  }
-}
-
-TEST_CASE("what is no regular file is written straight and not replaced") {
-  const test::Directory directory;
-  const std::string path = directory.file("pipe");
-  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
-  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  REQUIRE(reader >= 0);
-  test::TestJob test;
-  ByteSink sink(test.job, path, false);  // needs no force
-  write_all(sink, "through");
-  sink.finish();
-  std::string got(100, '\0');
-  got.resize(static_cast<std::size_t>(::read(reader, got.data(), got.size())));
-  ::close(reader);
-  CHECK(got == "through");
-  CHECK(std::filesystem::is_fifo(path));
-  CHECK(directory.names() == Names{"pipe"});
-
-  ByteSink nothing(test.job, "/dev/null", false);
-  write_all(nothing, "gone");
-  CHECK_NOTHROW(nothing.finish());
 }
 
 TEST_CASE("what a link points to is written, the link stays") {
@@ -187,7 +107,7 @@ TEST_CASE("what a link points to is written, the link stays") {
   {
     test::TestJob test;
     ByteSink sink(test.job, link, false);  // nothing is there yet
-    write_all(sink, "first");
+    sink.write(test::bytes_of("first"));
     sink.finish();
   }
   CHECK(std::filesystem::is_symlink(link));
@@ -195,66 +115,12 @@ TEST_CASE("what a link points to is written, the link stays") {
   test::TestJob test;
   CHECK(test::error_of([&] { ByteSink(test.job, link, false); }).kind() == ErrorKind::usage);
   ByteSink sink(test.job, link, true);
-  write_all(sink, "second");
+  sink.write(test::bytes_of("second"));
   sink.finish();
   CHECK(std::filesystem::is_symlink(link));
   CHECK(test::bytes_of_file(target) == "second");
   CHECK(directory.names() == Names{"link.ply"});
   CHECK(elsewhere.names() == Names{"target.ply"});
-}
-
-TEST_CASE("waiting for a reader of a named pipe ends when the run is cancelled") {
-  const test::Directory directory;
-  const std::string path = directory.file("pipe");
-  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
-  test::TestJob test;
-  const std::jthread later = test::cancel_later(test.context);
-  const Stopwatch watch;
-  CHECK(test::error_of([&] { ByteSink(test.job, path, false); }).kind() == ErrorKind::cancelled);
-  CHECK(watch.seconds() < 5);
-}
-
-TEST_CASE("a full disk is an error") {
-  test::TestJob test;
-  const Error error = test::error_of([&] {
-    ByteSink sink(test.job, "/dev/full", false);
-    for (int i = 0; i < 10; ++i) write_all(sink, std::string(100'000, 'x'));
-    sink.finish();
-  });
-  CHECK(error.kind() == ErrorKind::resources);
-  CHECK(std::string(error.what()).find("/dev/full") != std::string::npos);
-}
-
-TEST_CASE("a reader that went away is an error") {
-  const auto before = ::signal(SIGPIPE, SIG_IGN);
-  const test::Directory directory;
-  const std::string path = directory.file("pipe");
-  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
-  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  test::TestJob test;
-  ByteSink sink(test.job, path, false);
-  ::close(reader);
-  const Error error = test::error_of([&] {
-    write_all(sink, std::string(1'000'000, 'x'));
-    sink.finish();
-  });
-  CHECK(error.kind() == ErrorKind::resources);
-  ::signal(SIGPIPE, before);
-}
-
-TEST_CASE("a reader that does not read does not keep a cancelled run") {
-  const test::Directory directory;
-  const std::string path = directory.file("pipe");
-  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
-  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  test::TestJob test;
-  ByteSink sink(test.job, path, false);
-  const std::jthread later = test::cancel_later(test.context);
-  const Stopwatch watch;
-  CHECK(test::error_of([&] { write_all(sink, std::string(5'000'000, 'x')); }).kind() ==
-        ErrorKind::cancelled);
-  CHECK(watch.seconds() < 5);
-  ::close(reader);
 }
 
 TEST_CASE("an output that is taken back leaves what was there before") {
@@ -265,7 +131,7 @@ TEST_CASE("an output that is taken back leaves what was there before") {
     if (there) test::write_file(path, "old");
     {
       ByteSink sink(test.job, path, there);
-      write_all(sink, "new");
+      sink.write(test::bytes_of("new"));
       sink.finish_for_now();
       CHECK(test::bytes_of_file(path) == "new");
       sink.take_back();
@@ -281,7 +147,7 @@ TEST_CASE("a cancelled run does not finish its output") {
   {
     test::TestJob test;
     ByteSink sink(test.job, directory.file("out.ply"), false);
-    write_all(sink, "nearly");
+    sink.write(test::bytes_of("nearly"));
     test.context.cancel();
     CHECK(test::error_of([&] { sink.finish(); }).kind() == ErrorKind::cancelled);
   }
@@ -293,7 +159,7 @@ TEST_CASE("what a killed run had written is removed, what another run still writ
   const std::string path = directory.file("out.ply");
   test::TestJob first;
   ByteSink running(first.job, path, false);
-  write_all(running, "by the one");
+  running.write(test::bytes_of("by the one"));
   REQUIRE(directory.names().size() == 1);
   // As a killed run leaves it: the name, and no lock.
   test::write_file(
@@ -323,7 +189,7 @@ TEST_CASE("an output beside which many runs begin at once is not taken from any"
       for (int round = 0; round < 20; ++round) {
         test::TestJob test;
         ByteSink sink(test.job, path, true);
-        write_all(sink, "whole");
+        sink.write(test::bytes_of("whole"));
         sink.finish();
         if (test.job.notes.empty()) ++finished;  // none was taken for one that was killed
       }
@@ -343,7 +209,7 @@ TEST_CASE("an output may have the longest name that the file system allows") {
     const std::string path = directory.file(name + ".ply");
     test::TestJob test;
     ByteSink sink(test.job, path, false);
-    write_all(sink, "long");
+    sink.write(test::bytes_of("long"));
     for (const std::string& beside : directory.names()) CHECK(beside.size() <= 255);
     sink.finish();
     CHECK(test::bytes_of_file(path) == "long");
@@ -354,20 +220,6 @@ TEST_CASE("an output may have the longest name that the file system allows") {
   const std::string longer = directory.file(std::string(256, 'n'));
   CHECK(test::error_of([&] { ByteSink(test.job, longer, false); }).kind() == ErrorKind::resources);
   CHECK(directory.names().empty());
-}
-
-TEST_CASE("a new output takes over who may read the old one, but no rights to act as its owner") {
-  const test::Directory directory;
-  const std::string path = directory.file("out.ply");
-  for (const mode_t mode : {04755, 02755, 01640, 07777}) {
-    test::write_file(path, "old");
-    REQUIRE(::chmod(path.c_str(), mode) == 0);
-    test::TestJob test;
-    ByteSink sink(test.job, path, true);
-    write_all(sink, "new");
-    sink.finish();
-    CHECK(mode_of(path) == (mode & 0777U));
-  }
 }
 
 TEST_CASE("a file that is written over is not read") {
