@@ -90,7 +90,7 @@ class Fitting {
           ReferenceMesh::Reader reader(reference_, looks_a_fitted_face * tile.faces.size());
           const FittedVertices done = fit_vertices(
               tile.positions, tile.faces, own, tile.locked, vertex_,
-              [&](const Triangle& before, const Triangle& after) {
+              [&](std::span<const Triangle> before, std::span<const Triangle> after) {
                 return farther_corners(reader, before, after, vertex_.far);
               },
               [this] { job_.progress.check_cancelled(); });

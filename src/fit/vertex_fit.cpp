@@ -16,8 +16,6 @@ constexpr double sample_roundings = 2;
 constexpr double along_face = 0.003;
 // A pull to the old place, as a part of what the samples of a vertex weigh, in the mean.
 constexpr double pull_back = 0.02;
-// No point of a face is farther off than its samples in the mean times this, mostly.
-constexpr double usual_farthest = 2;
 // More steps change nothing to speak of.
 constexpr int steps = 8;
 
@@ -49,6 +47,8 @@ class CornersOfVertices {
  private:
   std::vector<std::uint32_t> first_, corner_;
 };
+
+using Corners = std::array<bool, 3>;
 
 class Fitter {
  public:
@@ -85,8 +85,12 @@ class Fitter {
       }
       if (finite(to)) position_[v] = to;
     }
-    keep_near(before);
-    take_back(before);
+    // Whether faces are near the original takes longer to tell.
+    take_back(before, [&](std::size_t f) { return turned_corners(before, f); });
+    take_back(before, [&](std::size_t f) {
+      const Corners turned = turned_corners(before, f);
+      return turned[0] ? turned : farther_corners(before, f);
+    });
     for (std::uint32_t v = 0; v < free_.size(); ++v) {
       if (position_[v] != before[v]) done.moved.push_back(v);
     }
@@ -215,49 +219,55 @@ class Fitter {
     return true;
   }
 
-  [[nodiscard]] bool is_allowed(const std::vector<Point>& before, std::size_t f) const {
+  // All corners of a face that turns too far or becomes a line.
+  [[nodiscard]] Corners turned_corners(const std::vector<Point>& before, std::size_t f) const {
     const Triangle to = triangle(position_, f);
     const Point from_normal = doubled_area(triangle(before, f));
     const Point normal = doubled_area(to);
     const double size = length(from_normal) * length(normal);
-    return size > 0 && dot(from_normal, normal) >= settings_.least_cosine * size &&
-           !thinner_than_rounding(to, normal, coordinate_rounding(settings_.single));
+    const bool allowed = size > 0 && dot(from_normal, normal) >= settings_.least_cosine * size &&
+                         !thinner_than_rounding(to, normal, coordinate_rounding(settings_.single));
+    return {!allowed, !allowed, !allowed};
   }
 
-  // Samples say little of what sticks out of the original, as the tip of a spike: they have no
-  // nearest place there. So faces that may be far off are looked at.
-  void keep_near(const std::vector<Point>& before) {
-    std::vector<std::uint32_t> back;
-    for (std::size_t f = 0; f < face_.size(); ++f) {
-      if (f % 1024 == 0) turn_();
-      double moved = 0;
-      for (const std::uint32_t v : face_[f])
-        moved = std::max(moved, length(position_[v] - before[v]));
-      if (moved == 0) continue;
-      const double count = sums_[f].count();
-      const double rms = count > 0.5 ? std::sqrt(double{sums_[f].squares} / count) : 0;
-      if (usual_farthest * rms + moved < settings_.far) continue;
-      const auto corners = farther_(triangle(before, f), triangle(position_, f));
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (corners[i]) back.push_back(face_[f][i]);
+  // Samples say little of what sticks out: they have no nearest place at the tip of a spike of the
+  // result, and the tips of the original are few. So faces that may be far off are looked at.
+  [[nodiscard]] Corners farther_corners(const std::vector<Point>& before, std::size_t f) {
+    double moved = 0;
+    for (const std::uint32_t v : face_[f])
+      moved = std::max(moved, length(position_[v] - before[v]));
+    // No sample is farther off than all are together.
+    if (std::sqrt(double{sums_[f].squares}) + moved < settings_.far) return {};
+    std::vector<Triangle> from{triangle(before, f)};
+    std::vector<Triangle> to{triangle(position_, f)};
+    for (const std::uint32_t v : face_[f]) {
+      for (const std::uint32_t corner : corners_.of(v)) {
+        if (corner / 3 == f) continue;
+        from.push_back(triangle(before, corner / 3));
+        to.push_back(triangle(position_, corner / 3));
       }
     }
-    for (const std::uint32_t v : back) position_[v] = before[v];
+    return farther_(from, to);
   }
 
-  // All corners of a face that may not be so go back, and then the faces around them are looked at.
-  void take_back(const std::vector<Point>& before) {
+  // corners(f): those of a face that may not be where they are. They go back, and then the faces
+  // around them are looked at.
+  template <typename CornersOf>
+  void take_back(const std::vector<Point>& before, const CornersOf& corners) {
     std::vector<std::uint32_t> suspects;
     const auto look_at = [&](std::uint32_t f) {
       const auto moved = [&](std::uint32_t v) { return position_[v] != before[v]; };
-      if (std::none_of(face_[f].begin(), face_[f].end(), moved) || is_allowed(before, f)) return;
-      for (const std::uint32_t v : face_[f]) {
-        if (!moved(v)) continue;
+      if (std::none_of(face_[f].begin(), face_[f].end(), moved)) return;
+      const Corners back = corners(f);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = face_[f][i];
+        if (!back[i] || !moved(v)) continue;
         position_[v] = before[v];
         for (const std::uint32_t corner : corners_.of(v)) suspects.push_back(corner / 3);
       }
     };
     for (std::uint32_t f = 0; f < face_.size(); ++f) {
+      if (f % 1024 == 0) turn_();
       look_at(f);
       while (!suspects.empty()) {
         const std::uint32_t beside = suspects.back();

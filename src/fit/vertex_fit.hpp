@@ -22,10 +22,10 @@ struct VertexFitSettings {
   double far = 0;               // the largest distances of samples are about as large
 };
 
-// Which corners of a face that moved have made it farther from the original than before, and
-// farther than `far`.
-using FartherCorners =
-    std::function<std::array<bool, 3>(const Triangle& before, const Triangle& after)>;
+// Which corners of a face that moved have brought it farther from the original than before, or the
+// original from it, and farther than `far`. The face comes first, then those that touch it.
+using FartherCorners = std::function<std::array<bool, 3>(std::span<const Triangle> before,
+                                                         std::span<const Triangle> after)>;
 
 struct FittedVertices {
   std::vector<std::uint32_t> moved;  // ascending

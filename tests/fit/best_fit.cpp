@@ -66,9 +66,9 @@ struct Fan {
     settings.far = far;
     FittedVertices done = fit_vertices(
         positions, faces, sums, locked, settings,
-        [this](const Triangle&, const Triangle& after) {
+        [this](std::span<const Triangle>, std::span<const Triangle> after) {
           std::array<bool, 3> farther{};
-          for (std::size_t i = 0; i < 3; ++i) farther[i] = after[i][2] > ceiling;
+          for (std::size_t i = 0; i < 3; ++i) farther[i] = after[0][i][2] > ceiling;
           return farther;
         },
         [] {});
