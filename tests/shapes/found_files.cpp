@@ -29,7 +29,7 @@ Found simplify_found(const std::vector<std::string>& paths, SimplifyOptions opti
   Context context;
   context.threads = threads;
   Found found;
-  found.report = simplify(context, paths, output, options);
+  found.report = simplify(context, paths, output, fitted_where_asked(std::move(options)));
   found.attributed = read_attributed(output);
   found.output = {found.attributed.positions, found.attributed.faces};
   return found;

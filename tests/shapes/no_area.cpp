@@ -46,7 +46,7 @@ RefinedShape refine_polygon(const Shape& polygon, const SimplifyOptions& options
   Context context;
   context.scratch = directory.path();
   RefinedShape out;
-  out.report = simplify(context, input, output, options);
+  out.report = simplify(context, input, output, fitted_where_asked(options));
   out.output = read_shape(output);
   out.defects = defects_of(out.output.faces);
   return out;

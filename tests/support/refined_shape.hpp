@@ -10,6 +10,7 @@
 #include "support/shape_files.hpp"
 #include "support/shape_measures.hpp"
 
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <utility>
@@ -48,6 +49,15 @@ struct RefinedShape {
   CompareReport compared{};  // only where it was asked for
 };
 
+// With WINNOW_TEST_FIT in the environment, everything is fitted that can be.
+inline SimplifyOptions fitted_where_asked(SimplifyOptions options) {
+  const char* asked = std::getenv("WINNOW_TEST_FIT");
+  if (asked != nullptr && options.target.of_count() &&
+      options.refine.value_or(Refine::quadric) == Refine::quadric)
+    options.fit = std::strtoull(asked, nullptr, 10);
+  return options;
+}
+
 // In a pose. `samples`: of the comparison; 0: none.
 inline RefinedShape refine_shape(const Shape& shape, const Pose& pose, SimplifyOptions options,
                                  std::uint64_t samples = 0) {
@@ -60,7 +70,7 @@ inline RefinedShape refine_shape(const Shape& shape, const Pose& pose, SimplifyO
   Context context;
   context.threads = 2;
   context.scratch = directory.path();
-  out.report = simplify(context, input, output, options);
+  out.report = simplify(context, input, output, fitted_where_asked(std::move(options)));
   out.output = read_shape(output);
   out.defects = defects_of(out.output.faces);
   if (samples > 0) {
