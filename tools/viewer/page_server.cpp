@@ -32,9 +32,10 @@ namespace http = boost::beast::http;
 using asio::use_awaitable;
 using asio::ip::tcp;
 
-constexpr std::chrono::seconds idle_at_most{60};
+constexpr std::chrono::seconds idle_at_most{60}, hanging_up_at_most{2};
 constexpr std::chrono::milliseconds between_looks{100};
 constexpr std::size_t piece_bytes = std::size_t{1} << 18;
+constexpr std::size_t unread_at_most = std::size_t{1} << 24;
 constexpr unsigned http_1_1 = 11;
 
 // What a path in an address may hold as it is; all else becomes %20 and the like.
@@ -65,7 +66,8 @@ struct PageServer::State {
       targets.push_back("/" + std::to_string(i) + "/" + escaped(files[i].shown(), "%"));
   }
 
-  using Request = http::request<http::empty_body>;
+  using Parser = http::request_parser<http::empty_body>;
+  using Request = Parser::value_type;
   using Response = http::response<http::buffer_body>;
 
   asio::awaitable<void> accept() {
@@ -85,20 +87,26 @@ struct PageServer::State {
       beast::flat_buffer buffer;
       for (bool more = true; more;) {
         stream.expires_after(idle_at_most);
-        Request request;
-        co_await http::async_read(stream, buffer, request, use_awaitable);
-        more = co_await answer(stream, request);
+        Parser parser;
+        beast::error_code error;
+        co_await http::async_read_header(stream, buffer, parser,
+                                         asio::redirect_error(use_awaitable, error));
+        more = error ? co_await refuse_unread(stream, error) : co_await answer(stream, parser);
       }
+      co_await hang_up(stream);
     } catch (const std::exception&) {
-      // The browser went away, or what it sent is no request.
+      // The browser went away.
     }
   }
 
   // False where the connection ends with it.
-  asio::awaitable<bool> answer(beast::tcp_stream& stream, const Request& request) {
+  asio::awaitable<bool> answer(beast::tcp_stream& stream, const Parser& parser) {
+    const Request& request = parser.get();
     if (!asked_here(request)) co_return co_await refuse(stream, request, http::status::forbidden);
     if (request.method() != http::verb::get && request.method() != http::verb::head)
       co_return co_await refuse(stream, request, http::status::method_not_allowed);
+    if (!parser.is_done())  // it has a body, which nothing here needs
+      co_return co_await refuse(stream, request, http::status::payload_too_large);
     const std::string target(request.target());
     const std::string path = target.substr(0, target.find('?'));
     if (path == "/") {
@@ -159,7 +167,31 @@ struct PageServer::State {
                                       http::status status) {
     Response response = response_for(request, status, "text/plain");
     response.keep_alive(false);
+    if (status == http::status::method_not_allowed) response.set(http::field::allow, "GET, HEAD");
     co_return co_await send(stream, request, response, {}, {});
+  }
+
+  // What is no request, or too long for one.
+  static asio::awaitable<bool> refuse_unread(beast::tcp_stream& stream,
+                                             const beast::error_code& error) {
+    if (error == http::error::end_of_stream) co_return false;
+    if (error.category() != beast::error_code(http::error::bad_method).category())
+      throw boost::system::system_error(error);  // nobody is there any more
+    http::status status = http::status::bad_request;
+    if (error == http::error::header_limit || error == http::error::buffer_overflow)
+      status = http::status::request_header_fields_too_large;
+    else if (error == http::error::body_limit)
+      status = http::status::payload_too_large;
+    co_return co_await refuse(stream, {}, status);
+  }
+
+  // Takes in some of what is unread: hanging up on it would take the answer back.
+  static asio::awaitable<void> hang_up(beast::tcp_stream& stream) {
+    stream.socket().shutdown(tcp::socket::shutdown_send);
+    stream.expires_after(hanging_up_at_most);
+    std::vector<char> piece(piece_bytes);
+    for (std::size_t taken = 0; taken < unread_at_most;)
+      taken += co_await stream.async_read_some(asio::buffer(piece), use_awaitable);
   }
 
   using Read = std::function<std::size_t(std::uint64_t at, std::span<char> into)>;
