@@ -86,6 +86,10 @@ export class Page {
     await this.settled();
   }
 
+  statistic(name) {
+    return this.page.textContent(`#statistics tr:has(td:text-is("${name}")) td:last-child`);
+  }
+
   text(id) {
     return this.page.textContent(`#${id}`);
   }

@@ -123,6 +123,23 @@ test("colours are shown or not, and any axis can be up", () =>
     assert.match(JSON.stringify(saved), /red/);
   }));
 
+test("the error so far is that of 'winnow info'", async () => {
+  run("progressive", "skull.ply", "-o", "lattice.wpm", "--bits", "10", "-q", "--force");
+  run("progressive", "skull.ply", "-o", "importance.wpm", "--refine", "importance", "-q", "--force");
+  const shown = (error) =>
+    typeof error === "number" ? String(Number(error.toPrecision(3))) : "unknown";
+  for (const name of ["skull.wpm", "lattice.wpm", "importance.wpm"]) {
+    const { prefixes } = JSON.parse(run("info", name, "--json"));
+    await look([name], async (page) => {
+      await page.shown();
+      for (const { faces, error } of [prefixes[0], prefixes.at(-1)]) {
+        await page.goTo(faces);
+        assert.equal((await page.statistic("error so far")).split(" ")[0], shown(error), name);
+      }
+    });
+  }
+});
+
 test("what is saved is what 'winnow extract' gives", () => look(["skull.wpm"], async (page) => {
   await page.shown();
   await page.goTo(5000);

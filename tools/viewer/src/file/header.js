@@ -57,6 +57,16 @@ export function parseHeader(bytes) {
   return { form, box, cost, normals, attributes, chunks, baseChunks, base, full: end };
 }
 
+// Within which the mesh keeps the surface of the whole file, with so many chunks of it.
+export function errorOf(header, chunkCount) {
+  const { form, box, chunks } = header;
+  if (chunkCount < chunks.length) return chunks[chunkCount].error;
+  if (form.bits === 0) return 0;
+  // Of a lattice: half a step on each axis, and what floats leave out.
+  const most = Math.max(...[...box.low, ...box.high].map(Math.abs));
+  return (form.step / 2 + (form.doubles ? 0 : most * 2 ** -24)) * Math.sqrt(3);
+}
+
 function checkIntact(bytes, checksum) {
   const unsigned = Uint8Array.from(bytes);
   unsigned.fill(0, checksumAt, checksumAt + 4);

@@ -9,6 +9,13 @@ const grouped = (number) => number.toLocaleString("en");
 const mebibytes = (bytes) => `${(bytes / 2 ** 20).toFixed(1)} MiB`;
 const styles = ["flat", "smooth", "wireframe"];
 
+// In the units of the mesh, and as a part of its diagonal.
+function errorText(error, diagonal) {
+  if (!Number.isFinite(error)) return "unknown";
+  const digits = (number) => String(Number(number.toPrecision(3)));
+  return `${digits(error)} (${digits(100 * error / diagonal)} %)`;
+}
+
 export class Controls {
   constructor() {
     this.viewer = null;
@@ -177,6 +184,7 @@ export class Controls {
       ["edges to collapse", each(({ player }) => grouped(player.log.count))],
       ["edges to rebuild", each(({ player }) => grouped(player.splitsLeft))],
       ["cost", each(({ file }) => file.header.cost)],
+      ["error so far", each(({ error, radius }) => errorText(error, 2 * radius))],
       ["loaded", each(({ file }) => mebibytes(file.bytesRead))],
       ["of", each(({ file }) => mebibytes(file.header.full.bytes))],
       ["frames a second", rate ? rate.toFixed(0) : "–"]

@@ -1,4 +1,5 @@
 // One mesh that is looked at: its file, how far it is played, and its surface.
+import { errorOf } from "../file/header.js";
 import { Player } from "../mesh/player.js";
 import { Surface } from "../draw/surface.js";
 
@@ -31,6 +32,11 @@ export class View {
   get radius() {
     const { low, high } = this.file.header.box;
     return Math.max(Math.hypot(...low.map((x, axis) => high[axis] - x)) / 2, 1e-30);
+  }
+
+  // Beside the whole mesh, at most; of the part of the file that the next split is in.
+  get error() {
+    return errorOf(this.file.header, this.player.chunk);
   }
 
   goTo(faces) {
