@@ -21,9 +21,11 @@ struct Split {
   std::uint32_t anchor = no_number;  // the vertex that was kept; none where none was left
   bool moves = false;                // the anchor gets other words
   std::uint32_t new_vertices = 0;
-  Words words;                         // of the anchor, where it moves, then of the new ones
-  std::vector<FarEdge> moved;          // faces at the anchor that become the first new vertex's
-  std::vector<std::uint32_t> corners;  // of these in a SplitMesh, where they are known
+  Words words;  // of the anchor, where it moves, then of the new ones
+  // Faces at the anchor that become the first new vertex's: by their other corners, or by their
+  // corners at the anchor in a SplitMesh, where these are known.
+  std::vector<FarEdge> moved;
+  std::vector<std::uint32_t> corners;
   std::vector<FaceVertices> restored;  // faces that were gone
 
   // Keeps what it has allocated.

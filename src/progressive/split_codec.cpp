@@ -3,7 +3,6 @@
 #include <winnow/error.hpp>
 
 #include "progressive/deflate.hpp"
-#include "progressive/ring.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -72,9 +71,7 @@ std::uint32_t expected_word(const Split& split, std::span<const std::uint32_t> b
 
 }  // namespace
 
-void SplitEncoder::add(RingedSplit& ringed) {
-  std::sort(ringed.ring.begin(), ringed.ring.end());
-  std::sort(ringed.split.moved.begin(), ringed.split.moved.end());
+void SplitEncoder::add(const RingedSplit& ringed) {
   if (!add_beside(ringed)) add_one_by_one(ringed);
   add_values(ringed);
 }
@@ -93,15 +90,28 @@ bool SplitEncoder::find_sides(const RingedSplit& ringed, std::uint32_t& left,
     std::uint32_t& side = on_left ? left : right;
     if (side != no_number) return false;
     side = on_left ? face[2] : face[1];
-    if (!std::binary_search(neighbours_.begin(), neighbours_.end(), side)) return false;
+    const auto has_side = [side](const FarEdge& far) { return far[0] == side || far[1] == side; };
+    if (std::none_of(ringed.ring.begin(), ringed.ring.end(), has_side)) return false;
   }
   return true;
+}
+
+void SplitEncoder::gather_ring(const RingedSplit& ringed) {
+  const auto order = [](const FarEdge& far) { return std::uint64_t{far[0]} << 32 | far[1]; };
+  sorted_ = ringed.ring;
+  for (std::size_t i = 1; i < sorted_.size(); ++i) {
+    const FarEdge moved = sorted_[i];
+    std::size_t to = i;
+    for (; to > 0 && order(moved) < order(sorted_[to - 1]); --to) sorted_[to] = sorted_[to - 1];
+    sorted_[to] = moved;
+  }
+  ring_.clear();
+  for (const FarEdge& far : sorted_) ring_.add(far);
 }
 
 // Finds the faces that move side by side; false where they do not.
 bool SplitEncoder::find_walk(const RingedSplit& ringed, std::uint32_t left, std::uint32_t right) {
   const std::vector<FarEdge>& moved = ringed.split.moved;
-  const std::vector<FarEdge>& ring = ringed.ring;
   const auto leads_to = [&](std::uint32_t v) {
     return std::any_of(moved.begin(), moved.end(), [v](const FarEdge& far) { return far[1] == v; });
   };
@@ -110,29 +120,29 @@ bool SplitEncoder::find_walk(const RingedSplit& ringed, std::uint32_t left, std:
     return right != no_number ? far[0] == right : !leads_to(far[0]);
   });
   if (first == moved.end()) return false;
-  const auto at = std::lower_bound(ring.begin(), ring.end(), *first);
-  walk(std::span(ring), static_cast<std::size_t>(at - ring.begin()), moved.size(), places_);
-  first_place_ = places_.front();
-  return (left == no_number || ring[places_.back()][1] == left) && moves_those(ringed);
+  first_place_ = ring_.place_of(*first);
+  if (first_place_ == ring_.size()) return false;
+  ring_.walk(first_place_, moved.size(), places_);
+  return (left == no_number || ring_.second(places_.back()) == left) && moves_those(ringed);
 }
 
-// Whether the faces at places_ are those that move.
-bool SplitEncoder::moves_those(const RingedSplit& ringed) {
-  if (places_.size() != ringed.split.moved.size()) return false;
-  std::sort(places_.begin(), places_.end());
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (ringed.ring[places_[i]] != ringed.split.moved[i]) return false;
-  }
-  return true;
+// Whether the faces at places_, which differ, are those that move.
+bool SplitEncoder::moves_those(const RingedSplit& ringed) const {
+  const std::vector<FarEdge>& moved = ringed.split.moved;
+  return places_.size() == moved.size() &&
+         std::all_of(places_.begin(), places_.end(), [&](std::uint32_t place) {
+           const FarEdge far{ring_.first(place), ring_.second(place)};
+           return std::find(moved.begin(), moved.end(), far) != moved.end();
+         });
 }
 
 bool SplitEncoder::add_beside(const RingedSplit& ringed) {
   const Split& split = ringed.split;
   if (!split.moves || split.new_vertices != 1 || split.restored.size() > 2) return false;
   if (ringed.ring.empty() || ringed.ring.size() > most_ring_faces) return false;
-  find_neighbours(std::span<const FarEdge>(ringed.ring), neighbours_);
   std::uint32_t left = no_number, right = no_number;
-  if (neighbours_.size() > 0x100 || !find_sides(ringed, left, right)) return false;
+  if (!find_sides(ringed, left, right)) return false;
+  gather_ring(ringed);
   const bool both = left != no_number && right != no_number;
   if ((left != no_number || right != no_number) && find_walk(ringed, left, right)) {
     kinds_.push_back(both ? both_sides : left != no_number ? left_side : right_side);
@@ -140,6 +150,7 @@ bool SplitEncoder::add_beside(const RingedSplit& ringed) {
     counts_.push_back(static_cast<std::uint8_t>(split.moved.size()));
   } else {
     if (!add_bits(ringed)) return false;
+    ring_.find_neighbours(neighbours_);
     kinds_.push_back(both                 ? both_sides_by_bits
                      : left != no_number  ? left_side_by_bits
                      : right != no_number ? right_side_by_bits
@@ -156,15 +167,15 @@ bool SplitEncoder::add_beside(const RingedSplit& ringed) {
 
 // Of equal faces the first ones move.
 bool SplitEncoder::add_bits(const RingedSplit& ringed) {
-  const Split& split = ringed.split;
-  std::vector<std::uint8_t> bits((ringed.ring.size() + 7) / 8);
-  std::size_t moved = 0;
-  for (std::size_t i = 0; i < ringed.ring.size() && moved < split.moved.size(); ++i) {
-    if (ringed.ring[i] != split.moved[moved]) continue;
+  std::vector<FarEdge> left = ringed.split.moved;
+  std::vector<std::uint8_t> bits((ring_.size() + 7) / 8);
+  for (std::size_t i = 0; i < ring_.size() && !left.empty(); ++i) {
+    const auto at = std::find(left.begin(), left.end(), FarEdge{ring_.first(i), ring_.second(i)});
+    if (at == left.end()) continue;
     bits[i / 8] = static_cast<std::uint8_t>(bits[i / 8] | 1U << i % 8);
-    ++moved;
+    left.erase(at);
   }
-  if (moved != split.moved.size()) return false;
+  if (!left.empty()) return false;
   counts_.insert(counts_.end(), bits.begin(), bits.end());
   return true;
 }
@@ -329,11 +340,12 @@ void SplitDecoder::beside(const SplitMesh& mesh, unsigned kind, Split& split) {
   std::uint32_t left = no_number, right = no_number;
   if (kind < no_side_by_bits) {
     take_walk(split);
-    if (kind != right_side) left = ring_[places_.back()].far[1];
-    if (kind != left_side) right = ring_[places_.front()].far[0];
+    if (kind != right_side) left = ring_.second(places_.back());
+    if (kind != left_side) right = ring_.first(places_.front());
   } else {
+    ring_.sort();
     take_bits(split);
-    find_neighbours(std::span<const RingFace>(ring_), neighbours_);
+    ring_.find_neighbours(neighbours_);
     if (kind == both_sides_by_bits || kind == left_side_by_bits) left = take_neighbour();
     if (kind == both_sides_by_bits || kind == right_side_by_bits) right = take_neighbour();
   }
@@ -353,22 +365,17 @@ void SplitDecoder::take_walk(Split& split) {
   const std::uint8_t first = rings_.byte();
   const std::uint8_t count = counts_.byte();
   if (first >= ring_.size() || count == 0) refuse();
-  walk(std::span<const RingFace>(ring_), first, count, places_);
+  ring_.walk(ring_.place_of(first), count, places_);
   if (places_.size() < count) refuse();
-  for (const std::uint32_t place : places_) move(ring_[place], split);
+  for (const std::uint32_t place : places_) split.corners.push_back(ring_.corner(place));
 }
 
 void SplitDecoder::take_bits(Split& split) {
   std::uint8_t bits = 0;
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     if (i % 8 == 0) bits = counts_.byte();
-    if ((bits >> i % 8 & 1) != 0) move(ring_[i], split);
+    if ((bits >> i % 8 & 1) != 0) split.corners.push_back(ring_.corner(i));
   }
-}
-
-void SplitDecoder::move(const RingFace& face, Split& split) {
-  split.moved.push_back(face.far);
-  split.corners.push_back(face.corner);
 }
 
 void SplitDecoder::tell_one_by_one(const SplitMesh& mesh, bool moves, Split& split) {
@@ -395,10 +402,11 @@ void SplitDecoder::values(const SplitMesh& mesh, Split& split) {
   split.words.resize(count * width_);
   const std::span<const std::uint32_t> before =
       split.moves ? mesh.words(split.anchor) : std::span<const std::uint32_t>{};
-  const std::uint32_t* difference = differences_.data() + row_ * width_;
+  const std::uint32_t* const difference = differences_.data() + row_ * width_;
   for (std::size_t first = 0; first < split.words.size(); first += width_) {
     for (std::size_t k = 0; k < width_; ++k)
-      split.words[first + k] = expected_word(split, before, first, k, width_) + *difference++;
+      split.words[first + k] =
+          expected_word(split, before, first, k, width_) + difference[first + k];
   }
   row_ += count;
 }

@@ -4,6 +4,7 @@
 // docs/progressive_format.md tells of every byte.
 #pragma once
 
+#include "progressive/ring.hpp"
 #include "progressive/split.hpp"
 #include "progressive/split_mesh.hpp"
 
@@ -25,8 +26,6 @@ struct RingedSplit {
   std::vector<FarEdge> ring{};
 };
 
-// Anchors with more faces are told of one by one.
-inline constexpr std::size_t most_ring_faces = 128;
 // Of the bytes of a chunk, before they are compressed.
 inline constexpr std::uint32_t most_chunk_bytes = std::uint32_t{1} << 26;
 
@@ -35,8 +34,7 @@ class SplitEncoder {
  public:
   explicit SplitEncoder(std::size_t width) : width_(width), values_(width) {}
 
-  // Sorts the ring and the faces of the split.
-  void add(RingedSplit& ringed);
+  void add(const RingedSplit& ringed);
   // Everything that was added, compressed. Begins anew.
   std::vector<std::byte> finish(std::uint32_t& raw_bytes);
 
@@ -44,7 +42,8 @@ class SplitEncoder {
   bool add_beside(const RingedSplit& ringed);
   bool find_sides(const RingedSplit& ringed, std::uint32_t& left, std::uint32_t& right) const;
   bool find_walk(const RingedSplit& ringed, std::uint32_t left, std::uint32_t right);
-  bool moves_those(const RingedSplit& ringed);
+  void gather_ring(const RingedSplit& ringed);
+  [[nodiscard]] bool moves_those(const RingedSplit& ringed) const;
   bool add_bits(const RingedSplit& ringed);
   void add_one_by_one(const RingedSplit& ringed);
   void add_values(const RingedSplit& ringed);
@@ -53,6 +52,8 @@ class SplitEncoder {
   std::vector<std::uint8_t> kinds_, rings_, counts_, varints_;
   std::vector<std::uint32_t> anchors_;
   std::vector<Words> values_;  // of each word of a vertex
+  Ring ring_;                  // of the anchor, in order
+  std::vector<FarEdge> sorted_;
   std::vector<std::uint32_t> neighbours_, places_;
   std::size_t first_place_ = 0;
 };
@@ -83,7 +84,6 @@ class SplitDecoder {
   void take_walk(Split& split);
   std::uint32_t take_neighbour();
   void take_bits(Split& split);
-  static void move(const RingFace& face, Split& split);
   void tell_one_by_one(const SplitMesh& mesh, bool moves, Split& split);
   void values(const SplitMesh& mesh, Split& split);
 
@@ -98,7 +98,7 @@ class SplitDecoder {
   std::array<std::uint32_t, splits_ahead> ahead_{};
   Words differences_;    // of the words from what is likely, vertex by vertex
   std::size_t row_ = 0;  // the next of them
-  std::vector<RingFace> ring_;
+  Ring ring_;            // of the anchor
   std::vector<std::uint32_t> neighbours_, places_;
 };
 

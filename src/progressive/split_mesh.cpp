@@ -6,7 +6,7 @@ namespace winnow {
 
 SplitMesh::SplitMesh(const SplitMesh& other, Memory* memory, std::uint64_t vertices,
                      std::uint64_t faces)
-    : width_(other.width_), words_(memory), face_(memory), first_(memory) {
+    : SplitMesh(other.width_, memory) {
   reserve(vertices, faces);
   words_.assign(other.words_.begin(), other.words_.end());
   face_.assign(other.face_.begin(), other.face_.end());
@@ -26,8 +26,13 @@ void SplitMesh::add_vertex(std::span<const std::uint32_t> words) {
 
 void SplitMesh::add_face(const FaceVertices& face) {
   const std::uint32_t corner = 3 * faces();
-  face_.push_back({face, {}, {}});
-  for (std::uint32_t i = 0; i < 3; ++i) link(corner + i, face[i]);
+  constexpr std::array<std::uint32_t, 3> none{no_number, no_number, no_number};
+  const std::array<std::uint32_t, 3> next{first_[face[0]], first_[face[1]], first_[face[2]]};
+  face_.push_back({face, next, none});
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    if (next[i] != no_number) face_[next[i] / 3].previous[next[i] % 3] = corner + i;
+    first_[face[i]] = corner + i;
+  }
 }
 
 void SplitMesh::link(std::uint32_t corner, std::uint32_t v) {
@@ -51,26 +56,13 @@ void SplitMesh::hand_over(std::uint32_t corner, std::uint32_t from, std::uint32_
   face_[corner / 3].vertices[corner % 3] = to;
 }
 
-void SplitMesh::find_ring(std::uint32_t v, std::vector<RingFace>& ring) const {
-  // Longer ones are in no file that is taken, but may be in the mesh.
-  constexpr std::ptrdiff_t few = 24;
+void SplitMesh::find_ring(std::uint32_t v, Ring& ring) const {
   ring.clear();
-  for (std::uint32_t corner = first_[v]; corner != no_number;) {
+  for (std::uint32_t corner = first_[v]; corner != no_number && !ring.full();) {
     const Face& face = face_[corner / 3];
     const std::uint32_t i = corner % 3;
-    ring.push_back(
-        {{face.vertices[i == 2 ? 0 : i + 1], face.vertices[i == 0 ? 2 : i - 1]}, corner});
+    ring.add({face.vertices[i == 2 ? 0 : i + 1], face.vertices[i == 0 ? 2 : i - 1]}, corner);
     corner = face.next[i];
-  }
-  if (ring.end() - ring.begin() > few) {
-    std::sort(ring.begin(), ring.end());
-    return;
-  }
-  for (std::size_t i = 1; i < ring.size(); ++i) {
-    const RingFace moved = ring[i];
-    std::size_t to = i;
-    for (; to > 0 && moved < ring[to - 1]; --to) ring[to] = ring[to - 1];
-    ring[to] = moved;
   }
 }
 
@@ -92,12 +84,8 @@ std::uint32_t SplitMesh::corner_at(std::uint32_t v, const FarEdge& far) const {
 }
 
 bool SplitMesh::find_moved(const Split& split) {
-  handed_.clear();
-  if (split.corners.size() == split.moved.size()) {
-    handed_ = split.corners;
-    for (const std::uint32_t corner : handed_) unlink(corner, split.anchor);
-    return true;
-  }
+  handed_.assign(split.corners.begin(), split.corners.end());
+  for (const std::uint32_t corner : handed_) unlink(corner, split.anchor);
   for (const FarEdge& far : split.moved) {
     const std::uint32_t corner = corner_at(split.anchor, far);
     if (corner == no_number) {
@@ -114,7 +102,8 @@ bool SplitMesh::apply(const Split& split) {
   const std::uint32_t first = vertices();
   if (split.anchor == no_number ? split.moves : split.anchor >= first) return false;
   if (split.words.size() != width_ * (std::size_t{split.new_vertices} + split.moves)) return false;
-  if (!split.moved.empty() && (split.anchor == no_number || split.new_vertices == 0)) return false;
+  const bool moves_faces = !split.moved.empty() || !split.corners.empty();
+  if (moves_faces && (split.anchor == no_number || split.new_vertices == 0)) return false;
   if (split.new_vertices >= no_number - first) return false;
   if (split.restored.size() > (no_number - 3) / 3 - faces()) return false;
   for (const FaceVertices& face : split.restored) {
@@ -169,8 +158,6 @@ void SplitMesh::take_back(const Undo& undo, Split& split) {
   if (undo.anchor != no_number && undo.new_vertices > 0) {
     while (first_[first] != no_number) {
       const std::uint32_t corner = first_[first];
-      const FaceVertices& face = face_[corner / 3].vertices;
-      split.moved.push_back({face[(corner % 3 + 1) % 3], face[(corner % 3 + 2) % 3]});
       split.corners.push_back(corner);
       hand_over(corner, first, undo.anchor);
     }

@@ -1,6 +1,8 @@
 // A mesh that splits are applied to and taken back from.
 #pragma once
 
+#include "base/page_memory.hpp"
+#include "progressive/ring.hpp"
 #include "progressive/split.hpp"
 
 #include <array>
@@ -12,17 +14,6 @@
 
 namespace winnow {
 
-// A face at a vertex.
-struct RingFace {
-  FarEdge far;
-  std::uint32_t corner;  // 3 f + i
-
-  friend bool operator<(const RingFace& a, const RingFace& b) {
-    if (a.far[0] != b.far[0]) return a.far[0] < b.far[0];
-    return a.far[1] != b.far[1] ? a.far[1] < b.far[1] : a.corner < b.corner;
-  }
-};
-
 class SplitMesh {
   // Each corner knows the next and the previous of the same vertex: what is read of a face lies
   // side by side.
@@ -33,7 +24,8 @@ class SplitMesh {
 
  public:
   using Memory = std::pmr::memory_resource;
-  explicit SplitMesh(std::size_t words_a_vertex) : width_(words_a_vertex) {}
+  explicit SplitMesh(std::size_t words_a_vertex, Memory* memory = page_memory())
+      : width_(words_a_vertex), words_(memory), face_(memory), first_(memory) {}
   // The same mesh in other memory, with room for so many, which has to stay.
   SplitMesh(const SplitMesh& other, Memory* memory, std::uint64_t vertices, std::uint64_t faces);
 
@@ -55,8 +47,8 @@ class SplitMesh {
   void add_vertex(std::span<const std::uint32_t> words);
   void add_face(const FaceVertices& face);
 
-  // All faces at a vertex, in the order of their other corners: what a file counts by.
-  void find_ring(std::uint32_t v, std::vector<RingFace>& ring) const;
+  // The faces at a vertex, in no order; of too many only some.
+  void find_ring(std::uint32_t v, Ring& ring) const;
 
   // find_ring() without waiting for memory: a few splits before, the processor is told of the
   // vertex, then of the first of its corners, then step by step of the next. A corner may be one of

@@ -1,6 +1,7 @@
 #include "run/played_mesh.hpp"
 
 #include "base/memory_shares.hpp"
+#include "base/page_memory.hpp"
 #include "cluster/weld_lattice.hpp"
 #include "stitch/round_output.hpp"
 
@@ -37,7 +38,6 @@ class Ordering {
             "ordering so many faces")),
         order_(memory()),
         number_(memory()),
-        position_(memory()),
         normal_(memory()) {}
 
   StoredMesh run(std::span<const std::size_t> carried, bool normals) {
@@ -52,8 +52,9 @@ class Ordering {
 
  private:
   std::pmr::memory_resource* memory() const {
-    return scratch_ != nullptr ? scratch_ : std::pmr::get_default_resource();
+    return scratch_ != nullptr ? scratch_ : page_memory();
   }
+  Point position(std::uint32_t v) const { return player_.words().position(mesh_.words(v)); }
   // Every few thousand steps.
   void turn() const {
     job_.progress.check_cancelled();
@@ -63,10 +64,8 @@ class Ordering {
   void order_vertices() {
     const Grid lattice = lattice_over(player_.header().box);
     order_.reserve(mesh_.vertices());
-    position_.reserve(mesh_.vertices());
     for (std::uint32_t v = 0; v < mesh_.vertices(); ++v) {
-      position_.push_back(player_.words().position(mesh_.words(v)));
-      if (mesh_.has_faces(v)) order_.push_back({key_of(lattice, position_[v]), v});
+      if (mesh_.has_faces(v)) order_.push_back({key_of(lattice, position(v)), v});
       if (v % vertices_at_once == 0) turn();
     }
     std::uint32_t compared = 0;
@@ -82,7 +81,7 @@ class Ordering {
     normal_.assign(mesh_.vertices(), Point{});
     for (std::uint32_t f = 0; f < mesh_.faces(); ++f) {
       const FaceVertices& face = mesh_.face(f);
-      const Point area = doubled_area({position_[face[0]], position_[face[1]], position_[face[2]]});
+      const Point area = doubled_area({position(face[0]), position(face[1]), position(face[2])});
       for (const std::uint32_t v : face) normal_[v] = normal_[v] + area;
       if (f % faces_at_once == 0) turn();
     }
@@ -94,7 +93,7 @@ class Ordering {
     std::vector<double> numbers;
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const std::uint32_t v = order_[i].vertex;
-      vertices.push_back({order_[i].key, position_[v], {}, 0});
+      vertices.push_back({order_[i].key, position(v), {}, 0});
       if (!normal_.empty()) vertices.back().normal = normal_along(normal_[v]);
       if (!carried.empty()) player_.words().means(mesh_.words(v), means);
       for (const std::size_t attribute : carried) numbers.push_back(means[attribute]);
@@ -110,18 +109,23 @@ class Ordering {
   // By their lowest vertices, of which each has few.
   void put_faces(StoredMesh& out) const {
     std::pmr::vector<std::uint32_t> end(order_.size() + 1, 0, memory());
-    std::pmr::vector<FaceVertices> renumbered(memory());
-    renumbered.reserve(mesh_.faces());
-    for (std::uint32_t f = 0; f < mesh_.faces(); ++f) {
+    const auto renumbered = [&](std::uint32_t f) -> FaceVertices {
       const FaceVertices& face = mesh_.face(f);
-      renumbered.push_back(lowest_first({number_[face[0]], number_[face[1]], number_[face[2]]}));
-      ++end[renumbered[f][0] + 1];
+      return {number_[face[0]], number_[face[1]], number_[face[2]]};
+    };
+    for (std::uint32_t f = 0; f < mesh_.faces(); ++f) {
+      const FaceVertices face = renumbered(f);
+      ++end[std::min({face[0], face[1], face[2]}) + 1];
       if (f % faces_at_once == 0) turn();
     }
     for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
     std::pmr::vector<FaceVertices> faces(mesh_.faces(), memory());
     for (std::uint32_t f = 0; f < mesh_.faces(); ++f) {
-      faces[end[renumbered[f][0]]++] = renumbered[f];
+      const FaceVertices face = renumbered(f);
+      // Without a branch: any corner is as often the lowest.
+      const std::size_t low =
+          face[0] < face[1] ? (face[0] < face[2] ? 0 : 2) : (face[1] < face[2] ? 1 : 2);
+      faces[end[face[low]]++] = {face[low], face[(low + 1) % 3], face[(low + 2) % 3]};
       if (f % faces_at_once == 0) turn();
     }
     // `end` now is where each vertex's faces end.
@@ -143,14 +147,14 @@ class Ordering {
   Reservation reserved_;
   std::pmr::vector<KeyedVertex> order_;
   std::pmr::vector<std::uint32_t> number_;  // of each vertex in the order
-  std::pmr::vector<Point> position_, normal_;
+  std::pmr::vector<Point> normal_;
 };
 
 }  // namespace
 
 std::uint64_t ordering_memory(std::uint64_t vertices, std::uint64_t faces) {
-  return vertices * (sizeof(KeyedVertex) + 2 * sizeof(std::uint32_t) + 2 * sizeof(Point)) +
-         faces * 2 * sizeof(FaceVertices);
+  return vertices * (sizeof(KeyedVertex) + 2 * sizeof(std::uint32_t) + sizeof(Point)) +
+         faces * sizeof(FaceVertices);
 }
 
 StoredMesh stored_mesh(Job& job, const SplitPlayer& player, std::span<const std::size_t> carried,
