@@ -182,7 +182,7 @@ class RoundEncoder {
     RecordedCollapse collapse;
     for (std::span<const std::uint32_t> rest = words; !rest.empty();) {
       records.push_back(rest);
-      unpack(rest, words_.width(), collapse);
+      skip_packed(rest, words_.width());
     }
     RecentBlocks recent(numbers, sizeof(std::uint32_t));
     SplitEncoder encoder(words_.width());

@@ -1,13 +1,21 @@
 #include "progressive/recorded_collapse.hpp"
 
+#include <algorithm>
+
 namespace winnow {
 
 namespace {
 
 template <std::size_t size>
-void put(const std::vector<std::array<std::uint32_t, size>>& items, Words& out) {
-  out.push_back(static_cast<std::uint32_t>(items.size()));
-  for (const auto& item : items) out.insert(out.end(), item.begin(), item.end());
+std::size_t words_of(const std::vector<std::array<std::uint32_t, size>>& items) {
+  return 1 + size * items.size();
+}
+
+template <std::size_t size>
+std::uint32_t* put(const std::vector<std::array<std::uint32_t, size>>& items, std::uint32_t* at) {
+  *at++ = static_cast<std::uint32_t>(items.size());
+  for (const auto& item : items) at = std::copy(item.begin(), item.end(), at);
+  return at;
 }
 
 std::uint32_t take(std::span<const std::uint32_t>& words) {
@@ -26,23 +34,35 @@ template <std::size_t size>
 void take(std::span<const std::uint32_t>& words,
           std::vector<std::array<std::uint32_t, size>>& items) {
   items.resize(take(words));
+  const std::uint32_t* at = words.data();
   for (auto& item : items)
-    for (std::uint32_t& word : item) word = take(words);
+    for (std::uint32_t& word : item) word = *at++;
+  words = words.subspan(size * items.size());
+}
+
+void skip(std::span<const std::uint32_t>& words, std::size_t size) {
+  const std::size_t count = take(words);
+  words = words.subspan(size * count);
 }
 
 }  // namespace
 
 void pack(const RecordedCollapse& collapse, Words& out) {
   const RingedSplit& ringed = collapse.ringed;
-  out.push_back(ringed.split.anchor);
-  out.push_back(ringed.split.moves ? 1 : 0);
-  out.push_back(static_cast<std::uint32_t>(collapse.gone.size()));
-  out.insert(out.end(), collapse.gone.begin(), collapse.gone.end());
-  out.insert(out.end(), ringed.split.words.begin(), ringed.split.words.end());
-  out.insert(out.end(), ringed.before.begin(), ringed.before.end());
-  put(ringed.split.moved, out);
-  put(ringed.split.restored, out);
-  put(ringed.ring, out);
+  const std::size_t before = out.size();
+  out.resize(before + 3 + collapse.gone.size() + ringed.split.words.size() + ringed.before.size() +
+             words_of(ringed.split.moved) + words_of(ringed.split.restored) +
+             words_of(ringed.ring));
+  std::uint32_t* at = out.data() + before;
+  *at++ = ringed.split.anchor;
+  *at++ = ringed.split.moves ? 1 : 0;
+  *at++ = static_cast<std::uint32_t>(collapse.gone.size());
+  for (const std::vector<std::uint32_t>* list :
+       {&collapse.gone, &ringed.split.words, &ringed.before})
+    at = std::copy(list->begin(), list->end(), at);
+  at = put(ringed.split.moved, at);
+  at = put(ringed.split.restored, at);
+  put(ringed.ring, at);
 }
 
 void unpack(std::span<const std::uint32_t>& words, std::size_t width, RecordedCollapse& collapse) {
@@ -58,6 +78,14 @@ void unpack(std::span<const std::uint32_t>& words, std::size_t width, RecordedCo
   take(words, ringed.split.moved);
   take(words, ringed.split.restored);
   take(words, ringed.ring);
+}
+
+void skip_packed(std::span<const std::uint32_t>& words, std::size_t width) {
+  const std::size_t moves = words[1], gone = words[2];
+  words = words.subspan(3 + gone + width * (gone + 2 * moves));
+  skip(words, 2);
+  skip(words, 3);
+  skip(words, 2);
 }
 
 }  // namespace winnow

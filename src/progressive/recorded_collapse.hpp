@@ -46,8 +46,9 @@ constexpr std::size_t recorded_bytes(std::size_t width) {
   return (48 + 3 * width) * sizeof(std::uint32_t);
 }
 
-// Appends it to a list of words, and takes one out again from the front.
+// Appends it to a list of words, and takes one out again from the front, or leaves it out.
 void pack(const RecordedCollapse& collapse, Words& out);
 void unpack(std::span<const std::uint32_t>& words, std::size_t width, RecordedCollapse& collapse);
+void skip_packed(std::span<const std::uint32_t>& words, std::size_t width);
 
 }  // namespace winnow

@@ -33,6 +33,8 @@ constexpr double deepest_of_recorded = 0.6;
 constexpr double first_headroom = 2;
 // The same beside the cost that the tiles of the first round will be cut at, as it is estimated.
 constexpr double headroom_of_estimate = 4;
+// The same where a round takes half of the faces.
+constexpr double headroom_of_recorded = 1.5;
 constexpr double more_headroom = 64;
 // Where the count is missed, a collapse may be twice as far off as the costliest of a result that
 // met it. With as far off, four faces in a hundred more are left, hardly nearer to the surface;
@@ -144,6 +146,10 @@ std::uint64_t CollapseChooser::wanted_now(std::uint64_t frozen) const {
                               : static_cast<std::uint64_t>(free - left);
 }
 
+double CollapseChooser::headroom_of_estimates() const {
+  return settings_.records() ? headroom_of_recorded : headroom_of_estimate;
+}
+
 double CollapseChooser::deepest_share() const {
   return settings_.records() ? deepest_of_recorded : deepest;
 }
@@ -209,7 +215,8 @@ CollapseChooser::Tried CollapseChooser::try_all(const TryLimits& most,
           limits.fine_from = static_cast<std::uint64_t>(
               RefineSettings::fine_beside_wanted * left / spare * own + others);
         }
-        if (estimates) limits.cost = std::min(limits.cost, headroom_of_estimate * estimate.cost());
+        if (estimates)
+          limits.cost = std::min(limits.cost, headroom_of_estimates() * estimate.cost());
         const double share =
             most.share * static_cast<double>(settings_.faces) / static_cast<double>(tiles_.faces());
         if (share > worth_a_limit) limits.faces = static_cast<std::uint64_t>(share * own + others);

@@ -72,6 +72,7 @@ class CollapseChooser {
                 const Tried* before);
   [[nodiscard]] std::uint64_t wanted_now(std::uint64_t frozen) const;
   [[nodiscard]] double deepest_share() const;
+  [[nodiscard]] double headroom_of_estimates() const;
   [[nodiscard]] double left_by_tiles() const;
 
   const Tiles& tiles_;

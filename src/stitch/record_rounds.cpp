@@ -42,6 +42,14 @@ struct RecordedTile {
   std::vector<RecordedPart> parts;
   Words words;
   std::vector<std::uint32_t> gone;
+
+  // Keeps what it has allocated.
+  void clear() {
+    rest = {};
+    parts.clear();
+    words.clear();
+    gone.clear();
+  }
 };
 
 // One round of one mesh.
@@ -70,7 +78,7 @@ class RoundRecorder {
  private:
   void record(std::size_t number, const CollapseLog& log, const Bands& bands,
               RecordedTile& out) const {
-    out = {};
+    out.clear();
     const std::vector<Collapse> edges = log.edges(number, bands.back()[number]);
     const std::vector<CollapseLog::Cost> costs = log.costs(number);
     const RefineSettings& settings = tiles_.settings();
