@@ -13,11 +13,13 @@ export class Stage {
     this.renderer = new three.WebGLRenderer({ canvas, antialias: true });
     this.renderer.outputColorSpace = three.LinearSRGBColorSpace;
     this.renderer.setClearColor(background);
+    this.renderer.sortObjects = false;  // it would ask for a ball around all that may be shown
     this.camera = new three.PerspectiveCamera(35, 1, 0.01, 100);
     const light = new three.DirectionalLight(0xffffff, 2.8);
     light.position.set(-1, 1.1, 0.7);
     this.camera.add(light, light.target);
     this.scenes = [];
+    this.size = "";  // of the canvas, when it got its buffer
     this.up = "y";
     this.radius = 1;
     this.controls = null;
@@ -62,8 +64,12 @@ export class Stage {
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    this.renderer.setPixelRatio(devicePixelRatio);
-    this.renderer.setSize(width, height, false);
+    const size = [width, height, devicePixelRatio].join();
+    if (size !== this.size) {  // a new buffer takes time
+      this.size = size;
+      this.renderer.setPixelRatio(devicePixelRatio);
+      this.renderer.setSize(width, height, false);
+    }
     this.camera.aspect = width / Math.max(this.scenes.length, 1) / Math.max(height, 1);
     this.camera.updateProjectionMatrix();
   }

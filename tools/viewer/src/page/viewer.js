@@ -86,7 +86,9 @@ export class Viewer {
     const playing = Math.min(Math.max(taken / 2, leastPlaying), mostPlaying);
     const deadline = now + playing / Math.max(this.views.length, 1);
     for (const view of this.views) {
-      if (!view.rests) this.play(view, deadline);
+      // The coarsest mesh is the first picture.
+      if (this.firstPicture === null) this.invalidate();
+      else if (!view.rests) this.play(view, deadline);
       view.surface.update(this.normalsOf(view));
     }
     this.recompute = false;
