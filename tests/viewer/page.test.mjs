@@ -140,6 +140,69 @@ test("the error so far is that of 'winnow info'", async () => {
   }
 });
 
+test("a phone's fingers turn, zoom and move the mesh, and reach what is beside it", async () => {
+  const server = await serve(winnow, "skull.wpm");
+  const context = await browser.newContext({ viewport: { width: 390, height: 664 }, hasTouch: true,
+    isMobile: true });
+  const page = new Page(await context.newPage());
+  await page.page.goto(server.address);
+  await page.shown();
+  const { width, least } = await page.page.evaluate(() => ({
+    width: document.documentElement.scrollWidth,
+    least: Math.min(...Array.from(document.querySelectorAll("button, select, #slider, #count"))
+      .filter((control) => control.offsetParent).map((control) => control.offsetHeight))
+  }));
+  assert.equal(width, 390);
+  assert.ok(least >= 40, `a control is ${least} high`);
+  const fingers = await context.newCDPSession(page.page);
+  // From places to others, in steps.
+  const drag = async (...ways) => {
+    for (let step = 0; step <= 4; ++step) {
+      await fingers.send("Input.dispatchTouchEvent", {
+        type: step === 0 ? "touchStart" : "touchMove",
+        touchPoints: ways.map(([x, y, toX, toY], id) =>
+          ({ id, x: x + (toX - x) * step / 4, y: y + (toY - y) * step / 4 }))
+      });
+    }
+    await fingers.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+    await page.settled();
+    return page.page.evaluate(() => {
+      const { camera, controls } = globalThis.viewer.stage;
+      return { place: camera.position.toArray(), target: controls.target.toArray(),
+        distance: camera.position.distanceTo(controls.target) };
+    });
+  };
+  const begin = await drag([100, 100, 100, 100]);
+  const turned = await drag([100, 100, 150, 100]);
+  assert.notDeepEqual(turned.place, begin.place);
+  assert.deepEqual(turned.target, [0, 0, 0]);
+  const zoomed = await drag([150, 120, 100, 120], [200, 120, 250, 120]);
+  assert.ok(zoomed.distance < 0.6 * begin.distance);
+  const moved = await drag([150, 120, 200, 120], [200, 120, 250, 120]);
+  assert.ok(Math.hypot(...moved.target) > 0.01 * begin.distance);
+  await page.page.tap("#fit");
+  await page.settled();
+  await page.page.tap("#slider");
+  await page.page.waitForFunction(() => globalThis.viewer.views[0].target < 10_000);
+  await page.settled();
+  assert.ok(Math.abs(await page.faces() - 4472) < 200, String(await page.faces()));
+  await context.close();
+  await server.end();
+});
+
+test("a browser that cannot draw is told so", async () => {
+  const server = await serve(winnow, "skull.wpm");
+  const page = await browser.newPage();
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto(server.address);
+  await page.waitForSelector("#message:visible");
+  assert.match(await page.textContent("#message"), /WebGL is missing/);
+  await page.close();
+  await server.end();
+});
+
 test("what is saved is what 'winnow extract' gives", () => look(["skull.wpm"], async (page) => {
   await page.shown();
   await page.goTo(5000);

@@ -23,13 +23,18 @@ const first = firstSources().map(({ source, beside }) => {
   return { source, beside, file };
 });
 
-const controls = new Controls();
-const viewer = new Viewer(document.getElementById("canvas"), () => controls.show());
-controls.bind(viewer);
-globalThis.viewer = viewer;  // for whoever drives the page
-
-async function openFirst() {
+async function begin() {
+  const controls = new Controls();
+  let viewer = null;
+  try {
+    viewer = new Viewer(document.getElementById("canvas"), () => controls.show());
+  } catch {
+    controls.say("This browser cannot draw meshes: WebGL is missing or switched off.");
+    return;
+  }
+  controls.bind(viewer);
+  globalThis.viewer = viewer;  // for whoever drives the page
   for (const { source, beside, file } of first) await controls.open(source, beside, file);
 }
 
-openFirst();
+begin();
