@@ -33,11 +33,18 @@ struct Unfolded {
   std::uint64_t tried = 0;          // moves
 };
 
+struct UnfoldRules {
+  bool single = true;  // positions are rounded to floats
+  // Looks at every face, not only at those that lie askew, and moves vertices at boundaries, too.
+  bool thorough = false;
+};
+
 // Moves vertices in `positions` until fewer faces are flipped. No face becomes flipped unless more
-// faces are turned over, and no face becomes a line. Vertices stay if they are locked, at a
-// boundary, or at an edge with more than two faces. `single`: positions are rounded to floats.
+// faces are turned over, and no face becomes a line. Vertices stay if they are locked, at an edge
+// with more than two faces or, unless the rules say so, at a boundary.
 Unfolded unfold(std::vector<Point>& positions, std::span<const FaceVertices> faces,
-                std::span<const std::uint8_t> locked, bool single, ReferenceSurface& reference);
+                std::span<const std::uint8_t> locked, const UnfoldRules& rules,
+                ReferenceSurface& reference);
 
 // Bytes in use at most, besides the mesh. `near`: the most faces that faces_near() gives.
 std::uint64_t unfold_memory(std::uint64_t vertices, std::uint64_t faces, std::uint64_t near);

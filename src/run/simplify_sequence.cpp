@@ -88,6 +88,7 @@ class FrameFinisher {
         original_(original) {
     settings_.decimation.sequence.reset();
     settings_.faces = wanted;
+    settings_.unfolds_thoroughly = true;
     settings_.tile_faces = RefineSettings().tile_faces;
   }
 

@@ -18,6 +18,7 @@ struct RefineSettings {
   std::uint64_t hub_faces = 512;  // a vertex with more faces across tiles is a hub: as tile_faces
   std::vector<Attribute> attributes{};  // that vertices carry
   bool map = false;                     // whether the result tells where vertices went
+  bool unfolds_thoroughly = false;      // UnfoldRules::thorough
   std::size_t record_bytes = 0;         // that writing a collapse down takes; 0: none is
 
   // Whoever asks for an error gets the surface on which it was watched. The frames of a sequence

@@ -17,12 +17,13 @@ std::unique_ptr<VertexIndex> unfolded_vertices(Job& job, const StoredMesh& mesh,
   auto vertices = std::make_unique<VertexIndex>(job, memory.mesh);
   const std::uint64_t ratio = reference.mesh().face_count / mesh.face_count;
   const Tiles tiles(job, mesh, settings, memory);
+  const UnfoldRules rules{settings.decimation.single, settings.unfolds_thoroughly};
   tiles.for_each<std::vector<IndexedVertex>>(
       0,
       [&](std::size_t number, std::vector<IndexedVertex>& moved) {
         Tile tile = tiles.load(number, {});
         job.progress.advance(tile.own_faces);
-        moved = unfolded_vertices(std::move(tile), reference, ratio, settings.decimation.single);
+        moved = unfolded_vertices(std::move(tile), reference, ratio, rules);
       },
       [&](std::size_t, const std::vector<IndexedVertex>& moved) { vertices->append(moved); });
   vertices->finish();

@@ -13,15 +13,20 @@ namespace {
 // may be near.
 constexpr std::uint64_t looks_a_face = 500;
 constexpr std::uint64_t looks_a_reference_face = 100;
+// So many times as often where all faces are looked at and not one in twelve. With less, a sequence
+// whose parts lie close to each other ends before the last faces had their turn.
+constexpr std::uint64_t thorough_looks = 32;
 
 }  // namespace
 
 std::vector<IndexedVertex> unfolded_vertices(Tile tile, const ReferenceMesh& reference,
-                                             std::uint64_t reference_faces, bool single) {
+                                             std::uint64_t reference_faces,
+                                             const UnfoldRules& rules) {
   lock_beside_hubs(tile);
   const std::uint64_t looks = looks_a_face + looks_a_reference_face * reference_faces;
-  ReferenceMesh::Reader reader(reference, looks * tile.faces.size());
-  const Unfolded done = unfold(tile.positions, tile.faces, tile.locked, single, reader);
+  const std::uint64_t times = rules.thorough ? thorough_looks : 1;
+  ReferenceMesh::Reader reader(reference, times * looks * tile.faces.size());
+  const Unfolded done = unfold(tile.positions, tile.faces, tile.locked, rules, reader);
   if (!done.moved.empty()) take_positions(tile, done.moved);
   return std::move(tile.vertices);
 }

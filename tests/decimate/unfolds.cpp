@@ -1,5 +1,6 @@
 // Folds go, and what must stay stays.
 #include "base/box.hpp"
+#include "decimate/surroundings.hpp"
 #include "decimate/unfold.hpp"
 #include "support/random.hpp"
 
@@ -88,7 +89,7 @@ constexpr std::uint32_t fine = 80, coarse = 20;
 
 Unfolded unfolded(Sheet& s, const std::vector<std::uint8_t>& locked, bool single = false) {
   Faces reference(sheet(fine).triangles());
-  return unfold(s.positions, s.faces, locked, single, reference);
+  return unfold(s.positions, s.faces, locked, {single}, reference);
 }
 
 }  // namespace
@@ -143,6 +144,44 @@ TEST_CASE("vertices of a boundary stay, folded or not") {
   const Unfolded done = unfolded(s, std::vector<std::uint8_t>(s.positions.size(), 0));
   for (const VertexNumber v : done.moved) CHECK(v > coarse);
   for (std::uint32_t x = 0; x <= coarse; ++x) CHECK(s.positions[x] == from[x]);
+}
+
+TEST_CASE("thoroughly, vertices of a boundary turn their faces over") {
+  Sheet s = sheet(coarse);
+  for (std::uint32_t x = 2; x + 2 < coarse; x += 4) s.positions[x][1] += 1.3 / coarse;
+  REQUIRE(upside_down(s) > 0);
+  Faces reference(sheet(fine).triangles());
+  const std::vector<std::uint8_t> locked(s.positions.size(), 0);
+  unfold(s.positions, s.faces, locked, {false, true}, reference);
+  CHECK(upside_down(s) == 0);
+}
+
+TEST_CASE("thoroughly, a piece beside the wrong one of two sheets goes to the other") {
+  // The lower sheet faces down. Flat as it is, the piece looks like any other.
+  Sheet upper = sheet(fine);
+  for (Point& p : upper.positions) p[2] = 0.02;
+  Sheet lower = upper;
+  for (Point& p : lower.positions) p[2] = 0;
+  for (FaceVertices& face : lower.faces) std::swap(face[0], face[1]);
+  std::vector<Triangle> both = upper.triangles();
+  for (const Triangle& t : lower.triangles()) both.push_back(t);
+  Faces reference(both);
+  const Sheet piece{{{0.3, 0.3, 0.005}, {0.5, 0.3, 0.005}, {0.5, 0.5, 0.005}, {0.3, 0.5, 0.005}},
+                    {{0, 1, 2}, {0, 2, 3}}};
+  const std::vector<std::uint8_t> locked(4, 0);
+  for (const Triangle& t : piece.triangles()) {
+    Hints hints = no_hints;
+    REQUIRE(Surroundings(reference, box_around(t), 1).flipped(t, hints));
+  }
+  Sheet askew_alone = piece;
+  unfold(askew_alone.positions, piece.faces, locked, {false, false}, reference);
+  CHECK(askew_alone.positions == piece.positions);
+  Sheet all = piece;
+  unfold(all.positions, piece.faces, locked, {false, true}, reference);
+  for (const Triangle& t : all.triangles()) {
+    Hints hints = no_hints;
+    CHECK_FALSE(Surroundings(reference, box_around(t), 1).flipped(t, hints));
+  }
 }
 
 TEST_CASE("vertices of an edge with three faces stay") {
