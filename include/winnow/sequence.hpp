@@ -17,10 +17,17 @@
 
 namespace winnow {
 
+// The planes whose squared distances are what a collapse costs in a frame.
+enum class Quadrics {
+  memoryless,  // of the faces at both ends as they are then
+  accumulated  // of all faces of the input that both ends stand for
+};
+
 // Options that change the result. options.hpp has them as a table.
 struct SequenceOptions {
   Target target;  // faces or ratio, of each frame; it must be set
 
+  Quadrics quadrics = Quadrics::memoryless;
   // An edge costs the sum of what it costs in each frame, and besides this many times the sum of
   // |cost - mean cost| over the frames; >= 0. With more, faces go where the surface deforms.
   double deformation_weight = 0;

@@ -3,6 +3,7 @@
 #include "base/cell_state.hpp"
 #include "base/rounding.hpp"
 #include "decimate/error_bound.hpp"
+#include "decimate/frame_quadrics.hpp"
 #include "decimate/frames.hpp"
 #include "decimate/importance_cost.hpp"
 #include "decimate/quadric_cost.hpp"
@@ -362,12 +363,13 @@ std::function<void(const DoneCollapse&)> Decimation::counting(
 }
 
 std::size_t Decimation::first_state_size(const DecimationSettings& settings) {
-  if (settings.sequence) return Frames::first_state_size(settings.sequence->frames);
+  if (settings.sequence) return Frames::saved_size(settings.sequence->frames);
   return bounds_error(settings) ? sizeof(CellState) : state_size(settings);
 }
 
 std::size_t Decimation::state_size(const DecimationSettings& settings) {
-  if (settings.sequence) return Frames::state_size(settings.sequence->frames);
+  if (settings.sequence)
+    return Frames::saved_size(settings.sequence->frames) + remembered_size(*settings.sequence);
   return bounds_error(settings) ? sizeof(ErrorBound::State) : 0;
 }
 

@@ -20,6 +20,7 @@ struct SequenceSettings {
   std::size_t frames = 1;
   double deformation_weight = 0;  // of how much costs differ between frames
   double feature_weight = 0;      // of what kind of edge it is in the first and the last frame
+  bool accumulated = false;       // quadrics remember: accumulated_frames.cpp
   bool operator==(const SequenceSettings&) const = default;
 };
 

@@ -4,27 +4,20 @@
 
 namespace winnow {
 
-Frames::Frames(const TileMesh& mesh, std::span<const std::byte> state, std::size_t frames,
-               bool before_collapses)
+Frames::Frames(const TileMesh& mesh, std::span<const std::byte> state, std::size_t state_size,
+               std::size_t frames)
     : frames_(frames), position_(frames * mesh.vertex_count()) {
-  const std::size_t later = first_state_size(frames);
-  const std::size_t size = before_collapses ? later : state_size(frames);
-  if (!before_collapses) witness_.resize(position_.size());
+  const std::size_t later = saved_size(frames);
   for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
     Point* const positions = position_.data() + v * frames;
-    const std::byte* const bytes = state.data() + v * size;
     positions[0] = mesh.position(v);
-    if (later > 0) std::memcpy(positions + 1, bytes, later);
-    if (!before_collapses)
-      std::memcpy(witness_.data() + v * frames, bytes + later, frames * sizeof(Point));
+    if (later > 0) std::memcpy(positions + 1, state.data() + v * state_size, later);
   }
-  if (before_collapses) witness_ = position_;
 }
 
 void Frames::save(VertexNumber v, std::byte* into) const {
-  const std::size_t later = first_state_size(frames_);
+  const std::size_t later = saved_size(frames_);
   if (later > 0) std::memcpy(into, positions(v).data() + 1, later);
-  std::memcpy(into + later, witnesses(v).data(), frames_ * sizeof(Point));
 }
 
 }  // namespace winnow

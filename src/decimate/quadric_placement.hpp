@@ -14,6 +14,10 @@ namespace winnow {
 // counts, by this part of the planes' weight.
 inline constexpr double edge_length_share = 1e-6;
 
+// Draws the lowest point towards the middle of the edge, as a part of the planes' weight: as in
+// kernel/edge_kernel.cpp.
+inline constexpr double placement_pull = 1e-4;
+
 // Of the line of an edge at a boundary, with the square of its length, beside the areas of faces.
 inline constexpr double boundary_line_weight = 0.5;
 

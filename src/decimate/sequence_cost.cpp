@@ -1,11 +1,7 @@
 #include "decimate/sequence_cost.hpp"
 
-#include "base/instruction_set.hpp"
-#include "base/rounding.hpp"
 #include "decimate/edge_feature.hpp"
 #include "decimate/quadric_cost.hpp"
-#include "decimate/quadric_placement.hpp"
-#include "decimate/witness_points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,75 +21,18 @@ constexpr double turning_weight = 0.01;
 // No collapse turns a face by more than 90 degrees.
 constexpr double least_cosine_at_a_cost = 0;
 
-double error_at(const VertexPlanes& p, const Point& t) {
-  return t[0] * (p.xx * t[0] + p.xy * t[1] + p.xz * t[2]) +
-         t[1] * (p.xy * t[0] + p.yy * t[1] + p.yz * t[2]) +
-         t[2] * (p.xz * t[0] + p.yz * t[1] + p.zz * t[2]);
-}
-
-VertexPlanes planes_of(const Triangle& triangle, const CoordinateRounding& rounding) {
-  const Point doubled = doubled_area(triangle);
-  VertexPlanes planes;
-  if (!thinner_than_rounding(triangle, doubled, rounding))
-    add(planes, doubled, 1 / (6 * length(doubled)));
-  return planes;
-}
-
 }  // namespace
 
-SequenceCost::SequenceCost(TileMesh& mesh, Frames& frames, const DecimationSettings& settings)
+SequenceCost::SequenceCost(TileMesh& mesh, Frames& frames, std::span<const std::byte> state,
+                           const DecimationSettings& settings)
     : mesh_(mesh),
       frames_(frames),
       settings_(*settings.sequence),
       single_(settings.single),
-      rounding_(settings.rounding_of_positions()),
       least_cosine_(settings.least_cosine),
-      planes_(frames.count() * mesh.vertex_count()),
-      at_boundary_(mesh.vertex_count(), 0),
-      evaluate_edges_(best_kernel(WINNOW_KERNELS(edge_kernel))),
-      costs_(frames.count()),
-      to_(frames.count()),
-      flat_(frames.count()),
-      witness_(frames.count()),
-      planes_of_kept_(frames.count()),
-      beside_(mesh) {
-  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) at_boundary_[v] = !mesh.all_edges_even(v);
-  for (FaceNumber f = 0; f < mesh.face_count(); ++f) {
-    if (mesh.removed(f)) continue;
-    for (std::size_t t = 0; t < frames.count(); ++t) {
-      const VertexPlanes of_face = planes_of(frames.places(t).triangle(mesh.face(f)), rounding_);
-      for (const VertexNumber v : mesh.face(f)) add(planes(v, t), of_face);
-    }
-  }
-  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
-    if (!at_boundary_[v]) continue;
-    for (const VertexNumber w : mesh.open_neighbours(v)) {
-      for (std::size_t t = 0; t < frames.count(); ++t)
-        add_line(planes(v, t), frames.positions(w)[t] - frames.positions(v)[t],
-                 boundary_line_weight);
-    }
-  }
-}
-
-// A batch has one edge in several frames.
-void SequenceCost::evaluate(VertexNumber low, VertexNumber high) {
-  const std::span<const Point> of_low = frames_.positions(low);
-  const std::span<const Point> of_high = frames_.positions(high);
-  const bool stays = mesh_.hub(high);
-  for (std::size_t first = 0; first < costs_.size(); first += EdgeBatch::capacity) {
-    const std::size_t count = std::min(EdgeBatch::capacity, costs_.size() - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      set_low(batch_, i, of_low[first + i], planes(low, first + i));
-      set_high(batch_, i, of_high[first + i], planes(high, first + i), stays);
-    }
-    evaluate_edges_(batch_, count, single_);
-    for (std::size_t i = 0; i < count; ++i) {
-      costs_[first + i] = batch_.cost[i];
-      to_[first + i] = position_of(batch_, i);
-      flat_[first + i] = batch_.flat_low[i] + batch_.flat_high[i] != 0;
-    }
-  }
-}
+      quadrics_(make_frame_quadrics(mesh, frames, state, settings)),
+      edge_(frames.count()),
+      beside_(mesh) {}
 
 double SequenceCost::feature_weight(VertexNumber low, VertexNumber high) {
   if (settings_.feature_weight == 0 || mesh_.hub(low) || mesh_.hub(high)) return 0;
@@ -103,12 +42,12 @@ double SequenceCost::feature_weight(VertexNumber low, VertexNumber high) {
 }
 
 double SequenceCost::sum_of_costs(double feature) const {
-  const double sum = std::accumulate(costs_.begin(), costs_.end(), 0.0);
+  const double sum = std::accumulate(edge_.costs.begin(), edge_.costs.end(), 0.0);
   double all = (1 + settings_.feature_weight * feature) * sum;
   if (settings_.deformation_weight == 0) return all;
-  const double mean = sum / static_cast<double>(costs_.size());
+  const double mean = sum / static_cast<double>(edge_.costs.size());
   double deformation = 0;
-  for (const double cost : costs_) deformation += std::abs(cost - mean);
+  for (const double cost : edge_.costs) deformation += std::abs(cost - mean);
   return all + settings_.deformation_weight * deformation;
 }
 
@@ -118,7 +57,7 @@ Candidate SequenceCost::best(VertexNumber v, const Candidate& after) {
   const std::span<const VertexNumber> ends = mesh_.owned_edges(v);
   ends_.assign(ends.begin(), ends.end());
   for (const VertexNumber end : ends_) {
-    evaluate(v, end);
+    quadrics_->evaluate(v, end, edge_);
     const Candidate candidate{sum_of_costs(feature_weight(v, end)), end};
     if (after.before(candidate) && candidate.before(cheapest)) cheapest = candidate;
   }
@@ -126,24 +65,24 @@ Candidate SequenceCost::best(VertexNumber v, const Candidate& after) {
 }
 
 EvaluatedCollapse SequenceCost::place(VertexNumber low, VertexNumber high) {
-  evaluate(low, high);
+  quadrics_->evaluate(low, high, edge_);
   feature_ = feature_weight(low, high);
   const double cost = sum_of_costs(feature_);
-  if (!mesh_.hub(high)) return {{low, high, to_.front()}, cost};
+  if (!mesh_.hub(high)) return {{low, high, edge_.to.front()}, cost};
   const std::span<const Point> stays = frames_.positions(high);
-  to_.assign(stays.begin(), stays.end());
-  return {{high, low, to_.front()}, cost};
+  edge_.to.assign(stays.begin(), stays.end());
+  return {{high, low, edge_.to.front()}, cost};
 }
 
 bool SequenceCost::keeps_faces(const Legality& legality, EdgeStar& star, EvaluatedCollapse& now) {
   bool otherwise = false;
   for (std::size_t t = 0; t < frames_.count(); ++t) {
-    const Collapse edge{now.edge.kept, now.edge.removed, to_[t]};
+    const Collapse edge{now.edge.kept, now.edge.removed, edge_.to[t]};
     if (legality.keeps_faces(star, edge, frames_.places(t))) continue;
     if (!place_otherwise(t, legality, star, edge)) return false;
     otherwise = true;
   }
-  now.edge.position = to_.front();
+  now.edge.position = edge_.to.front();
   if (otherwise) now.cost = sum_of_costs(feature_);
   return true;
 }
@@ -164,24 +103,22 @@ bool SequenceCost::place_otherwise(std::size_t frame, const Legality& legality, 
     for (double& x : middle) x = nearest_float(x);
   }
   // The best, and then the others.
-  std::array<Place, 4> all{{{to_[frame], costs_[frame], flat_[frame] != 0},
-                            {kept, costs_[frame]},
-                            {removed, costs_[frame]},
-                            {middle, costs_[frame]}}};
+  std::array<Place, 4> all{{{edge_.to[frame], edge_.costs[frame], edge_.flat[frame] != 0},
+                            {kept, edge_.costs[frame]},
+                            {removed, edge_.costs[frame]},
+                            {middle, edge_.costs[frame]}}};
   const std::span<Place> others = std::span(all).subspan(1);
   for (Place& other : others) {
-    other.cost =
-        std::max(other.cost, error_at(planes(edge.kept, frame), other.at - kept) +
-                                 error_at(planes(edge.removed, frame), other.at - removed));
+    other.cost = std::max(other.cost, quadrics_->cost_at(edge.kept, edge.removed, frame, other.at));
   }
   std::stable_sort(others.begin(), others.end(),
                    [](const Place& a, const Place& b) { return a.cost < b.cost; });
   const auto take_first = [&](const Legality& rules, std::span<const Place> of, double more) {
     for (const Place& place : of) {
       if (!rules.keeps_faces(star, {edge.kept, edge.removed, place.at}, places)) continue;
-      to_[frame] = place.at;
-      costs_[frame] = place.cost + more;
-      flat_[frame] = place.flat ? 1 : 0;
+      edge_.to[frame] = place.at;
+      edge_.costs[frame] = place.cost + more;
+      edge_.flat[frame] = place.flat ? 1 : 0;
       return true;
     }
     return false;
@@ -193,34 +130,13 @@ bool SequenceCost::place_otherwise(std::size_t frame, const Legality& legality, 
 }
 
 double SequenceCost::closer_cost(const EvaluatedCollapse& now, const EdgeStar& star, double cost) {
-  const VertexNumber kept = now.edge.kept;
-  const VertexNumber removed = now.edge.removed;
-  const bool hub = mesh_.hub(kept);
-  bool costlier = false;
-  for (std::size_t t = 0; t < frames_.count(); ++t) {
-    const VertexPlaces places = frames_.places(t);
-    const Point& to = to_[t];
-    const bool flat = flat_[t] != 0;
-    const double near = WitnessPoints::near_square(to, costs_[t], rounding_.relative);
-    const Point& of_kept = flat ? places[kept] : frames_.witnesses(kept)[t];
-    const Point& of_removed = flat ? places[removed] : frames_.witnesses(removed)[t];
-    const double kept_square =
-        hub ? 0 : square_beside_star(of_kept, to, star.of_kept(), star.of_removed(), places, near);
-    const double removed_square =
-        square_beside_star(of_removed, to, star.of_removed(), star.of_kept(), places, near);
-    const bool first = hub || (flat ? to == places[kept] : kept_square >= removed_square);
-    witness_[t] = frames_.witnesses(first ? kept : removed)[t];
-    const double square = std::max(kept_square, removed_square);
-    if (square <= near) continue;
-    costs_[t] = std::max(costs_[t], WitnessPoints::cost_of(square));
-    costlier = true;
-  }
+  const bool costlier = quadrics_->look_closer(now.edge, star, edge_);
   return costlier ? std::max(cost, sum_of_costs(feature_)) : cost;
 }
 
 double SequenceCost::cost_of_piece(const TileMesh& mesh, const Piece& piece) {
   for (std::size_t t = 0; t < frames_.count(); ++t)
-    costs_[t] = QuadricCost::cost_of(loss_of(mesh, piece, frames_.places(t)));
+    edge_.costs[t] = QuadricCost::cost_of(loss_of(mesh, piece, frames_.places(t)));
   return sum_of_costs(0);
 }
 
@@ -228,52 +144,19 @@ double SequenceCost::largest_error() const {
   return std::sqrt(largest_square_);
 }
 
-void SequenceCost::add_boundary(VertexNumber a, VertexNumber b, double sign) {
-  if (!at_boundary_[a] || !at_boundary_[b]) return;
-  for (std::size_t t = 0; t < frames_.count(); ++t) {
-    const Point edge = frames_.positions(b)[t] - frames_.positions(a)[t];
-    add_line(planes(a, t), edge, sign * boundary_line_weight);
-    add_line(planes(b, t), edge, sign * boundary_line_weight);
-  }
-}
-
 void SequenceCost::collapsing(const EvaluatedCollapse& now, EdgeStar& star) {
-  const VertexNumber kept = now.edge.kept;
-  const VertexNumber removed = now.edge.removed;
-  beside_.begin(now.edge, star);
-  at_boundary_now_ = (at_boundary_[kept] | at_boundary_[removed]) != 0;
+  const Collapse& edge = now.edge;
+  beside_.begin(edge, star);
   for (std::size_t t = 0; t < frames_.count(); ++t) {
-    const double weight = weight_of(planes(kept, t)) + weight_of(planes(removed, t));
-    if (weight > 0) largest_square_ = std::max(largest_square_, costs_[t] / weight);
+    const double weight = quadrics_->weight(edge.kept, t) + quadrics_->weight(edge.removed, t);
+    if (weight > 0) largest_square_ = std::max(largest_square_, edge_.costs[t] / weight);
   }
-  if (at_boundary_now_) {
-    beside_.for_each_open_before(
-        now.edge, star, [&](VertexNumber end, VertexNumber w) { add_boundary(end, w, -1); });
-  }
-  const auto faces = star.faces();
-  for (std::size_t t = 0; t < frames_.count(); ++t) {
-    star.move(frames_.places(t), to_[t], least_cosine_);
-    VertexPlanes& of_kept = planes_of_kept_[t];
-    of_kept = beside_.into_hub() ? planes(kept, t) : VertexPlanes{};
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const VertexPlanes change = star.change(i);
-      add(planes(faces[i].w, t), change);
-      add(planes(faces[i].x, t), change);
-      // A hub's own faces stay as they are, but for those at the edge.
-      add(of_kept, beside_.into_hub() && !faces[i].stays ? change : star.planes(i));
-    }
-  }
-  frames_.set_witnesses(kept, witness_);
+  quadrics_->collapsing(edge, star, edge_, beside_);
 }
 
 void SequenceCost::collapsed(const Collapse& edge) {
-  const VertexNumber kept = edge.kept;
-  frames_.move(kept, to_);
-  for (std::size_t t = 0; t < frames_.count(); ++t) planes(kept, t) = planes_of_kept_[t];
-  at_boundary_[kept] |= at_boundary_[edge.removed];
-  if (!at_boundary_now_) return;
-  beside_.for_each_open_after(edge,
-                              [&](VertexNumber end, VertexNumber w) { add_boundary(end, w, 1); });
+  frames_.move(edge.kept, edge_.to);
+  quadrics_->collapsed(edge, beside_);
 }
 
 void SequenceCost::collapsed(const Collapse& edge, Offers& offers) {

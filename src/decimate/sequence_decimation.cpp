@@ -1,5 +1,6 @@
 #include "decimate/sequence_decimation.hpp"
 
+#include "decimate/frame_quadrics.hpp"
 #include "decimate/sequence_cost.hpp"
 
 namespace winnow {
@@ -14,8 +15,11 @@ class SequenceDecimation final : public Decimation {
         rules_{settings.least_cosine, settings.rounding_of_positions(), settings.keep_pieces},
         legality_(mesh, settings.least_cosine),
         star_(settings.rounding_of_positions()),
-        frames_(mesh, state, settings.sequence->frames, !settings.boundaries_known),
-        cost_(mesh, frames_, settings) {}
+        frames_(mesh, state,
+                settings.boundaries_known ? Decimation::state_size(settings)
+                                          : Decimation::first_state_size(settings),
+                settings.sequence->frames),
+        cost_(mesh, frames_, state, settings) {}
 
   void run(const CollapseLimits& limits, const std::function<void(const DoneCollapse&)>& done,
            const std::function<void()>& turn) override {
@@ -33,7 +37,10 @@ class SequenceDecimation final : public Decimation {
       cost_.repeat(edge, legality_, star_);
     }
   }
-  void save(VertexNumber v, std::byte* into) const override { frames_.save(v, into); }
+  void save(VertexNumber v, std::byte* into) const override {
+    frames_.save(v, into);
+    cost_.save(v, into + Frames::saved_size(frames_.count()));
+  }
   [[nodiscard]] double largest_error() const override { return cost_.largest_error(); }
 
  private:
@@ -55,7 +62,7 @@ std::unique_ptr<Decimation> make_sequence_decimation(TileMesh& mesh,
 
 std::uint64_t sequence_decimation_memory(const SequenceSettings& settings, std::uint64_t vertices) {
   return Collapser<SequenceCost>::memory(vertices) + Frames::memory(settings.frames, vertices) +
-         SequenceCost::memory(settings.frames, vertices);
+         quadrics_memory(settings, vertices);
 }
 
 }  // namespace winnow

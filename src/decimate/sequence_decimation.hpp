@@ -10,7 +10,7 @@
 
 namespace winnow {
 
-// `state`: of each vertex Frames::first_state_size() bytes, or what save() wrote where
+// `state`: of each vertex Decimation::first_state_size() bytes, or what save() wrote where
 // settings.boundaries_known. The mesh is linked.
 std::unique_ptr<Decimation> make_sequence_decimation(TileMesh& mesh,
                                                      std::span<const std::byte> state,

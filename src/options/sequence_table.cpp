@@ -28,6 +28,13 @@ std::span<const Option<SequenceOptions>> sequence_options() {
                                  [](const std::string& text, const std::string& option) {
                                    return ratio_in(text, option, ratio_range);
                                  })},
+        {"quadrics", "KIND", costs,
+         "Planes that a collapse is measured by: memoryless, of the faces around it then; "
+         "accumulated, of all faces of the input that it stands for (default memoryless)",
+         choice<Options>(
+             &Options::quadrics,
+             std::vector<std::pair<const char*, Quadrics>>{
+                 {"memoryless", Quadrics::memoryless}, {"accumulated", Quadrics::accumulated}})},
         {"deformation_weight", "K", costs,
          "Weight of how much the cost of an edge differs between frames (default 0)",
          number<Options>(&Options::deformation_weight, "a number like 1", weight)},

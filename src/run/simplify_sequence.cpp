@@ -62,7 +62,8 @@ RefineSettings settings_for(const SequenceOptions& options, const SequenceMesh& 
   settings.decimation.single = !doubles;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
   settings.decimation.sequence = {sequence.frames, options.deformation_weight,
-                                  options.feature_weight};
+                                  options.feature_weight,
+                                  options.quadrics == Quadrics::accumulated};
   return settings;
 }
 

@@ -74,7 +74,7 @@ SequenceMesh FrameIntake::run(const std::function<void(std::uint64_t)>& refuse) 
   join_vertices();
   const Spool& faces = polygons_ ? cut_faces_ : raw_faces_;
   number_used(faces);
-  const MeshLayout layout{Frames::first_state_size(out_.frames), 0};
+  const MeshLayout layout{Frames::saved_size(out_.frames), 0};
   out_.mesh = StoredMesh(job_, layout, MeshMemory::divide(memory_.mesh / 2));
   write_vertices(out_.mesh);
   write_faces(out_.mesh, faces);

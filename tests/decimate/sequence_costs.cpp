@@ -25,7 +25,8 @@ FramePositions scaled(FramePositions positions, double by) {
 
 // Cost of an edge in frames of one connectivity.
 double cost_of(const std::vector<FramePositions>& frames, const std::vector<FaceVertices>& faces,
-               VertexNumber a, VertexNumber b, double deformation, double feature) {
+               VertexNumber a, VertexNumber b, double deformation, double feature,
+               bool accumulated = false) {
   TileMesh mesh = mesh_of(frames.front(), faces);
   std::vector<std::byte> state;
   for (std::size_t v = 0; v < frames.front().size(); ++v) {
@@ -37,8 +38,9 @@ double cost_of(const std::vector<FramePositions>& frames, const std::vector<Face
   DecimationSettings settings;
   settings.single = false;
   settings.sequence = {frames.size(), deformation, feature};
-  Frames of(mesh, state, frames.size(), true);
-  SequenceCost cost(mesh, of, settings);
+  settings.sequence->accumulated = accumulated;
+  Frames of(mesh, state, Frames::saved_size(frames.size()), frames.size());
+  SequenceCost cost(mesh, of, state, settings);
   return cost.place(a, b).cost;
 }
 
@@ -75,6 +77,38 @@ TEST_CASE("more frames than a batch holds cost the sum of what each costs alone"
     sum += cost_alone(frames.back(), faces, 16, 17);
   }
   CHECK(cost_of(frames, faces, 16, 17, 0, 0) == Approx(sum).epsilon(1e-12));
+}
+
+TEST_CASE("before the first collapse, quadrics that remember cost the same") {
+  const std::vector<FramePositions> frames{octahedron, scaled(octahedron, 2)};
+  const double now = cost_of(frames, octahedron_faces, 0, 2, 0, 0);
+  CHECK(cost_of(frames, octahedron_faces, 0, 2, 0, 0, true) == Approx(now).epsilon(1e-9));
+  CHECK(cost_of(frames, octahedron_faces, 0, 2, 1, 0, true) == Approx(32.0 / 17 * now));
+}
+
+TEST_CASE("quadrics that remember keep the planes of all that was collapsed") {
+  TileMesh mesh = mesh_of(octahedron, octahedron_faces);
+  DecimationSettings settings;
+  settings.single = false;
+  settings.sequence = {1, 0, 0, true};
+  Frames frames(mesh, {}, 0, 1);
+  const auto quadrics = make_frame_quadrics(mesh, frames, {}, settings);
+  // All planes are off from the middle by the root of 1/3. Each corner of the four faces at a
+  // vertex has a third of an area of half the root of 3.
+  const double of_vertex = 4 * (std::sqrt(3) / 6) / 3;
+  const Point middle{};
+  CHECK(quadrics->cost_at(0, 4, 0, middle) == Approx(2 * of_vertex));
+  EdgeInFrames edge(1);
+  quadrics->evaluate(0, 2, edge);
+  EdgeStar star(coordinate_rounding(false));
+  star.find(mesh, 0, 2);
+  const BesideCollapse beside(mesh);
+  const Collapse collapse{0, 2, edge.to.front()};
+  quadrics->collapsing(collapse, star, edge, beside);
+  mesh.collapse(collapse);
+  frames.move(0, edge.to);
+  quadrics->collapsed(collapse, beside);
+  CHECK(quadrics->cost_at(0, 4, 0, middle) == Approx(3 * of_vertex));
 }
 
 TEST_CASE("the deformation weight adds the deviations from the mean cost") {

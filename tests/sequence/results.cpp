@@ -76,6 +76,7 @@ TEST_CASE("all frames of a result have the same faces, as many as asked for") {
   const MovingSheet sheet{20};
   const std::size_t frames = GENERATE(1U, 2U, 7U, 20U);
   const double deformation = GENERATE(0.0, 1.0);
+  const Quadrics quadrics = GENERATE(Quadrics::memoryless, Quadrics::accumulated);
   TestJob job;
   SheetSource source(sheet, frames);
   Taken taken;
@@ -83,6 +84,7 @@ TEST_CASE("all frames of a result have the same faces, as many as asked for") {
   options.target = Target::faces(120);
   options.deformation_weight = deformation;
   options.feature_weight = deformation / 2;
+  options.quadrics = quadrics;
   const SequenceReport report = simplify_sequence(job.context, source, taken, options);
   CHECK(report.input.frames == frames);
   CHECK(report.input.faces == 800);
