@@ -52,6 +52,47 @@ def test_up_and_down_gives_the_same_levels(levels):
     assert np.array_equal(levels.extract(faces=300).points, few.points)
 
 
+def test_single_steps_lead_to_all_faces_and_back(levels):
+    base = levels.mesh()
+    assert levels.shown_face_count == levels.base_face_count == len(base.faces)
+    counts = [levels.shown_face_count]
+    while levels.step_forward():
+        counts.append(levels.shown_face_count)
+    assert counts == sorted(counts) and counts[-1] == levels.face_count
+    assert all(after - before <= 2 for before, after in zip(counts, counts[1:]))
+    full = levels.mesh()
+    assert np.array_equal(np.sort(full.points, axis=0), np.sort(POINTS, axis=0))
+    steps = 0
+    while levels.step_back():
+        steps += 1
+    assert steps == len(counts) - 1
+    assert levels.mesh().points.tobytes() == base.points.tobytes()
+    assert {tuple(sorted(face)) for face in levels.mesh().faces} == {
+        tuple(sorted(face)) for face in base.faces
+    }
+
+
+def test_a_step_changes_one_place_and_points_keep_their_numbers(levels):
+    levels.go_to(1000)
+    before = levels.mesh()
+    assert levels.step_forward()
+    after = levels.mesh()
+    assert len(after.points) - len(before.points) == 1
+    moved = (after.points[: len(before.points)] != before.points).any(axis=1)
+    assert moved.sum() <= 1
+    assert levels.step_back()
+    assert levels.mesh().points.tobytes() == before.points.tobytes()
+
+
+def test_a_level_that_cannot_be_shown_is_refused(tmp_path, levels):
+    with pytest.raises(winnow.Error) as error:
+        levels.go_to(5)
+    assert error.value.kind == "usage"
+    with pytest.raises(winnow.Error) as error:
+        winnow.Progressive(tmp_path / "scan.wpm", memory="1K").go_to(5000)
+    assert error.value.kind in ("usage", "resources")
+
+
 def test_counts_that_cannot_be_are_refused(tmp_path, levels):
     for options in ({"faces": 5}, {}, {"ratio": 3}):
         with pytest.raises(winnow.Error) as error:

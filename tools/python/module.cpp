@@ -1,6 +1,7 @@
 // winnow._winnow: the calls of the library, with options as texts and reports as dicts. The package
 // around it (winnow/) gives them their names, keywords and checks.
 #include <winnow/parts.hpp>
+#include <winnow/progressive.hpp>
 #include <winnow/simplification.hpp>
 #include <winnow/version.hpp>
 
@@ -12,6 +13,7 @@
 #include "python/sequences.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <pybind11/stl.h>
@@ -128,6 +130,27 @@ py::tuple simplify_frames(const std::vector<py::array>& points, const py::array&
   return py::make_tuple(std::move(kept).arrays(), wanted.per_frame > 0);
 }
 
+// ProgressiveMesh.
+class ShownLevel {
+ public:
+  ShownLevel(const std::string& input, const Texts& surroundings) {
+    read(context_, context_options(), surroundings);
+    run(context_, py::none(), [&] { mesh_.emplace(context_, input); });
+  }
+
+  void go_to(std::uint64_t faces) {
+    run(context_, py::none(), [&] { mesh_->go_to(faces); });
+  }
+  bool step_forward() { return mesh_->step_forward(); }
+  bool step_back() { return mesh_->step_back(); }
+  [[nodiscard]] std::uint64_t face_count() const { return mesh_->face_count(); }
+  [[nodiscard]] py::tuple arrays() const { return arrays_of(mesh_->mesh()); }
+
+ private:
+  Context context_;
+  std::optional<ProgressiveMesh> mesh_;
+};
+
 // Simplification, whose batches are C-ordered arrays.
 class Stream {
  public:
@@ -206,6 +229,13 @@ PYBIND11_MODULE(_winnow, module) {
   module.def("info_of_levels", info_of_levels);
   module.def("extract_arrays", extract_arrays);
   module.def("simplify_frames", simplify_frames);
+  py::class_<ShownLevel>(module, "ShownLevel")
+      .def(py::init<const std::string&, const Texts&>())
+      .def("go_to", &ShownLevel::go_to)
+      .def("step_forward", &ShownLevel::step_forward)
+      .def("step_back", &ShownLevel::step_back)
+      .def("face_count", &ShownLevel::face_count)
+      .def("arrays", &ShownLevel::arrays);
   py::class_<Stream>(module, "Stream")
       .def(py::init<const std::string&, const Texts&, const Texts&>())
       .def("add_points", &Stream::add_points<float>, py::arg().noconvert())

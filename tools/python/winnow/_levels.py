@@ -3,7 +3,7 @@
 from . import _winnow
 from ._calls import OF_FILES, beside, check_progress, path_of
 from ._mesh import Mesh
-from ._options import with_options
+from ._options import text_of, with_options
 from ._report import Report
 
 
@@ -35,9 +35,11 @@ class Progressive:
     """A progressive file, of which every level of detail can be extracted.
 
     path: the name of a file that `winnow.progressive` or the program wrote.
+    memory: what the level that is shown may take, with the steps back from it (default "512M").
 
     face_count, base_face_count: faces at full count, and of the coarsest mesh.
     info: what the header says, a Report.
+    shown_face_count: faces of the level that is shown, the coarsest at first.
 
     Raises winnow.Error where it is no such file.
 
@@ -55,10 +57,16 @@ class Progressive:
     1682
     >>> len(levels.extract(faces=500).faces) in (499, 500)
     True
+    >>> levels.go_to(500)
+    >>> shown = levels.shown_face_count
+    >>> levels.step_forward() and levels.step_back() and levels.shown_face_count == shown
+    True
     """
 
-    def __init__(self, path):
+    def __init__(self, path, *, memory=None):
         self._path = path_of(path, "path")
+        self._surroundings = {} if memory is None else {"memory": text_of(memory, "memory")}
+        self._level = None
         self.info = Report(_winnow.info_of_levels(self._path, {}))
         self.face_count = self.info.faces
         self.base_face_count = self.info.base_faces
@@ -81,3 +89,33 @@ class Progressive:
             self._path, options, beside("", surroundings), check_progress(progress)
         )
         return Mesh(points, faces, attributes, Report(report))
+
+    def _shown(self):
+        if self._level is None:
+            surroundings = beside("", dict(self._surroundings))
+            self._level = _winnow.ShownLevel(self._path, surroundings)
+        return self._level
+
+    @property
+    def shown_face_count(self):
+        return self._shown().face_count()
+
+    def go_to(self, faces):
+        """Shows the most faces that are no more than this: one collapse less at the most."""
+        self._shown().go_to(int(faces))
+
+    def step_forward(self):
+        """Takes one collapse back. False at full count."""
+        return self._shown().step_forward()
+
+    def step_back(self):
+        """Makes the last of these collapses again. False at the coarsest mesh."""
+        return self._shown().step_back()
+
+    def mesh(self):
+        """The level that is shown, a `winnow.Mesh` of arrays that own their memory.
+
+        A point keeps its number as long as it is there; some may have no face. Flipped faces stay
+        as they are, as with `raw`.
+        """
+        return Mesh(*self._shown().arrays())
