@@ -3,6 +3,8 @@
 
 #include <winnow/api.hpp>
 #include <winnow/context.hpp>
+#include <winnow/format.hpp>
+#include <winnow/info.hpp>
 #include <winnow/mesh.hpp>
 #include <winnow/report_fields.hpp>
 #include <winnow/simplify.hpp>
@@ -14,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace winnow {
@@ -214,10 +217,20 @@ void for_each_field(Report& report, Field&& field) {
   field("notes", report.notes);
 }
 
-// Whether a file of this name is there and begins as a progressive one does.
+// Whether a file of this name is there and begins as a progressive one does, not compressed.
 WINNOW_API bool is_progressive(const std::string& input);
 // Reads no more than the header. Throws Error: bad_input, resources, cancelled.
 WINNOW_API ProgressiveInfo progressive_info(Context& context, const std::string& input);
+// Of whatever it turns out to be: a mesh or a progressive file, also compressed or in a pipe.
+WINNOW_API std::variant<InfoReport, ProgressiveInfo> info_of_any(Context& context,
+                                                                 const std::string& input,
+                                                                 Format from = Format::automatic);
+// Writes `output`, a progressive file of whatever the input is: one of a mesh is made, of which
+// `options` tell; one that there is, also compressed or in a pipe, is copied. Throws Error as
+// progressive().
+WINNOW_API void copy_or_make_progressive(Context& context, const std::string& input,
+                                         const std::string& output,
+                                         const ProgressiveOptions& options = {});
 
 // A progressive file that is open: goes to any count, up and down, or step by step.
 class WINNOW_API ProgressiveMesh {

@@ -255,6 +255,13 @@ std::vector<std::byte> encode_header(const ProgressiveHeader& header) {
   return std::move(out.bytes());
 }
 
+bool begins_progressive(ByteSource& source) {
+  const Block head = source.peek(progressive_magic.size());
+  return std::equal(head.bytes.begin(), head.bytes.end(), progressive_magic.begin(),
+                    progressive_magic.end(),
+                    [](std::byte byte, std::uint8_t magic) { return byte == std::byte{magic}; });
+}
+
 ProgressiveHeader read_header(Job& job, ByteSource& source) {
   const std::string& name = source.name();
   std::vector<std::byte> bytes = take_bytes(job, source, fixed_bytes);

@@ -62,6 +62,9 @@ struct ProgressiveHeader {
 
 std::vector<std::byte> encode_header(const ProgressiveHeader& header);
 
+// Whether the content, of which nothing was taken yet, begins as a progressive file does.
+bool begins_progressive(ByteSource& source);
+
 // From the beginning of the content. Throws Error(bad_input) naming what is wrong.
 ProgressiveHeader read_header(Job& job, ByteSource& source);
 

@@ -9,10 +9,15 @@
 #include "io/arena.hpp"
 #include "measure/edge_count.hpp"
 #include "measure/face_census.hpp"
+#include "progressive/file_header.hpp"
 #include "read/for_each_batch.hpp"
 #include "read/mesh_reader.hpp"
+#include "run/progressive_info.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
+#include <variant>
 
 namespace winnow {
 
@@ -36,11 +41,12 @@ struct InfoMemory {
   }
 };
 
-InfoReport info_in_arena(Job& job, const std::string& input, Format from) {
+InfoReport info_in_arena(Job& job, std::unique_ptr<ByteSource> source, const std::string& input,
+                         Format from) {
   const Stopwatch watch;
   const InfoMemory memory = InfoMemory::divide(job.context.memory, job.threads);
   const std::unique_ptr<MeshReader> reader =
-      open_reader(job, open_source(job, input), from, Access::once, memory.reader);
+      open_reader(job, std::move(source), from, Access::once, memory.reader);
   const InputFacts& facts = reader->facts();
 
   std::optional<std::uint64_t> positions = facts.vertices;
@@ -80,7 +86,19 @@ InfoReport info_in_arena(Job& job, const std::string& input, Format from) {
 
 InfoReport info(Context& context, const std::string& input, Format from) {
   Job job(context);
-  return in_arena(job, [&] { return info_in_arena(job, input, from); });
+  return in_arena(job, [&] { return info_in_arena(job, open_source(job, input), input, from); });
+}
+
+std::variant<InfoReport, ProgressiveInfo> info_of_any(Context& context, const std::string& input,
+                                                      Format from) {
+  using Report = std::variant<InfoReport, ProgressiveInfo>;
+  Job job(context);
+  return in_arena(job, [&]() -> Report {
+    std::unique_ptr<ByteSource> source = open_source(job, input);
+    if (from == Format::automatic && begins_progressive(*source))
+      return info_of_progressive(job, *source, input);
+    return info_in_arena(job, std::move(source), input, from);
+  });
 }
 
 }  // namespace winnow

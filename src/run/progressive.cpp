@@ -178,8 +178,10 @@ void tell_of(const SimplifyReport& read, const RunRequest& request, ProgressiveR
   report.resumed = read.resumed;
 }
 
+// `source`: of the input where it is open already, else null.
 ProgressiveReport progressive_in_arena(Job& job, const RunRequest& request,
-                                       RunCheckpoint& checkpoint) {
+                                       RunCheckpoint& checkpoint,
+                                       std::unique_ptr<ByteSource> source) {
   const Stopwatch watch;
   const SimplifyOptions& reading = request.options;
   remove_stale_files(job.scratch.directory(), scratch_prefix);
@@ -194,7 +196,11 @@ ProgressiveReport progressive_in_arena(Job& job, const RunRequest& request,
   // A PLY holds whatever vertices carry.
   const std::unique_ptr<MeshEncoder> encoder = make_encoder(Format::ply, {});
   std::optional<Input> input;
-  if (!checkpoint.has_mesh()) input.emplace(job, request.inputs);
+  if (source != nullptr) {
+    input.emplace(job, std::move(source));
+  } else if (!checkpoint.has_mesh()) {
+    input.emplace(job, request.inputs);
+  }
   const AttributeRequest wish = wish_for(reading, *encoder);
   AttributeSelection choice;
   if (input && !wish.none()) choice = input->probe(reading, Access::repeatedly, wish).facts.choice;
@@ -227,10 +233,26 @@ ProgressiveReport progressive_in_arena(Job& job, const RunRequest& request,
 
 ProgressiveReport progressive_with(Job& job, const RunRequest& request, RunCheckpoint checkpoint) {
   try {
-    return in_arena(job, [&] { return progressive_in_arena(job, request, checkpoint); });
+    return in_arena(job, [&] { return progressive_in_arena(job, request, checkpoint, nullptr); });
   } catch (const Error& error) {
     checkpoint.fail(error);
   }
+}
+
+void copy(Job& job, ByteSource& source, const std::string& output, bool force) {
+  constexpr std::size_t at_once = std::size_t{1} << 20;
+  ByteSink sink(job, output, force);
+  job.progress.begin("write", source.size().value_or(0), "bytes");
+  for (;;) {
+    job.progress.check_cancelled();
+    const Block block = source.take(at_once);
+    if (block.bytes.empty()) break;
+    sink.write(block.bytes);
+    block.check_intact(source.name());
+    job.progress.advance(block.bytes.size());
+  }
+  sink.flush_and_sync();
+  sink.finish();
 }
 
 // Of a run that had written its file, and was killed before it had cleared its checkpoint away.
@@ -252,6 +274,19 @@ ProgressiveReport progressive(Context& context, const std::vector<std::string>& 
   check(options, output);
   Job job(context);
   return progressive_with(job, {inputs, output, reading_options(options), options}, {});
+}
+
+void copy_or_make_progressive(Context& context, const std::string& input, const std::string& output,
+                              const ProgressiveOptions& options) {
+  check(options, output);
+  Job job(context);
+  in_arena(job, [&] {
+    std::unique_ptr<ByteSource> source = open_source(job, input);
+    if (begins_progressive(*source)) return copy(job, *source, output, options.force);
+    const RunRequest request{{input}, output, reading_options(options), options};
+    RunCheckpoint none;
+    progressive_in_arena(job, request, none, std::move(source));
+  });
 }
 
 ProgressiveReport progressive(Context& context, const std::vector<std::string>& inputs,

@@ -13,6 +13,7 @@
 #include <iostream>
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace winnow::cli {
@@ -109,14 +110,13 @@ Json told(const Report& report, const InfoArguments& arguments, bool single, boo
 
 Json tell_of(const std::string& input, Context& context, const InfoArguments& arguments,
              Format from, bool single, bool first) {
-  if (from == Format::automatic && is_progressive(input))
-    return told(progressive_info(context, input), arguments, single, first);
-  InfoReport report;
+  std::variant<InfoReport, ProgressiveInfo> report;
   {
     const ProgressBar bar(context, arguments.common);
-    report = info(context, input, from);
+    report = info_of_any(context, input, from);
   }
-  return told(report, arguments, single, first);
+  return std::visit([&](const auto& known) { return told(known, arguments, single, first); },
+                    report);
 }
 
 // One after the other. A file that cannot be read does not keep the others from being looked at.

@@ -70,7 +70,9 @@ viewer::ShownFile shown_file(Context& context, const ViewArguments& arguments,
   const ScratchFolder folder(context.scratch);
   const std::string made = folder.file("mesh.wpm");
   const ProgressBar bar(context, arguments.common);
-  progressive(context, {input}, made, {});
+  copy_or_make_progressive(context, input, made);
+  for (const std::string& note : progressive_info(context, made).notes)
+    std::cerr << "winnow: '" << input << "': " << note << "\n";
   return {made, last_part(input)};
 }
 
