@@ -1,4 +1,4 @@
-// The faces around a vertex, in the order of their other corners: what a file counts by.
+// The faces around a vertex. A file counts them in the order of their other corners.
 import { Damaged } from "../file/damaged.js";
 import { after, before } from "./split_mesh.js";
 
@@ -20,14 +20,25 @@ export class Ring {
     this.fetched = new Int32Array(fetchedAtOnce);
   }
 
+  // In any order.
   find(mesh, v) {
     const { faces } = mesh;
     const { a, b, corner } = this;
     let count = 0;
     for (let at = mesh.first[v]; at !== -1; at = mesh.nextCorner(at), ++count) {
       if (count === mostFaces) throw new Damaged("it has a split that cannot be");
-      const p = faces[after(at)], q = faces[before(at)];
-      let i = count;
+      a[count] = faces[after(at)];
+      b[count] = faces[before(at)];
+      corner[count] = at;
+    }
+    this.count = count;
+  }
+
+  sort() {
+    const { a, b, corner } = this;
+    for (let end = 1; end < this.count; ++end) {
+      const p = a[end], q = b[end], at = corner[end];
+      let i = end;
       for (; i > 0; --i) {
         const smaller = a[i - 1] !== p ? a[i - 1] < p
           : b[i - 1] !== q ? b[i - 1] < q : corner[i - 1] < at;
@@ -40,7 +51,34 @@ export class Ring {
       b[i] = q;
       corner[i] = at;
     }
-    this.count = count;
+  }
+
+  // Where the face is that so many come before. To count them takes no order, and nothing that a
+  // processor would guess wrong.
+  ranked(rank) {
+    const { a, count } = this;
+    for (let i = 0; i < count; ++i) {
+      const p = a[i];
+      let smaller = 0;
+      for (let k = 0; k < count; ++k) smaller += (a[k] - p) >>> 31;
+      if (smaller !== rank) continue;
+      if (this.only(p) !== i) break;
+      return i;
+    }
+    this.sort();
+    return rank;
+  }
+
+  // Where the one face is that begins with `p`; -1 where not one does.
+  only(p) {
+    const { a, count } = this;
+    let found = -1;
+    for (let i = 0; i < count; ++i) {
+      if (a[i] !== p) continue;
+      if (found !== -1) return -1;
+      found = i;
+    }
+    return found;
   }
 
   findNear() {
@@ -60,19 +98,16 @@ export class Ring {
     this.nearCount = count;
   }
 
-  // So many faces side by side, the first at a place of the ring; fewer where not one face is next.
-  walk(first, most) {
-    const { a, count, walked } = this;
+  // So many faces side by side, the first at a rank; fewer where not one face is next.
+  walk(rank, most) {
+    const { b, walked } = this;
     let steps = 0;
-    for (let at = first; steps < most;) {
+    for (let at = this.ranked(rank); at !== -1; at = this.only(b[at])) {
       for (let k = 0; k < steps; ++k) {
         if (walked[k] === at) throw new Damaged("it has a split that cannot be");
       }
       walked[steps++] = at;
-      const from = this.b[at];
-      at = 0;
-      while (at < count && a[at] < from) ++at;
-      if (at === count || a[at] !== from || (at + 1 < count && a[at + 1] === from)) break;
+      if (steps === most) break;
     }
     this.walkedCount = steps;
   }

@@ -114,6 +114,7 @@ export class SplitReader {
       if (kind !== rightSide) left = ring.b[walked[walkedCount - 1]];
       if (kind !== leftSide) right = ring.a[walked[0]];
     } else {
+      ring.sort();
       this.takeBits(split);
       ring.findNear();
       if (kind === bothSidesByBits || kind === leftSideByBits) left = this.takeNeighbour();
@@ -196,18 +197,18 @@ export class SplitReader {
       throw new Damaged("it ends within a split");
     split.reserve(count * width, 0, 0);
     const { words } = split;
-    const from = this.at.row * width;
+    const old = split.anchor * width;
+    const end = count * width;
+    let from = this.at.row * width, to = 0;
     this.at.row += count;
-    const old = split.moves ? split.anchor * width : -1;
-    for (let i = 0; i < count * width; ++i) {
-      let expected = 0;
-      if (old >= 0 && i < width) expected = mesh.words[old + i];
+    if (split.moves) {
+      for (; to < width; ++to) words[to] = (mesh.words[old + to] + differences[from++]) | 0;
       // As far on the other side.
-      else if (old >= 0 && i < 2 * width) expected = (mesh.words[old + i - width] << 1) -
-        words[i - width];
-      else if (i >= width) expected = words[i - width];
-      words[i] = (expected + differences[from + i]) | 0;
+      for (let k = 0; k < width && to < end; ++k, ++to)
+        words[to] = ((mesh.words[old + k] << 1) - words[k] + differences[from++]) | 0;
     }
+    for (; to < end; ++to)
+      words[to] = ((to < width ? 0 : words[to - width]) + differences[from++]) | 0;
   }
 }
 
