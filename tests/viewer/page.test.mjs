@@ -260,6 +260,39 @@ test("a damaged file shows what lies before the damage", async () => {
   assert.throws(() => run("view", "headless.wpm", "--no-browser"), { status: 3 });
 });
 
+test("a worker unpacks what comes behind the first picture; without one nothing is amiss",
+  async () => {
+    const server = await serve(winnow, "skull.wpm");
+    for (const missing of [false, true]) {
+      const page = new Page(await browser.newPage());
+      if (missing) await page.page.addInitScript(() => delete globalThis.Worker);
+      await page.page.goto(server.address);
+      await page.shown();
+      if (!missing)
+        await page.page.waitForFunction(() => globalThis.viewer.views[0].file.unpacker.ready);
+      const states = await page.page.evaluate(() => {
+        const { file } = globalThis.viewer.views[0];
+        file.open.clear();  // as if they had been used long ago
+        return { ready: file.unpacker.ready, chunk: file.chunk(file.header.baseChunks) === null };
+      });
+      assert.deepEqual(states, { ready: !missing, chunk: !missing });
+      for (const count of [2000, 20000]) {
+        await page.goTo(count);
+        assert.equal(await page.faces(), count);
+      }
+      const bytes = readFileSync("skull.wpm");
+      bytes[100_000] ^= 4;
+      writeFileSync("spoiled.wpm", bytes);
+      await page.page.setInputFiles("#file", "spoiled.wpm");
+      await page.page.waitForFunction(() => document.title.startsWith("spoiled"));
+      await page.settled();
+      assert.match(await page.text("message"), /chunk \d+ is damaged: it is not what was written/);
+      assert.ok(await page.faces() > 2000 && await page.faces() < 15000);
+      await page.close();
+    }
+    await server.end();
+  });
+
 test("two meshes turn together, side by side", () =>
   look(["skull.wpm", "skull.ply"], async (page) => {
     await page.shown(2);

@@ -5,22 +5,30 @@ import { join } from "node:path";
 import { build } from "esbuild";
 
 const here = import.meta.dirname;
-const bundle = await build({
-  entryPoints: [join(here, "src/main.js")],
-  absWorkingDir: here,
-  bundle: true,
-  minify: true,
-  write: false,
-  target: "es2022",
-  legalComments: "inline"
-});
-const script = bundle.outputFiles[0].text.replaceAll("</script", "<\\/script");
+const script = (await bundled("src/main.js", {
+  UNPACK_WORKER: JSON.stringify(await bundled("src/unpack_worker.js", {}))
+})).replaceAll("</script", "<\\/script");
 const style = readFileSync(join(here, "style.css"), "utf8");
 const page = Buffer.from(readFileSync(join(here, "index.html"), "utf8")
   .replace("<!--style-->", () => `<style>\n${style}</style>`)
   .replace("<!--script-->", () => `<script>${script}</script>`));
 writeFileSync(process.argv[2], page);
 if (process.argv[3]) writeFileSync(process.argv[3], sourceOf(page));
+
+// All that a module imports as one text. `define`: what names in it stand for.
+async function bundled(entry, define) {
+  const { outputFiles } = await build({
+    entryPoints: [join(here, entry)],
+    absWorkingDir: here,
+    bundle: true,
+    minify: true,
+    write: false,
+    target: "es2022",
+    legalComments: "inline",
+    define
+  });
+  return outputFiles[0].text;
+}
 
 // As texts that the compiler joins.
 function sourceOf(bytes) {

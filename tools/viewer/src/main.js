@@ -2,6 +2,7 @@
 // ?mesh=scan.wpm, and ?beside=other.wpm for a second one.
 import { ProgressiveFile } from "./file/progressive_file.js";
 import { EmbeddedSource, WebSource } from "./file/sources.js";
+import { Unpacker } from "./file/unpacker.js";
 import { Controls } from "./page/controls.js";
 import { Viewer } from "./page/viewer.js";
 
@@ -16,15 +17,17 @@ function firstSources() {
   return sources;
 }
 
+const unpacker = new Unpacker();
+
 // They are read while the browser makes its picture ready, which may take a second.
 const first = firstSources().map(({ source, beside }) => {
-  const file = ProgressiveFile.open(source);
+  const file = ProgressiveFile.open(source, unpacker);
   file.catch(() => {});  // told of when it is shown
   return { source, beside, file };
 });
 
 async function begin() {
-  const controls = new Controls();
+  const controls = new Controls(unpacker);
   let viewer = null;
   try {
     viewer = new Viewer(document.getElementById("canvas"), () => controls.show());
@@ -35,6 +38,18 @@ async function begin() {
   controls.bind(viewer);
   globalThis.viewer = viewer;  // for whoever drives the page
   for (const { source, beside, file } of first) await controls.open(source, beside, file);
+  // Behind the first picture, which it would hold up.
+  requestAnimationFrame(() => setTimeout(startWorker));
+}
+
+function startWorker() {
+  try {
+    // UNPACK_WORKER: its text, by bundle.mjs.
+    const script = new Blob([UNPACK_WORKER], { type: "text/javascript" });
+    unpacker.use(new Worker(URL.createObjectURL(script)));
+  } catch {
+    // Then chunks are unpacked here.
+  }
 }
 
 begin();

@@ -1,56 +1,84 @@
 // A progressive file that is read from its beginning on: the header, then chunk after chunk.
-import { openChunk } from "./chunk.js";
 import { CutShort, Damaged } from "./damaged.js";
 import { fixedBytes, headerBytes, parseHeader } from "./header.js";
+import { Unpacker } from "./unpacker.js";
 import { VertexWords } from "./vertex_words.js";
 
 const firstBytes = 1 << 17;  // most headers are shorter, with the base behind them
 const mostBytesAtOnce = 1 << 20;
 const unpackedAtMost = 64;  // chunks that are kept unpacked
+export const chunksAhead = 32;  // read and unpacked before they are asked for
 
 export class ProgressiveFile {
-  static async open(source) {
+  static async open(source, unpacker = new Unpacker()) {
     let head = await source.read(0, firstBytes);
     const size = headerBytes(head.subarray(0, Math.max(fixedBytes, head.length)));
     if (size > head.length && head.length === firstBytes)
       head = joined(head, await source.read(firstBytes, size + firstBytes));
     if (head.length < size) throw new CutShort("its header is not whole");
-    const file = new ProgressiveFile(source, parseHeader(head.subarray(0, size)));
+    const file = new ProgressiveFile(source, parseHeader(head.subarray(0, size)), unpacker);
     file.keep(head, 0);
     return file;
   }
 
-  constructor(source, header) {
+  constructor(source, header, unpacker) {
     this.source = source;
+    this.unpacker = unpacker;
     this.header = header;
     this.words = new VertexWords(header.form, header.attributes);
     this.bytesRead = 0;
     this.packed = [];  // of each chunk that was read
-    this.open = new Map();  // chunks by number, the last used at the end
+    // By number, the last used at the end: chunks, promises of them, or what is wrong with them.
+    this.open = new Map();
     this.reading = null;  // a promise, while something is read
     this.problem = null;  // why no more was read
   }
 
   // The chunk; null where it is not here yet, and it is fetched. Throws what went wrong with it.
   chunk(number) {
-    let chunk = this.open.get(number);
-    if (chunk) {
-      this.open.delete(number);
-    } else {
-      if (number >= this.packed.length) {
-        this.passOnProblem();
-        this.fetch(number);
-        return null;
-      }
-      try {
-        chunk = openChunk(this.packed[number], this.header.chunks[number], this.words.width);
-      } catch (error) {
-        throw named(error, number);
-      }
+    if (number >= this.packed.length) {
+      this.passOnProblem();
+      this.fetch(number);
+      return null;
     }
-    this.open.set(number, chunk);
+    const found = this.open.get(number) ?? this.unpack(number);
+    this.keepOpen(number, found);
+    if (found instanceof Error) throw found;
+    return found instanceof Promise ? null : found;
+  }
+
+  // What is in the map by then.
+  unpack(number) {
+    let found = null;
+    try {
+      found = this.unpacker.unpack(this.packed[number], this.header.chunks[number],
+        this.words.width);
+      if (found instanceof Promise) {
+        found = found.catch((error) => named(error, number)).then((chunk) => {
+          if (this.open.has(number)) this.open.set(number, chunk);
+        });
+      }
+    } catch (error) {
+      found = named(error, number);
+    }
+    this.keepOpen(number, found);
+    return found;
+  }
+
+  keepOpen(number, found) {
+    this.open.delete(number);
+    this.open.set(number, found);
     if (this.open.size > unpackedAtMost) this.open.delete(this.open.keys().next().value);
-    return chunk;
+  }
+
+  // Has what comes next read, and unpacked where that does not hold up the page.
+  readAhead(number) {
+    const end = Math.min(number + chunksAhead, this.header.chunks.length);
+    this.fetch(end - 1);
+    if (!this.unpacker.ready) return;
+    for (let i = number; i < Math.min(end, this.packed.length); ++i) {
+      if (!this.open.has(i)) this.unpack(i);
+    }
   }
 
   passOnProblem() {
@@ -71,6 +99,7 @@ export class ProgressiveFile {
       });
       await this.reading;
     }
+    await this.open.get(number);
   }
 
   async readMore() {

@@ -6,7 +6,6 @@ import { SplitMesh } from "./split_mesh.js";
 import { SplitReader, beginning } from "./split_reader.js";
 import { StepLog } from "./step_log.js";
 
-const chunksAhead = 32;
 const stepsBetweenLooks = 128;  // at the clock
 
 export class Player {
@@ -14,15 +13,14 @@ export class Player {
   static async open(file) {
     const player = new Player(file);
     for (let number = 0; number < file.header.baseChunks; ++number) {
-      await file.fetch(number);
-      player.reader.chunk = file.chunk(number);
+      while (!(player.reader.chunk = file.chunk(number))) await file.fetch(number);
       player.reader.goTo(beginning);
       while (!player.reader.atEnd()) player.applyNext(number);
     }
     player.chunk = file.header.baseChunks;
     player.reader.goTo(beginning);
     player.reader.chunk = null;
-    player.readAhead();
+    file.readAhead(player.chunk);
     return player;
   }
 
@@ -125,14 +123,10 @@ export class Player {
       } catch (error) {
         return this.stop(error);
       }
-      this.readAhead();
+      file.readAhead(this.chunk + 1);
       if (!reader.chunk) return "waits";
     }
     return "ready";
-  }
-
-  readAhead() {
-    this.file.fetch(Math.min(this.chunk + chunksAhead, this.file.header.chunks.length) - 1);
   }
 
   stop(problem) {

@@ -17,7 +17,8 @@ function errorText(error, diagonal) {
 }
 
 export class Controls {
-  constructor() {
+  constructor(unpacker) {
+    this.unpacker = unpacker;
     this.viewer = null;
     this.beside = false;  // where a chosen file goes
   }
@@ -92,7 +93,7 @@ export class Controls {
     keys[event.key]();
   }
 
-  async open(source, beside, file = ProgressiveFile.open(source)) {
+  async open(source, beside, file = ProgressiveFile.open(source, this.unpacker)) {
     try {
       await this.viewer.open(file, beside);
       this.say("");
