@@ -4,6 +4,14 @@ namespace winnow {
 
 namespace {
 
+// The square of the sine of a corner whose triangle doubles hardly tell from a line.
+constexpr double thin = 1e-9;
+
+bool is_line(const Point& ab, const Point& ac) {
+  const Point normal = cross(ab, ac);
+  return dot(normal, normal) <= thin * dot(ab, ab) * dot(ac, ac);
+}
+
 Point closest_on_segment(const Point& p, const Point& a, const Point& b) {
   const Point ab = b - a;
   const double squared = dot(ab, ab);
@@ -34,7 +42,9 @@ Point closest_point(const Point& p, const Triangle& triangle) {
   const double vb = d5 * d2 - d1 * d6;
   const double va = d3 * d6 - d5 * d4;
   const double sum = va + vb + vc;
-  if (va > 0 && vb > 0 && vc > 0 && sum > 0) return a + vb / sum * ab + vc / sum * ac;
+  // Of a line, rounding may take any point for one inside.
+  if (va > 0 && vb > 0 && vc > 0 && sum > 0 && !is_line(ab, ac))
+    return a + vb / sum * ab + vc / sum * ac;
   // On a side. Of a needle, rounding can name the wrong one, so the nearest of all three is taken.
   Point best = closest_on_segment(p, a, b);
   for (const Point& other : {closest_on_segment(p, a, c), closest_on_segment(p, b, c)}) {

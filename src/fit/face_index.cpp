@@ -34,10 +34,8 @@ constexpr std::size_t most_candidates = 2 * most_around(PointGroup::capacity);
 constexpr double farthest_seen = 1e16;
 // Distances by floats are off by less than this part of all lengths that come in.
 constexpr double rounding = 64 * 0x1p-24;
-// The square of what is nothing but rounding beside 1; and of the sine of a corner whose face
-// doubles hardly tell from a line.
+// The square of what is nothing but rounding beside 1.
 constexpr double line = 1e-20;
-constexpr double thin = 1e-9;
 // Faces that tell how long faces are.
 constexpr std::uint64_t measured_faces = 64;
 
@@ -65,21 +63,6 @@ Point across_of(const Point& along, const Point& c) {
   Point other{};
   other[axis] = 1;
   return unit(cross(along, other));
-}
-
-// Of a face that is a line, rounding may take any of its points for the nearest inside.
-Point nearest_place(const Point& p, const Triangle& t) {
-  const auto& [a, b, c] = t;
-  const Point ab = b - a;
-  const Point ac = c - a;
-  const Point normal = cross(ab, ac);
-  Point best = closest_point(p, t);
-  if (dot(normal, normal) > thin * dot(ab, ab) * dot(ac, ac)) return best;
-  for (const Triangle& side : {Triangle{a, b, b}, Triangle{a, c, c}, Triangle{b, c, c}}) {
-    const Point other = closest_point(p, side);
-    if (dot(p - other, p - other) < dot(p - best, p - best)) best = other;
-  }
-  return best;
 }
 
 }  // namespace
@@ -336,7 +319,7 @@ bool FaceIndex::Reader::look_around(std::span<const Point> points, std::vector<N
       continue;
     }
     const auto& [face, corner] = candidates_[static_cast<std::size_t>(group_.nearest[i])];
-    const Point here = nearest_place(points[i], corner);
+    const Point here = closest_point(points[i], corner);
     const Point off = points[i] - here;
     out.push_back({face, corner, here, dot(off, off)});
   }
@@ -352,7 +335,7 @@ const FaceIndex::Nearest& FaceIndex::Reader::nearest_candidate(const Point& poin
 
 void FaceIndex::Reader::take_nearer(const Point& point, std::uint64_t face,
                                     const Triangle& corner) {
-  const Point here = nearest_place(point, corner);
+  const Point here = closest_point(point, corner);
   const double squared = dot(point - here, point - here);
   if (squared > last_.squared || (squared == last_.squared && face >= last_.face)) return;
   last_ = {face, corner, here, squared};
@@ -360,7 +343,7 @@ void FaceIndex::Reader::take_nearer(const Point& point, std::uint64_t face,
 
 const FaceIndex::Nearest& FaceIndex::Reader::nearest(const Point& point) {
   // Points that follow each other are mostly close, so the last face is near.
-  last_.place = nearest_place(point, last_.corner);
+  last_.place = closest_point(point, last_.corner);
   last_.squared = dot(point - last_.place, point - last_.place);
   index_.tree_->for_each_within(point, last_.squared, [&](std::size_t number) {
     const Page& faces = page(number);

@@ -88,4 +88,22 @@ TEST_CASE("needles keep their distance") {
   }
 }
 
+// Where rounding takes all of a line for its inside, the place is still the nearest one.
+TEST_CASE("a face whose corners are on one line has its nearest place there") {
+  test::Random random(702);
+  for (int round = 0; round < 2000; ++round) {
+    const Point a = random_point(random, 1);
+    const Point way = random_point(random, 1);
+    const Triangle line{a, a + way, a + random.real(-1, 2) * way};
+    const Point p = a + (random.real(-1, 2) * way + random_point(random, 0.01));
+    double least = distance(p, a);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Triangle side{line[i], line[(i + 1) % 3], line[(i + 1) % 3]};
+      least = std::min(least, distance(p, closest_point(p, side)));
+    }
+    CAPTURE(round);
+    CHECK(distance(p, closest_point(p, line)) <= least + 1e-15);
+  }
+}
+
 }  // namespace winnow
