@@ -68,6 +68,15 @@ class SpoolCursor {
     return true;
   }
 
+  // each(record) for all that are left.
+  template <typename Each>
+  void for_each(const Each& each) {
+    while (at_ < records_.size() || refill()) {
+      for (const Record& record : records_.subspan(at_)) each(record);
+      at_ = records_.size();
+    }
+  }
+
  private:
   bool refill() {
     job_.progress.check_cancelled();

@@ -154,8 +154,8 @@ std::uint64_t directions_of(const FaceVertices& face) {
 bool is_closed(Job& job, const StoredMesh& mesh) {
   job.progress.begin("check", mesh.face_count, "faces");
   std::uint64_t directions = 0;
-  SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
-  for (FaceVertices face; faces.next(face);) directions += directions_of(face);
+  mesh.face_cursor(job).for_each(
+      [&](const FaceVertices& face) { directions += directions_of(face); });
   return mesh.face_count > 0 && directions == 0;
 }
 
@@ -164,15 +164,14 @@ namespace {
 // each(u, v) for the edges that are not counted in turn.
 template <typename Each>
 void for_each_other_edge(const Job& job, const StoredMesh& mesh, const Each& each) {
-  SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
   InTurn in_turn;
-  for (FaceVertices face; faces.next(face);) {
+  mesh.face_cursor(job).for_each([&](const FaceVertices& face) {
     const auto [first, second, third] = lowest_first(face);
     each(second, third);
-    if (in_turn(first)) continue;
+    if (in_turn(first)) return;
     each(first, second);
     each(first, third);
-  }
+  });
 }
 
 // Edges that are not counted in turn, by their lower ends.
@@ -256,17 +255,22 @@ std::optional<SurfaceEdges> count_edges_in_memory(Job& job, const StoredMesh& me
   others.begin();
   for_each_other_edge(job, mesh, [&](std::uint32_t u, std::uint32_t v) { others.add(u, v); });
   EdgesOfVertices edges(vertices);
-  FacesInTurn faces(job, mesh);
-  FaceVertices face{};
-  bool more = faces.next(face);
-  for (std::uint64_t v = 0; v < vertices; ++v) {
-    edges.begin(v);
-    for (const std::uint32_t higher : others.higher_ends(v)) edges.add(higher);
-    for (; more && face[0] == v; more = faces.next(face)) {
-      edges.add(face[1]);
-      edges.add(face[2]);
+  std::uint64_t next = 0;
+  const auto begin_to = [&](std::uint64_t end) {
+    for (; next < end; ++next) {
+      edges.begin(next);
+      for (const std::uint32_t higher : others.higher_ends(next)) edges.add(higher);
     }
-  }
+  };
+  InTurn in_turn;
+  mesh.face_cursor(job).for_each([&](const FaceVertices& face) {
+    const auto [first, second, third] = lowest_first(face);
+    if (!in_turn(first)) return;
+    begin_to(first + std::uint64_t{1});
+    edges.add(second);
+    edges.add(third);
+  });
+  begin_to(vertices);
   return edges.edges();
 }
 
@@ -317,14 +321,13 @@ ResultSurface survey(Job& job, const StoredMesh& mesh, std::uint64_t memory, boo
   }
   {
     VertexIndex::Reader vertices(*mesh.vertices);
-    SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
     std::uint64_t directions = 0;
-    for (FaceVertices face; faces.next(face);) {
+    mesh.face_cursor(job).for_each([&](const FaceVertices& face) {
       if (joined) joined->add(face);
-      if (!areas) continue;
+      if (!areas) return;
       out.area += area_of(face, vertices);
       directions += directions_of(face);
-    }
+    });
     out.closed = areas && mesh.face_count > 0 && directions == 0;
   }
   job.progress.advance(mesh.face_count);
@@ -349,9 +352,9 @@ CountedSurface count_surface(Job& job, const StoredMesh& mesh, std::uint64_t mem
 
 double area_of(const Job& job, const StoredMesh& mesh) {
   VertexIndex::Reader vertices(*mesh.vertices);
-  SpoolCursor<FaceVertices> faces = mesh.face_cursor(job);
   double area = 0;
-  for (FaceVertices face; faces.next(face);) area += area_of(face, vertices);
+  mesh.face_cursor(job).for_each(
+      [&](const FaceVertices& face) { area += area_of(face, vertices); });
   return area;
 }
 

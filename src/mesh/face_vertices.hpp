@@ -1,7 +1,6 @@
 // A face by the numbers of its vertices.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -16,10 +15,11 @@ inline bool has(const FaceVertices& face, std::uint32_t v) {
 }
 
 // The same face with its lowest number first.
-inline FaceVertices lowest_first(FaceVertices face) {
-  if (face[0] < face[1] && face[0] < face[2]) return face;  // as most are
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  return face;
+inline FaceVertices lowest_first(const FaceVertices& face) {
+  const auto [a, b, c] = face;
+  if (a <= b && a <= c) return face;  // as most are
+  if (b <= c) return {b, c, a};
+  return {c, a, b};
 }
 
 }  // namespace winnow
