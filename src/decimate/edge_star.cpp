@@ -53,17 +53,16 @@ void EdgeStar::move(const VertexPlaces& places, const Point& to, double least_co
   }
 }
 
-double EdgeStar::square_from(const Point& point) const {
+std::array<double, 2> EdgeStar::squares_from(const Point& a, const Point& b) const {
   constexpr std::size_t capacity = StarBatch::capacity;
-  const double at[3] = {point[0], point[1], point[2]};
-  double squares[capacity];
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t first = 0; first < faces_.size(); first += capacity) {
-    const std::size_t count = std::min(capacity, faces_.size() - first);
-    measure_(batches_[first / capacity], count, at, squares);
-    for (std::size_t i = 0; i < count; ++i) least = std::min(least, squares[i]);
-  }
-  return least;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const double at[2][3] = {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}};
+  double least[2][star_kernel_lanes];
+  std::fill(&least[0][0], &least[0][0] + 2 * star_kernel_lanes, none);
+  for (std::size_t first = 0; first < faces_.size(); first += capacity)
+    measure_(batches_[first / capacity], std::min(capacity, faces_.size() - first), at, least);
+  return {*std::min_element(least[0], least[0] + star_kernel_lanes),
+          *std::min_element(least[1], least[1] + star_kernel_lanes)};
 }
 
 }  // namespace winnow

@@ -6,6 +6,7 @@
 #include "decimate/kernel/star_kernel.hpp"
 #include "decimate/tile_mesh.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -78,9 +79,9 @@ class EdgeStar {
     return planes_of(batch(face).change, lane(face));
   }
 
-  // The square of the distance of a point from the nearest of them that it lies above or below;
-  // infinite where there is none.
-  [[nodiscard]] double square_from(const Point& point) const;
+  // The squares of the distances of two points, each from the nearest of them that it lies above or
+  // below; infinite where there is none.
+  [[nodiscard]] std::array<double, 2> squares_from(const Point& a, const Point& b) const;
 
  private:
   static std::size_t lane(std::size_t face) { return face % StarBatch::capacity; }

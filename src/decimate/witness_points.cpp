@@ -65,20 +65,24 @@ double WitnessPoints::cost(const Collapse& edge, const EdgeStar& star, double co
   // As soon as both are this near, no more needs to be known.
   const double near = near_square(to, cost, rounding_);
   const VertexPlaces places = mesh_.places();
-  using Faces = std::span<const StarFace>;
-  const auto square_left = [&](const Point& point, Faces own, Faces others) {
-    double square = square_between(point, to);
-    if (square <= near) return square;
-    square = std::min(square, star.square_from(point));
-    // Or an edge or a corner is nearest.
-    if (square <= near) return square;
-    return std::min(square, square_beside_star(point, to, own, others, places, near));
-  };
   const Point& of_kept = flat ? mesh_.position(edge.kept) : point_[edge.kept];
   const Point& of_removed = flat ? mesh_.position(edge.removed) : point_[edge.removed];
-  const double kept_square =
-      mesh_.hub(edge.kept) ? 0 : square_left(of_kept, star.of_kept(), star.of_removed());
-  const double removed_square = square_left(of_removed, star.of_removed(), star.of_kept());
+  double kept_square = mesh_.hub(edge.kept) ? 0 : square_between(of_kept, to);
+  double removed_square = square_between(of_removed, to);
+  if ((kept_square > near) | (removed_square > near)) {
+    const auto [of_first, of_second] = star.squares_from(of_kept, of_removed);
+    const auto nearest = [&](const Point& point, double square, double above, auto own,
+                             auto others) {
+      if (square <= near) return square;
+      square = std::min(square, above);
+      // Or an edge or a corner is nearest.
+      if (square <= near) return square;
+      return std::min(square, square_beside_star(point, to, own, others, places, near));
+    };
+    kept_square = nearest(of_kept, kept_square, of_first, star.of_kept(), star.of_removed());
+    removed_square =
+        nearest(of_removed, removed_square, of_second, star.of_removed(), star.of_kept());
+  }
   square_ = std::max(kept_square, removed_square);
   const bool first = flat ? to == mesh_.position(edge.kept) : kept_square >= removed_square;
   next_ = point_[mesh_.hub(edge.kept) || first ? edge.kept : edge.removed];

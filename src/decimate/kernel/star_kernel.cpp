@@ -14,6 +14,9 @@ constexpr double thinnest = 1e-10;
 double larger(double a, double b) {
   return a > b ? a : b;
 }
+double smaller(double a, double b) {
+  return a < b ? a : b;
+}
 double size_of(double a) {
   return a < 0 ? -a : a;
 }
@@ -141,10 +144,13 @@ void WINNOW_JOIN(plane_kernel_, WINNOW_KERNEL)(StarBatch& batch, std::size_t cou
 }
 
 void WINNOW_JOIN(distance_kernel_, WINNOW_KERNEL)(const StarBatch& batch, std::size_t count,
-                                                  const double (&point)[3], double* squares) {
+                                                  const double (&points)[2][3],
+                                                  double (&least)[2][star_kernel_lanes]) {
   const std::size_t end = whole_lanes(count);
   const double tx = batch.to[0], ty = batch.to[1], tz = batch.to[2];
-  const double qx = point[0] - tx, qy = point[1] - ty, qz = point[2] - tz;
+  const double px = points[0][0] - tx, py = points[0][1] - ty, pz = points[0][2] - tz;
+  const double qx = points[1][0] - tx, qy = points[1][1] - ty, qz = points[1][2] - tz;
+  double of_first[StarBatch::capacity], of_second[StarBatch::capacity];
   for (std::size_t i = 0; i < end; ++i) {
     const double ux = batch.second[0][i] - tx, uy = batch.second[1][i] - ty,
                  uz = batch.second[2][i] - tz;
@@ -152,13 +158,28 @@ void WINNOW_JOIN(distance_kernel_, WINNOW_KERNEL)(const StarBatch& batch, std::s
                  vz = batch.third[2][i] - tz;
     const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
     const double square = nx * nx + ny * ny + nz * nz;
-    // The point is a * u + b * v beside its height; both times the square of the normal.
-    const double a = (qy * vz - qz * vy) * nx + (qz * vx - qx * vz) * ny + (qx * vy - qy * vx) * nz;
-    const double b = (uy * qz - uz * qy) * nx + (uz * qx - ux * qz) * ny + (ux * qy - uy * qx) * nz;
-    const double height = qx * nx + qy * ny + qz * nz;
-    const bool above =
-        (batch.stays[i] != 0) & (square > 0) & (a >= 0) & (b >= 0) & (a + b <= square);
-    squares[i] = above ? height * height / square : __builtin_inf();
+    const bool stays = (i < count) & (batch.stays[i] != 0) & (square > 0);
+    // A point is a * u + b * v beside its height; both times the square of the normal.
+    const double pa =
+        (py * vz - pz * vy) * nx + (pz * vx - px * vz) * ny + (px * vy - py * vx) * nz;
+    const double pb =
+        (uy * pz - uz * py) * nx + (uz * px - ux * pz) * ny + (ux * py - uy * px) * nz;
+    const double qa =
+        (qy * vz - qz * vy) * nx + (qz * vx - qx * vz) * ny + (qx * vy - qy * vx) * nz;
+    const double qb =
+        (uy * qz - uz * qy) * nx + (uz * qx - ux * qz) * ny + (ux * qy - uy * qx) * nz;
+    const double p_height = px * nx + py * ny + pz * nz;
+    const double q_height = qx * nx + qy * ny + qz * nz;
+    const bool above_p = stays & (pa >= 0) & (pb >= 0) & (pa + pb <= square);
+    const bool above_q = stays & (qa >= 0) & (qb >= 0) & (qa + qb <= square);
+    of_first[i] = above_p ? p_height * p_height / square : __builtin_inf();
+    of_second[i] = above_q ? q_height * q_height / square : __builtin_inf();
+  }
+  for (std::size_t first = 0; first < end; first += star_kernel_lanes) {
+    for (std::size_t lane = 0; lane < star_kernel_lanes; ++lane) {
+      least[0][lane] = smaller(of_first[first + lane], least[0][lane]);
+      least[1][lane] = smaller(of_second[first + lane], least[1][lane]);
+    }
   }
 }
 

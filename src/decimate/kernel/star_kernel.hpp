@@ -42,10 +42,11 @@ inline constexpr std::size_t star_kernel_lanes = 8;
 // stays.
 using PlaneKernel = StarKernel;
 
-// The square of the distance of a point from each face that stays, as it will be, where the point
-// lies above or below the face; infinite elsewhere. `squares`: for as many as there are results.
-using DistanceKernel = void (*)(const StarBatch& batch, std::size_t count, const double (&point)[3],
-                                double* squares);
+// The squares of the distances of two points from the faces that stay, as they will be, where a
+// point lies above or below the face: in each lane the least of these and of what is there.
+using DistanceKernel = void (*)(const StarBatch& batch, std::size_t count,
+                                const double (&points)[2][3],
+                                double (&least)[2][star_kernel_lanes]);
 
 void star_kernel_baseline(StarBatch& batch, std::size_t count, const StarRules& rules);
 void star_kernel_avx2(StarBatch& batch, std::size_t count, const StarRules& rules);
@@ -55,11 +56,11 @@ void plane_kernel_baseline(StarBatch& batch, std::size_t count, const StarRules&
 void plane_kernel_avx2(StarBatch& batch, std::size_t count, const StarRules& rules);
 void plane_kernel_avx512(StarBatch& batch, std::size_t count, const StarRules& rules);
 
-void distance_kernel_baseline(const StarBatch& batch, std::size_t count, const double (&point)[3],
-                              double* squares);
-void distance_kernel_avx2(const StarBatch& batch, std::size_t count, const double (&point)[3],
-                          double* squares);
-void distance_kernel_avx512(const StarBatch& batch, std::size_t count, const double (&point)[3],
-                            double* squares);
+void distance_kernel_baseline(const StarBatch& batch, std::size_t count,
+                              const double (&points)[2][3], double (&least)[2][star_kernel_lanes]);
+void distance_kernel_avx2(const StarBatch& batch, std::size_t count, const double (&points)[2][3],
+                          double (&least)[2][star_kernel_lanes]);
+void distance_kernel_avx512(const StarBatch& batch, std::size_t count, const double (&points)[2][3],
+                            double (&least)[2][star_kernel_lanes]);
 
 }  // namespace winnow
