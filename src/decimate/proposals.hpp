@@ -57,10 +57,10 @@ class Proposals {
     double bound = 0;  // none of them costs as much
   };
   // Of the counted ones so many, and those that cost nearly as much as the last: cheaper classes
-  // first, those of a class in the order of the vertices. Beyond `usual` of them none that costs
-  // more than `factor` times as much. Once for each count().
+  // first, those of `alike` classes, counted from the costliest, in the order of the vertices.
+  // Beyond `usual` of them none that costs more than `factor` times as much. Once for each count().
   Cheapest cheapest(std::span<const VertexNumber> vertices, std::size_t wanted, std::size_t usual,
-                    double factor) {
+                    double factor, std::uint32_t alike) {
     std::uint32_t end = 0;
     std::uint32_t count = 0;
     std::uint32_t last = cost_classes;
@@ -73,7 +73,9 @@ class Proposals {
     for (const VertexNumber v : vertices) {
       if (!proposes(v)) continue;
       const std::uint32_t its = cost_class(of_[v].cost);
-      if (its < end) sorted_[counts_[its]++] = v;
+      if (its >= end) continue;
+      const std::uint32_t from_end = (end - 1 - its) / alike * alike;
+      sorted_[counts_[end - std::min(end, from_end + alike)]++] = v;
     }
     if (end == cost_classes) return {sorted_, std::numeric_limits<double>::infinity()};
     return {sorted_, least_of_cost_class(end)};

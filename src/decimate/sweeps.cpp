@@ -28,6 +28,9 @@ constexpr double beside_usual = 256;
 // many of all: edges keep the costs that they had when the sweep began.
 constexpr std::uint64_t coarse_beside_fine = 2;
 constexpr std::uint64_t coarse_of_all = 5;
+// So many classes of costs, 64 octaves, are alike in a coarse sweep: it goes through the mesh in
+// its order, where what is beside an edge is in the caches already. Flat edges still go first.
+constexpr std::uint32_t classes_alike_when_coarse = 1024;
 // Beside the costliest that a sweep looks at, how costly an edge may be that turns out to be
 // costlier.
 constexpr double closer_bound = 0.25;
@@ -69,7 +72,8 @@ bool Sweeps::run(const CollapseLimits& limits, const std::function<void(const Do
     const auto share = static_cast<std::uint64_t>(part * proposed);
     const auto [cheapest, bound] =
         proposals_.cheapest(vertices_, std::min(share, (left - limits.sweeps_to) / 2 + 1),
-                            1 + static_cast<std::uint64_t>(usual_share * proposed), beside_usual);
+                            1 + static_cast<std::uint64_t>(usual_share * proposed), beside_usual,
+                            coarse_ ? classes_alike_when_coarse : 1);
     std::size_t made = 0;
     for (const VertexNumber low : cheapest) {
       if (turns++ % turns_between == 0 && turn) turn();

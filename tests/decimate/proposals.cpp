@@ -36,7 +36,7 @@ TEST_CASE("vertices propose their cheapest edges, the cheapest come first") {
     REQUIRE(proposed ==
             static_cast<std::size_t>(std::count_if(least.begin(), least.end(), finite)));
     const std::size_t wanted = 1 + random.below(2 * proposed);
-    const auto [cheapest, bound] = proposals.cheapest(vertices, wanted, wanted, 2);
+    const auto [cheapest, bound] = proposals.cheapest(vertices, wanted, wanted, 2, 1);
     CHECK((cheapest.size() >= wanted || std::isinf(bound)));
     double highest = 0;
     for (const VertexNumber low : cheapest) {
@@ -64,10 +64,28 @@ TEST_CASE("what costs far more than usual is not among the cheapest") {
       proposals.add(v, edge);
     }
     REQUIRE(proposals.count(vertices) == count);
-    const auto [cheapest, bound] = proposals.cheapest(vertices, 80, 30, 256);
+    const auto [cheapest, bound] = proposals.cheapest(vertices, 80, 30, 256, 1);
     CHECK(cheapest.size() == 50);
     CHECK(bound <= std::max(1e-300, 300 * flat));
   }
+}
+
+TEST_CASE("costs that are alike keep the order of the vertices") {
+  // 16 classes are an octave: alike are those above 0.97, and the next above 0.48.
+  const std::vector<double> costs{1.9, 0.3, 1.1, 0.49, 1.5, 0.26};
+  std::vector<VertexNumber> vertices(costs.size());
+  std::iota(vertices.begin(), vertices.end(), 0U);
+  Proposals proposals(static_cast<VertexNumber>(costs.size()));
+  for (const VertexNumber v : vertices) {
+    EvaluatedEdge edge;
+    edge.cost = costs[v];
+    proposals.add(v, edge);
+  }
+  const std::size_t all = proposals.count(vertices);
+  const auto [cheapest, bound] = proposals.cheapest(vertices, all, all, 2, 16);
+  CHECK(std::vector(cheapest.begin(), cheapest.end()) ==
+        std::vector<VertexNumber>{1, 5, 3, 0, 2, 4});
+  CHECK(bound > 1.9);
 }
 
 }  // namespace winnow
