@@ -62,6 +62,28 @@ def first_for_all(bench, frames, folder, share):
     return run["report"]["seconds"]
 
 
+def time_by_frames(bench, path, frames):
+    """Prints what it takes to simplify the first frames, the first two times as many and so on."""
+    table = Table("frames", "CPU seconds", "a frame more", "resident MiB")
+    found = {}
+    before = None
+    count = max(len(frames) // 8, 2)
+    while count <= len(frames):
+        folder = bench.work / f"sequence-{path.name}"
+        folder.mkdir(exist_ok=True)
+        run = measure([bench.options.winnow, "sequence", *frames[:count], "-o",
+                       folder / "{frame}.ply", "--ratio", "10%", "--force", "--json",
+                       "--threads", 1])
+        now = found[count] = run["cpu_seconds"]
+        more = (now - before[1]) / (count - before[0]) if before else "-"
+        table.add(count, now, more, run["peak_bytes"] / 2**20)
+        before = (count, now)
+        count *= 2
+    print(f"**{path.name}**, time by the number of frames:\n")
+    table.print()
+    return found
+
+
 def section_sequences(bench):
     """A mesh that moves: each frame alone, and all frames at once"""
     options = bench.options
@@ -70,7 +92,7 @@ def section_sequences(bench):
         for share in ("10%", "3%"):
             print(f"**{path.name}**, {len(frames)} frames to {share}:\n")
             table = Table("how", "mean RMS %", "of alone", "worst of alone", "flipped at most",
-                          "flicker of the original", "seconds")
+                          "frames with more flipped", "flicker of the original", "seconds")
             folder = bench.work / f"sequence-{path.name}"
             folder.mkdir(exist_ok=True)
 
@@ -83,9 +105,11 @@ def section_sequences(bench):
                 flicker = found["flicker"]
                 worst = max(rms / by_itself for rms, by_itself in
                             zip(found["rms"]["of_frames"], alone["rms"]["of_frames"]))
+                more = sum(flipped > by_itself for flipped, by_itself in
+                           zip(found["flipped"]["of_frames"], alone["flipped"]["of_frames"]))
                 table.add(name, found["rms"]["mean_percent"],
                           found["rms"]["mean"] / alone["rms"]["mean"], worst,
-                          found["flipped"]["most"],
+                          found["flipped"]["most"], more,
                           flicker["simplified"] / flicker["original"] if flicker else "-", seconds)
                 return found
 
@@ -108,4 +132,5 @@ def section_sequences(bench):
                 kept[name] = judged(name, run["report"]["seconds"], alone)
             table.print()
             result[f"{path.name} {share}"] = kept
+        result[f"{path.name} by frames"] = time_by_frames(bench, path, frames)
     return result
