@@ -134,8 +134,8 @@ class WINNOW_API FrameSink {
 // name, or for the number of the frame from 1 on. Or one GLB, in which the frames are morph
 // targets, with the animations of the input's, or one that plays all frames. All frames need the
 // same vertices and the same faces in the same order. Vertices that are at one place in every frame
-// become one. Vertices carry nothing but normals, which are computed anew where the first frame has
-// some.
+// become one. Vertices carry in each frame what has a meaningful mean, the output can hold and all
+// frames have; normals are computed anew where the first frame has some.
 //
 // The result depends on the inputs' content and on `options` alone. Throws Error: usage, bad_input
 // (also for frames that differ: the message names both files and the first difference), resources,

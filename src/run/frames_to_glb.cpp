@@ -58,6 +58,8 @@ class FrameGlb final : public FrameOutput {
                                         " frames; name a file for each, like 'small-{frame}.glb'");
     if (!frames_) {
       frames_.emplace(job_, share::left::added_mesh(job_.budget.left()));
+      if (!shape.attributes.empty())
+        values_.emplace(job_, share::left::added_mesh(job_.budget.left()));
       shape_ = shape;
       first_ = shape.box;
     }
@@ -67,11 +69,18 @@ class FrameGlb final : public FrameOutput {
                                              job_.progress.check_cancelled();
                                              frames_->append(part);
                                            });
+    if (values_) {
+      mesh.attributes->for_each_part(sizeof(double), [&](std::span<const std::byte> part) {
+        job_.progress.check_cancelled();
+        values_->append(part);
+      });
+    }
     ++count_;
   }
 
   void finish(StoredMesh& mesh) override {
     frames_->finish();
+    if (values_) values_->finish();
     const std::size_t targets = count_ - 1;
     if (clips_.empty() && targets > 0) clips_.push_back(one_after_another(targets));
     const auto glb = make_moving_glb(encoding_, shape_, first_, targets, std::move(clips_));
@@ -79,6 +88,7 @@ class FrameGlb final : public FrameOutput {
     for_each_target([&](std::size_t target, std::span<const MeshVertex> first,
                         std::span<const MeshVertex> own) { glb->measure(target, first, own); });
     mesh.vertices = first_vertices();
+    if (values_) mesh.attributes = first_values();
     write_mesh(job_, mesh, shape_, glb->encoder(), sink_);
     std::vector<std::byte> bytes;
     for_each_target([&](std::size_t /*target*/, std::span<const MeshVertex> first,
@@ -99,13 +109,10 @@ class FrameGlb final : public FrameOutput {
   using EachTarget = std::function<void(std::size_t target, std::span<const MeshVertex> first,
                                         std::span<const MeshVertex> own)>;
 
-  [[nodiscard]] std::vector<MeshVertex> vertices(std::size_t frame, std::uint64_t first,
-                                                 std::size_t count) const {
-    const std::vector<IndexedVertex> indexed =
-        read_records<IndexedVertex>(*frames_, frame * shape_.vertices + first, count);
-    std::vector<MeshVertex> out(count);
-    std::transform(indexed.begin(), indexed.end(), out.begin(), finished);
-    return out;
+  [[nodiscard]] FinishedVertices vertices(std::size_t frame, std::uint64_t first,
+                                          std::size_t count) const {
+    const std::uint64_t from = frame * shape_.vertices + first;
+    return finished_vertices(*frames_, values_ ? &*values_ : nullptr, shape_, from, count);
   }
 
   // Part by part, target by target.
@@ -113,7 +120,7 @@ class FrameGlb final : public FrameOutput {
     for (std::size_t frame = 1; frame < count_; ++frame) {
       for (std::uint64_t v = 0; v < shape_.vertices; v += chunk_records) {
         const std::size_t part = std::min<std::uint64_t>(chunk_records, shape_.vertices - v);
-        each(frame - 1, vertices(0, v, part), vertices(frame, v, part));
+        each(frame - 1, vertices(0, v, part).vertices, vertices(frame, v, part).vertices);
         job_.progress.advance(part);
       }
     }
@@ -128,6 +135,17 @@ class FrameGlb final : public FrameOutput {
     return out;
   }
 
+  [[nodiscard]] std::unique_ptr<Spool> first_values() {
+    const std::size_t each = shape_.attributes.size();
+    auto out = std::make_unique<Spool>(job_, share::left::added_mesh(job_.budget.left()));
+    for (std::uint64_t v = 0; v < shape_.vertices; v += chunk_records) {
+      const std::uint64_t part = std::min<std::uint64_t>(chunk_records, shape_.vertices - v);
+      append_records<double>(*out, read_records<double>(*values_, v * each, part * each));
+    }
+    out->finish();
+    return out;
+  }
+
   Job& job_;
   Encoding encoding_;
   std::vector<MorphClip> clips_;
@@ -135,6 +153,7 @@ class FrameGlb final : public FrameOutput {
   std::string format_;
   ByteSink sink_;
   std::optional<Spool> frames_;  // their vertices, frame after frame
+  std::optional<Spool> values_;  // what these carry
   std::size_t count_ = 0;
   MeshShape shape_;  // its box holds all frames
   Box first_;

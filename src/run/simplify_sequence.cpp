@@ -41,6 +41,17 @@ void check(const SequenceOptions& options) {
   check_ranges(sequence_options(), options);
 }
 
+// Whatever has a meaningful mean and the output can hold. Normals are computed anew, so none is
+// missed.
+AttributeRequest wish_of(const MeshEncoder& encoder) {
+  AttributeRequest wish;
+  wish.names.reset();
+  wish.refusal = [&encoder](const Attribute& attribute, std::span<const Attribute> wanted) {
+    return names_normal(attribute) ? std::string() : encoder.attribute_refusal(attribute, wanted);
+  };
+  return wish;
+}
+
 // Fewer where there are many frames, so that a tile takes about the same memory. With 64 frames or
 // fewer it has the 2^15 faces and more that its borders hardly show in.
 std::uint64_t tile_faces_for(std::size_t frames) {
@@ -64,11 +75,15 @@ RefineSettings settings_for(const SequenceOptions& options, const SequenceMesh& 
   settings.decimation.sequence = {sequence.frames, options.deformation_weight,
                                   options.feature_weight,
                                   options.quadrics == Quadrics::accumulated};
+  for (std::size_t t = 0; t < sequence.frames; ++t)
+    settings.attributes.insert(settings.attributes.end(), sequence.attributes.begin(),
+                               sequence.attributes.end());
   return settings;
 }
 
-[[noreturn]] void refuse_memory(const Job& job, const MemoryPlan& plan, std::uint64_t vertices) {
-  const std::uint64_t missing = IntakeMemory::arrays_for(vertices) - plan.cluster.table;
+[[noreturn]] void refuse_memory(const Job& job, const MemoryPlan& plan, std::uint64_t vertices,
+                                std::uint64_t bytes) {
+  const std::uint64_t missing = bytes - plan.cluster.table;
   const std::uint64_t enough = job.budget.total() + share::plan::cells.whole(missing);
   throw Error(ErrorKind::resources,
               "a memory budget of " + human_bytes(job.budget.total()) +
@@ -81,13 +96,14 @@ RefineSettings settings_for(const SequenceOptions& options, const SequenceMesh& 
 class FrameFinisher {
  public:
   FrameFinisher(Job& job, RefineSettings settings, std::uint64_t wanted, StoredMesh reference,
-                const OriginalFrames& original)
+                const OriginalFrames& original, std::vector<Attribute> attributes)
       : job_(job),
         settings_(std::move(settings)),
         reference_(std::move(reference)),
         first_(std::move(reference_.vertices)),
         original_(original) {
     settings_.decimation.sequence.reset();
+    settings_.attributes = std::move(attributes);
     settings_.faces = wanted;
     settings_.unfolds_thoroughly = true;
     settings_.tile_faces = RefineSettings().tile_faces;
@@ -96,11 +112,14 @@ class FrameFinisher {
   // Down to the wanted faces, by the frame's own cost.
   [[nodiscard]] StoredMesh simplified(const StoredMesh& mesh) const {
     const RefineMemory memory = refine_memory(job_.budget.left());
-    StoredMesh own(job_, {}, MeshMemory::divide(memory.mesh));
+    StoredMesh own(job_, {0, settings_.attributes.size()}, MeshMemory::divide(memory.mesh));
     SpoolCursor<IndexedVertex> vertices(job_, mesh.vertices->records());
     Appender<IndexedVertex, VertexIndex> append(job_, *own.vertices);
     for (IndexedVertex vertex; vertices.next(vertex);) append.add(vertex);
     append.flush();
+    if (mesh.attributes != nullptr)
+      mesh.attributes->for_each_part(
+          sizeof(double), [&](std::span<const std::byte> part) { own.attributes->append(part); });
     own.finish_vertices();
     SpoolCursor<FaceVertices> faces = mesh.face_cursor(job_);
     Appender<FaceVertices> append_face(job_, *own.faces);
@@ -143,7 +162,12 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
     const std::uint64_t quarter = plan.cluster.faces;
     FrameIntake intake(
         job, readers, {plan.reader, plan.cluster.table, quarter / 2, quarter / 2 * 3, quarter / 4});
-    sequence = intake.run([&](std::uint64_t vertices) { refuse_memory(job, plan, vertices); });
+    sequence = intake.run([&](std::uint64_t vertices,
+                              std::uint64_t bytes) { refuse_memory(job, plan, vertices, bytes); },
+                          [&](std::vector<Attribute>& attributes,
+                              const std::vector<MeshReader::AttributeRange>& ranges) {
+                            settle_colors(job, attributes, ranges);
+                          });
   }
   note_dropped(job, sequence.dropped);
   if (sequence.mesh.face_count == 0)
@@ -175,7 +199,8 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
 
   const MeshEncoder& encoder = output.encoder();
   const bool closed = encoder.needs_survey() && is_closed(job, mesh);
-  FrameFinisher finisher(job, settings, wanted, std::move(refined.reference), sequence.original);
+  FrameFinisher finisher(job, settings, wanted, std::move(refined.reference), sequence.original,
+                         sequence.attributes);
   for_each_result_frame(
       job, mesh, sequence.frames, share::left::packing(job.budget.left()), [&](std::size_t frame) {
         StoredMesh own;
@@ -186,6 +211,7 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
         MeshShape shape = shape_of(job, written, encoder, sequence.normals, doubles,
                                    sequence.double_positions, "simplified by winnow");
         shape.closed = closed;
+        shape.attributes = sequence.attributes;
         output.write(frame, written, shape);
         report.output.faces = std::max(report.output.faces, written.face_count);
         report.output.vertices = std::max(report.output.vertices, written.vertices->size());
@@ -220,9 +246,6 @@ SequenceReport simplify_sequence(Context& context, const std::vector<std::string
                   "a sequence needs the files of two frames or more, or a glTF with morph targets; "
                   "for one mesh there is `simplify`");
     if (morphs != nullptr) frames.labels = frame_numbers(morphs->frames());
-    const std::unique_ptr<FrameReaders> readers =
-        morphs != nullptr ? frames_of_morphs(*morphs, inputs.front())
-                          : frames_of_files(job, frames.inputs, options.from);
     std::unique_ptr<FrameOutput> to;
     if (holds_all_frames(output, options)) {
       names = {output};
@@ -232,6 +255,10 @@ SequenceReport simplify_sequence(Context& context, const std::vector<std::string
       names = names_of_frames(output, frames.labels);
       to = frames_to_files(job, names, options);
     }
+    const AttributeRequest wish = wish_of(to->encoder());
+    const std::unique_ptr<FrameReaders> readers =
+        morphs != nullptr ? frames_of_morphs(*morphs, inputs.front(), wish)
+                          : frames_of_files(job, frames.inputs, options.from, wish);
     SequenceReport done = run(job, *readers, *to, options);
     if (morphs != nullptr) done.input.bytes /= morphs->frames();  // each read all of the file
     return done;
@@ -246,7 +273,8 @@ SequenceReport simplify_sequence(Context& context, FrameSource& source, FrameSin
   check(options);
   Job job(context);
   return in_arena(job, [&] {
-    return run(job, *frames_of_source(job, source), *frames_to_sink(job, sink, options), options);
+    const std::unique_ptr<FrameOutput> to = frames_to_sink(job, sink, options);
+    return run(job, *frames_of_source(job, source, wish_of(to->encoder())), *to, options);
   });
 }
 

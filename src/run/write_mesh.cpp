@@ -108,16 +108,20 @@ MeshShape shape_of(Job& job, const StoredMesh& mesh, const MeshEncoder& encoder,
 
 FinishedVertices finished_vertices(const StoredMesh& mesh, const MeshShape& shape,
                                    std::uint64_t first, std::size_t count) {
-  const std::vector<IndexedVertex> indexed =
-      read_records<IndexedVertex>(mesh.vertices->records(), first, count);
+  return finished_vertices(mesh.vertices->records(), mesh.attributes.get(), shape, first, count);
+}
+
+FinishedVertices finished_vertices(const Spool& vertices, const Spool* attributes,
+                                   const MeshShape& shape, std::uint64_t first, std::size_t count) {
+  const std::vector<IndexedVertex> indexed = read_records<IndexedVertex>(vertices, first, count);
   FinishedVertices out;
   out.vertices.resize(count);
   std::transform(indexed.begin(), indexed.end(), out.vertices.begin(), finished);
   const std::size_t carried = shape.attributes.size();
   if (carried == 0) return out;
   out.attributes.resize(carried * count);
-  mesh.attributes->read(first * carried * sizeof(double),
-                        std::as_writable_bytes(std::span(out.attributes)));
+  attributes->read(first * carried * sizeof(double),
+                   std::as_writable_bytes(std::span(out.attributes)));
   for (std::size_t i = 0; i < count; ++i) {
     finish_attributes(shape, std::span(out.attributes).subspan(i * carried, carried),
                       out.vertices[i]);

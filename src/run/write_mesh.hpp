@@ -34,6 +34,9 @@ struct FinishedVertices {
 };
 FinishedVertices finished_vertices(const StoredMesh& mesh, const MeshShape& shape,
                                    std::uint64_t first, std::size_t count);
+// The same of an IndexedVertex each, and the numbers that the shape has.
+FinishedVertices finished_vertices(const Spool& vertices, const Spool* attributes,
+                                   const MeshShape& shape, std::uint64_t first, std::size_t count);
 
 // Encodes with all threads, writes in order; does not finish() the sink.
 void write_mesh(Job& job, const StoredMesh& mesh, const MeshShape& shape,

@@ -40,12 +40,14 @@ FrameIntake::FrameIntake(Job& job, FrameReaders& readers, const IntakeMemory& me
     : job_(job),
       readers_(readers),
       memory_(memory),
+      carried_(job, memory.frames / 2),
       frames_(std::make_unique<Spool>(job, memory.frames)),
       raw_faces_(job, memory.mesh / 4),
       cut_faces_(job, memory.mesh / 4) {}
 
-SequenceMesh FrameIntake::run(const std::function<void(std::uint64_t)>& refuse) {
+SequenceMesh FrameIntake::run(const Refuse& refuse, const FrameAttributes::Settle& settle) {
   refuse_ = &refuse;
+  settle_ = &settle;
   ReaderMemory reading = memory_.reader;
   reading.polygons_as_fans = true;
   job_.progress.begin("read frames", 0, "vertices");
@@ -70,11 +72,16 @@ SequenceMesh FrameIntake::run(const std::function<void(std::uint64_t)>& refuse) 
   if (out_.frames == 0) throw Error(ErrorKind::usage, "a sequence needs at least one frame");
   frames_->finish();
   position_ = {};
+  carried_.finish(out_.dropped.dropped);
+  out_.attributes = carried_.carried();
+  if (carried_.not_finite() > 0)
+    job_.note(grouped(carried_.not_finite()) +
+              " numbers of carried attributes are not finite; 0 was taken for them");
   job_.progress.begin("order vertices", out_.vertices, "vertices");
   join_vertices();
   const Spool& faces = polygons_ ? cut_faces_ : raw_faces_;
   number_used(faces);
-  const MeshLayout layout{Frames::saved_size(out_.frames), 0};
+  const MeshLayout layout{Frames::saved_size(out_.frames), out_.frames * out_.attributes.size()};
   out_.mesh = StoredMesh(job_, layout, MeshMemory::divide(memory_.mesh / 2));
   write_vertices(out_.mesh);
   write_faces(out_.mesh, faces);
@@ -89,22 +96,26 @@ void FrameIntake::take_room(std::uint64_t vertices) {
     throw Error(ErrorKind::bad_input, readers_.name(out_.frames) + " has " + grouped(vertices) +
                                           " vertices; a frame of a sequence has at most " +
                                           grouped(no_number - 1));
-  const std::uint64_t bytes = IntakeMemory::arrays_for(vertices);
+  const std::uint64_t bytes = IntakeMemory::arrays_for(vertices, carried_.count());
   if (bytes <= arrays_.bytes()) return;
   arrays_.release();
-  if (bytes > memory_.arrays) (*refuse_)(vertices);
+  if (bytes > memory_.arrays) (*refuse_)(vertices, bytes);
   arrays_ = job_.budget.try_reserve(bytes);
-  if (!arrays_) (*refuse_)(vertices);
+  if (!arrays_) (*refuse_)(vertices, bytes);
 }
 
 void FrameIntake::read_positions(MeshReader& reader) {
   if (!reader.facts().vertices) return read_corners(reader);
   const std::uint64_t vertices = *reader.facts().vertices;
   if (out_.frames == 0) {
+    carried_.begin_first(reader, *settle_);
     take_room(vertices);
+    carried_.begin_frame(vertices);
     position_.resize(vertices);
   } else if (vertices != position_.size()) {
     refuse_counts("vertices", vertices, position_.size());
+  } else {
+    carried_.begin_later(reader, readers_.name(out_.frames));
   }
   const bool first = out_.frames == 0;
   for_each_position_batch(job_, reader, [&](const PositionView& view) {
@@ -112,6 +123,7 @@ void FrameIntake::read_positions(MeshReader& reader) {
       const std::uint64_t v = view.first + i;
       position_[first ? v : order_.place[v]] = {view.axis[0][i], view.axis[1][i], view.axis[2][i]};
     }
+    carried_.take(reader, view, first ? nullptr : order_.place.data());
   });
 }
 
@@ -134,7 +146,7 @@ void FrameIntake::read_corners(MeshReader& reader) {
           if (count + points.size() > position_.capacity()) {
             const std::uint64_t more = (count + points.size()) / 4 * 5;
             take_room(std::max(more, 3 * reader.facts().faces.value_or(0)));
-            position_.reserve(arrays_.bytes() / IntakeMemory::arrays_for(1));
+            position_.reserve(arrays_.bytes() / IntakeMemory::arrays_for(1, 0));
           }
           position_.insert(position_.end(), points.begin(), points.end());
         } else if (count + points.size() <= position_.size()) {
@@ -229,6 +241,7 @@ void FrameIntake::add_later(MeshReader& reader) {
 void FrameIntake::order_vertices() {
   order_ = order_by_place(job_, position_, path_);
   put_in_order(position_, order_);
+  carried_.put_in_order(order_);
   std::fill(path_.begin(), path_.end(), 0);
   finite_.assign(position_.size(), 1);
 }
@@ -239,6 +252,7 @@ void FrameIntake::keep_frame() {
     finite_[i] &= static_cast<std::uint8_t>(finite(position_[i]));
   }
   append_records<Point>(*frames_, position_);
+  carried_.keep_frame();
   job_.progress.advance(position_.size());
 }
 
@@ -304,16 +318,21 @@ void FrameIntake::number_used(const Spool& faces) {
 void FrameIntake::write_vertices(StoredMesh& mesh) {
   const std::size_t count = number_.size();
   const std::size_t at_once =
-      std::clamp<std::size_t>(bytes_at_once / (out_.frames * sizeof(Point)), 1, 4096);
+      std::clamp<std::size_t>(bytes_at_once / mesh.layout.vertex_bytes(), 1, 4096);
   std::vector<IndexedVertex> vertices;
   std::vector<std::byte> states;
+  std::vector<double> numbers;  // of each vertex those of each frame
+  const std::size_t carried = out_.attributes.size();
   const std::size_t state = mesh.layout.state;
   for (std::size_t first = 0; first < count; first += at_once) {
     const std::size_t end = std::min(count, first + at_once);
     vertices.clear();
     states.clear();
+    numbers.clear();
     for (std::size_t t = 0; t < out_.frames; ++t) {
       const std::vector<Point> part = read_records<Point>(*frames_, t * count + first, end - first);
+      const std::vector<double> of_frame =
+          carried > 0 ? carried_.read(t, first, end - first) : std::vector<double>();
       std::size_t used = 0;
       for (std::size_t i = first; i < end; ++i) {
         if (number_[i] == no_number) continue;
@@ -327,10 +346,14 @@ void FrameIntake::write_vertices(StoredMesh& mesh) {
           std::memcpy(states.data() + used * state + (t - 1) * sizeof(Point), &part[i - first],
                       sizeof(Point));
         }
+        if (t == 0) numbers.resize(numbers.size() + mesh.layout.attributes);
+        std::copy_n(of_frame.begin() + static_cast<std::ptrdiff_t>((i - first) * carried), carried,
+                    numbers.begin() +
+                        static_cast<std::ptrdiff_t>(used * mesh.layout.attributes + t * carried));
         ++used;
       }
     }
-    mesh.append_vertices(vertices, states, {});
+    mesh.append_vertices(vertices, states, numbers);
     job_.progress.advance(end - first);
   }
   mesh.finish_vertices();

@@ -6,6 +6,7 @@
 #include "io/job.hpp"
 #include "mesh/stored_mesh.hpp"
 #include "read/mesh_reader.hpp"
+#include "sequence/frame_attributes.hpp"
 #include "sequence/frame_readers.hpp"
 #include "sequence/original_frames.hpp"
 #include "sequence/vertex_order.hpp"
@@ -26,9 +27,10 @@ struct IntakeMemory {
   std::uint64_t mesh = 0;    // what comes out
   std::uint64_t sorting = 0;
 
-  // Bytes of arrays for so many vertices.
-  static constexpr std::uint64_t arrays_for(std::uint64_t vertices) {
-    return vertices * (sizeof(Point) + 2 * sizeof(std::uint64_t) + 4 * sizeof(std::uint32_t) + 2);
+  // Bytes of arrays for so many vertices, which carry so many numbers.
+  static constexpr std::uint64_t arrays_for(std::uint64_t vertices, std::size_t numbers) {
+    return vertices * (sizeof(Point) + 2 * sizeof(std::uint64_t) + 4 * sizeof(std::uint32_t) + 2 +
+                       2 * numbers * sizeof(double));
   }
 };
 
@@ -40,20 +42,22 @@ struct SequenceMesh {
   std::uint64_t vertices = 0, faces = 0;  // of one frame, as they were read
   std::uint64_t bytes = 0;
   std::uint64_t joined = 0, bad_faces = 0;
-  AttributeSelection dropped;     // of the first frame
-  bool normals = false;           // the first frame has some
-  bool double_positions = false;  // some frame has
+  std::vector<Attribute> attributes;  // that vertices carry in each frame, the first one's first
+  AttributeSelection dropped;         // of the first frame, and what not all have
+  bool normals = false;               // the first frame has some
+  bool double_positions = false;      // some frame has
 };
 
 // Throws Error(bad_input) where frames differ in their vertices or faces, naming both and the first
 // difference; Error(resources), with arrays that are enough for the first frame by way of
-// `refuse(vertices)`, where those are too small.
+// `refuse`, where those are too small.
 class FrameIntake {
  public:
   FrameIntake(Job& job, FrameReaders& readers, const IntakeMemory& memory);
 
-  // Once. `refuse`: throws, for a frame of so many vertices.
-  SequenceMesh run(const std::function<void(std::uint64_t vertices)>& refuse);
+  // Once. `refuse`: throws, for a frame of so many vertices that needs so many bytes.
+  using Refuse = std::function<void(std::uint64_t vertices, std::uint64_t bytes)>;
+  SequenceMesh run(const Refuse& refuse, const FrameAttributes::Settle& settle);
 
  private:
   void add_first(MeshReader& reader);
@@ -74,7 +78,9 @@ class FrameIntake {
   Job& job_;
   FrameReaders& readers_;
   IntakeMemory memory_;
-  const std::function<void(std::uint64_t)>* refuse_ = nullptr;
+  const Refuse* refuse_ = nullptr;
+  const FrameAttributes::Settle* settle_ = nullptr;
+  FrameAttributes carried_;
   SequenceMesh out_;
   bool corners_ = false;  // of faces are all vertices that there are
   Reservation arrays_;

@@ -1,6 +1,5 @@
 #include "sequence/frame_readers.hpp"
 
-#include "base/attribute.hpp"
 #include "io/byte_source.hpp"
 #include "read/view_arrays.hpp"
 #include "read/view_reader.hpp"
@@ -11,20 +10,10 @@ namespace winnow {
 
 namespace {
 
-// Normals are computed anew.
-AttributeRequest nothing_but_normals() {
-  AttributeRequest wish;
-  wish.names.reset();
-  wish.refusal = [](const Attribute& attribute, std::span<const Attribute>) {
-    return std::string(names_normal(attribute) ? "" : "a sequence carries normals alone:");
-  };
-  return wish;
-}
-
 class FileFrames final : public FrameReaders {
  public:
-  FileFrames(Job& job, const std::vector<std::string>& names, Format from)
-      : job_(job), names_(names), from_(from) {}
+  FileFrames(Job& job, const std::vector<std::string>& names, Format from, AttributeRequest wish)
+      : job_(job), names_(names), from_(from), wish_(std::move(wish)) {}
 
   std::unique_ptr<MeshReader> next(const ReaderMemory& memory) override {
     if (begun_ == names_.size()) return nullptr;
@@ -33,7 +22,7 @@ class FileFrames final : public FrameReaders {
   }
   std::unique_ptr<MeshReader> again(const ReaderMemory& memory) override {
     return open_reader(job_, open_source(job_, names_[begun_ - 1]), from_, Access::positions_first,
-                       memory, nothing_but_normals());
+                       memory, wish_);
   }
   [[nodiscard]] std::string name(std::size_t frame) const override {
     return "'" + names_[frame] + "'";
@@ -43,12 +32,14 @@ class FileFrames final : public FrameReaders {
   Job& job_;
   const std::vector<std::string>& names_;
   Format from_;
+  AttributeRequest wish_;
   std::size_t begun_ = 0;
 };
 
 class TargetFrames final : public FrameReaders {
  public:
-  TargetFrames(MorphFrames& frames, std::string name) : frames_(frames), name_(std::move(name)) {}
+  TargetFrames(MorphFrames& frames, std::string name, AttributeRequest wish)
+      : frames_(frames), name_(std::move(name)), wish_(std::move(wish)) {}
 
   std::unique_ptr<MeshReader> next(const ReaderMemory& memory) override {
     if (begun_ == frames_.frames()) return nullptr;
@@ -56,7 +47,7 @@ class TargetFrames final : public FrameReaders {
     return again(memory);
   }
   std::unique_ptr<MeshReader> again(const ReaderMemory& memory) override {
-    return frames_.open(begun_ - 1, memory, nothing_but_normals());
+    return frames_.open(begun_ - 1, memory, wish_);
   }
   [[nodiscard]] std::string name(std::size_t frame) const override {
     return "'" + name_ + "'" + (frame > 0 ? ", morph target " + std::to_string(frame) : "");
@@ -65,12 +56,14 @@ class TargetFrames final : public FrameReaders {
  private:
   MorphFrames& frames_;
   std::string name_;
+  AttributeRequest wish_;
   std::size_t begun_ = 0;
 };
 
 class ViewFrames final : public FrameReaders {
  public:
-  ViewFrames(Job& job, FrameSource& source) : job_(job), source_(source) {}
+  ViewFrames(Job& job, FrameSource& source, AttributeRequest wish)
+      : job_(job), source_(source), wish_(std::move(wish)) {}
 
   std::unique_ptr<MeshReader> next(const ReaderMemory& memory) override {
     view_ = {};
@@ -79,7 +72,7 @@ class ViewFrames final : public FrameReaders {
     return again(memory);
   }
   std::unique_ptr<MeshReader> again(const ReaderMemory& memory) override {
-    return open_view(job_, view_, memory, nothing_but_normals());
+    return open_view(job_, view_, memory, wish_);
   }
   [[nodiscard]] std::string name(std::size_t frame) const override {
     return "frame " + std::to_string(frame + 1);
@@ -88,22 +81,25 @@ class ViewFrames final : public FrameReaders {
  private:
   Job& job_;
   FrameSource& source_;
+  AttributeRequest wish_;
   MeshView view_;
 };
 
 }  // namespace
 
 std::unique_ptr<FrameReaders> frames_of_files(Job& job, const std::vector<std::string>& names,
-                                              Format from) {
-  return std::make_unique<FileFrames>(job, names, from);
+                                              Format from, AttributeRequest wish) {
+  return std::make_unique<FileFrames>(job, names, from, std::move(wish));
 }
 
-std::unique_ptr<FrameReaders> frames_of_morphs(MorphFrames& frames, const std::string& name) {
-  return std::make_unique<TargetFrames>(frames, name);
+std::unique_ptr<FrameReaders> frames_of_morphs(MorphFrames& frames, const std::string& name,
+                                               AttributeRequest wish) {
+  return std::make_unique<TargetFrames>(frames, name, std::move(wish));
 }
 
-std::unique_ptr<FrameReaders> frames_of_source(Job& job, FrameSource& source) {
-  return std::make_unique<ViewFrames>(job, source);
+std::unique_ptr<FrameReaders> frames_of_source(Job& job, FrameSource& source,
+                                               AttributeRequest wish) {
+  return std::make_unique<ViewFrames>(job, source, std::move(wish));
 }
 
 }  // namespace winnow

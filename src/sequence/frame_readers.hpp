@@ -24,13 +24,15 @@ class FrameReaders {
   [[nodiscard]] virtual std::string name(std::size_t frame) const = 0;  // for messages
 };
 
-// Of morph targets. `frames` must stay.
-std::unique_ptr<FrameReaders> frames_of_morphs(MorphFrames& frames, const std::string& name);
+// `wish`: which attributes of vertices are read. Of morph targets; `frames` must stay.
+std::unique_ptr<FrameReaders> frames_of_morphs(MorphFrames& frames, const std::string& name,
+                                               AttributeRequest wish);
 
 // `names` must stay.
 std::unique_ptr<FrameReaders> frames_of_files(Job& job, const std::vector<std::string>& names,
-                                              Format from);
+                                              Format from, AttributeRequest wish);
 // `source` must stay.
-std::unique_ptr<FrameReaders> frames_of_source(Job& job, FrameSource& source);
+std::unique_ptr<FrameReaders> frames_of_source(Job& job, FrameSource& source,
+                                               AttributeRequest wish);
 
 }  // namespace winnow

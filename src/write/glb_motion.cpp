@@ -1,5 +1,6 @@
 #include "write/glb_motion.hpp"
 
+#include "base/srgb.hpp"
 #include "base/text.hpp"
 #include "write/append.hpp"
 #include "write/glb_text.hpp"
@@ -75,10 +76,11 @@ std::uint64_t GlbMotion::bytes() const {
 
 void emit_glb_targets(const GlbMotion& motion, std::size_t first, const Emit& emit) {
   emit(R"(,"targets":[)");
-  const std::size_t each = motion.normals ? 2 : 1;
+  const std::size_t each = motion.each_accessors();
   for (std::size_t t = 0; t < motion.moves.size(); ++t) {
     emit((t > 0 ? R"(,{"POSITION":)" : R"({"POSITION":)") + glb_number(first + each * t));
     if (motion.normals) emit(R"(,"NORMAL":)" + glb_number(first + each * t + 1));
+    if (motion.colors > 0) emit(R"(,"COLOR_0":)" + glb_number(first + each * (t + 1) - 1));
     emit("}");
   }
   emit("]");
@@ -87,11 +89,15 @@ void emit_glb_targets(const GlbMotion& motion, std::size_t first, const Emit& em
 void emit_motion_accessors(const GlbMotion& motion, std::size_t view, const Emit& emit) {
   for (std::size_t t = 0; t < motion.moves.size(); ++t) {
     const std::uint64_t at = t * motion.vertices * motion.stride();
-    const std::string vectors = floats + glb_number(motion.vertices) + R"(,"type":"VEC3")";
+    const std::string count = floats + glb_number(motion.vertices) + R"(,"type":"VEC)";
+    const std::string vectors = count + "3\"";
     const Box& box = motion.moves[t];
     emit(",{" + slice(view, at) + vectors + R"(,"min":)" + glb_list(box.low) + R"(,"max":)" +
          glb_list(box.high) + "}");
     if (motion.normals) emit(",{" + slice(view, at + 3 * sizeof(float)) + vectors + "}");
+    if (motion.colors == 0) continue;
+    const std::uint64_t colors = at + motion.stride() - motion.colors * sizeof(float);
+    emit(",{" + slice(view, colors) + count + glb_number(motion.colors) + "\"}");
   }
   std::uint64_t at = 0;
   for (const MorphClip& clip : motion.clips) {
@@ -131,7 +137,8 @@ void emit_glb_animations(const GlbMotion& motion, std::size_t first, const Emit&
   emit("]");
 }
 
-GlbMove glb_move(const GlbLayout& layout, const MeshVertex& from, const MeshVertex& to) {
+GlbMove glb_move(const GlbLayout& layout, const VertexColors& colors, const MeshVertex& from,
+                 const MeshVertex& to) {
   const Point first = written_position(from.position, layout);
   const Point later = written_position(to.position, layout);
   const std::array<float, 3> first_normal = unit_normal(from.normal);
@@ -141,12 +148,20 @@ GlbMove glb_move(const GlbLayout& layout, const MeshVertex& from, const MeshVert
     move.position[axis] = static_cast<float>(later[axis] - first[axis]);
     move.normal[axis] = later_normal[axis] - first_normal[axis];
   }
+  for (std::size_t i = 0; i < move.color.size() && colors.any(); ++i) {
+    const auto written = [&](const MeshVertex& vertex) {
+      const double component = colors.component(vertex, i);
+      return i < 3 ? light_of_component(component) : component;
+    };
+    move.color[i] = static_cast<float>(written(to) - written(from));
+  }
   return move;
 }
 
 void append_move(const GlbMotion& motion, const GlbMove& move, std::vector<std::byte>& out) {
   append(out, move.position);
   if (motion.normals) append(out, move.normal);
+  for (unsigned i = 0; i < motion.colors; ++i) append(out, move.color.at(i));
 }
 
 void append_clips(const GlbMotion& motion, std::vector<std::byte>& out) {

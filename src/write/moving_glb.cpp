@@ -14,14 +14,19 @@ class MovingGlbOfFloats final : public MovingGlb {
   MovingGlbOfFloats(const Encoding& encoding, const MeshShape& shape, const Box& first,
                     std::size_t targets, std::vector<MorphClip> clips)
       : layout_(shape, encoding),
-        motion_{shape.normals, shape.vertices, written_box(first, layout_),
-                std::vector<Box>(targets), std::move(clips)},
+        colors_(shape.attributes),
+        motion_{shape.normals,
+                layout_.color ? layout_.color->components : 0,
+                shape.vertices,
+                written_box(first, layout_),
+                std::vector<Box>(targets),
+                std::move(clips)},
         encoder_(make_encoder_of(encoding, motion_)) {}
 
   void measure(std::size_t target, std::span<const MeshVertex> first,
                std::span<const MeshVertex> own) override {
     for (std::size_t i = 0; i < own.size(); ++i) {
-      const auto [x, y, z] = glb_move(layout_, first[i], own[i]).position;
+      const auto [x, y, z] = glb_move(layout_, colors_, first[i], own[i]).position;
       motion_.moves[target].add(Point{x, y, z});
     }
   }
@@ -29,7 +34,7 @@ class MovingGlbOfFloats final : public MovingGlb {
   void append_target(std::span<const MeshVertex> first, std::span<const MeshVertex> own,
                      std::vector<std::byte>& out) const override {
     for (std::size_t i = 0; i < own.size(); ++i)
-      append_move(motion_, glb_move(layout_, first[i], own[i]), out);
+      append_move(motion_, glb_move(layout_, colors_, first[i], own[i]), out);
   }
   void append_clips(std::vector<std::byte>& out) const override {
     winnow::append_clips(motion_, out);
@@ -37,6 +42,7 @@ class MovingGlbOfFloats final : public MovingGlb {
 
  private:
   GlbLayout layout_;
+  VertexColors colors_;
   GlbMotion motion_;
   std::unique_ptr<MeshEncoder> encoder_;
 };

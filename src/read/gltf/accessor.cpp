@@ -53,7 +53,8 @@ GltfElements::GltfElements(GltfBytes& bytes, const GltfDocument& document, std::
     : bytes_(bytes),
       document_(document),
       accessor_(document.accessors[accessor]),
-      normalized_(use == GltfUse::positions || use == GltfUse::vectors || use == GltfUse::numbers
+      normalized_(use == GltfUse::positions || use == GltfUse::vectors || use == GltfUse::numbers ||
+                          use == GltfUse::color_moves
                       ? accessor_.normalized
                       : use != GltfUse::indices),
       name_(std::move(name)) {
@@ -73,7 +74,8 @@ void GltfElements::check(GltfUse use) const {
   const GltfType type = accessor_.type;
   const bool scalars = use == GltfUse::indices || use == GltfUse::numbers;
   const unsigned wanted = scalars ? 1 : use == GltfUse::rotations ? 4 : 3;
-  if (accessor_.components != wanted && !(use == GltfUse::colors && accessor_.components == 4))
+  const bool colors = use == GltfUse::colors || use == GltfUse::color_moves;
+  if (accessor_.components != wanted && !(colors && accessor_.components == 4))
     fail("an accessor is of the wrong type for what it is used for");
   if (use == GltfUse::indices && !is_index(type)) fail("indices are no unsigned integers");
   if (use == GltfUse::positions && type == GltfType::uint32)

@@ -16,6 +16,7 @@ enum class GltfUse : std::uint8_t {
   positions,
   normals,
   colors,
+  color_moves,  // that a morph target adds
   vectors,
   rotations,
   numbers,  // of animations

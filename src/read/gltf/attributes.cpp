@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace winnow {
@@ -57,6 +58,7 @@ AvailableAttributes offer_of(const GltfAttributes& attributes) {
 GltfVertexAttributes::GltfVertexAttributes(GltfBytes& bytes, const GltfDocument& document,
                                            const GltfAttributes& attributes,
                                            const GltfPrimitive& primitive,
+                                           std::optional<std::size_t> color_move,
                                            const std::vector<bool>& carried, const GltfTurn& turn,
                                            const std::string& name)
     : attributes_(attributes),
@@ -67,6 +69,8 @@ GltfVertexAttributes::GltfVertexAttributes(GltfBytes& bytes, const GltfDocument&
     normals_.emplace(bytes, document, *primitive.normals, GltfUse::normals, name);
   if (any(first_color_, carried.size()))
     colors_.emplace(bytes, document, *primitive.colors, GltfUse::colors, name);
+  if (colors_ && color_move)
+    color_moves_.emplace(bytes, document, *color_move, GltfUse::color_moves, name);
 }
 
 bool GltfVertexAttributes::any(std::size_t begin, std::size_t end) const {
@@ -80,6 +84,7 @@ void GltfVertexAttributes::next(std::size_t count, std::vector<double>& out) {
   if (!normals_ && !colors_) return;
   const std::span<const double> normals = normals_ ? normals_->next() : std::span<const double>();
   const std::span<const double> colors = colors_ ? colors_->next() : std::span<const double>();
+  if (color_moves_) moves_ = color_moves_->next();
   const double full = full_component(attributes_.color_type);
   for (std::size_t v = 0; v < count; ++v) {
     if (normals_) {
@@ -92,9 +97,18 @@ void GltfVertexAttributes::next(std::size_t count, std::vector<double>& out) {
       if (!carried_[i]) continue;
       const std::size_t component = i - first_color_;
       const std::size_t components = colors_->components();
-      out.push_back(full * (component < components ? colors[components * v + component] : 1));
+      const double at_rest = component < components ? colors[components * v + component] : 1;
+      out.push_back(moved(v, component, at_rest, full));
     }
   }
+}
+
+double GltfVertexAttributes::moved(std::size_t vertex, std::size_t component, double at_rest,
+                                   double full) const {
+  const std::size_t components = color_moves_ ? color_moves_->components() : 0;
+  if (component >= components) return full * at_rest;
+  const double now = full * std::clamp(at_rest + moves_[components * vertex + component], 0.0, 1.0);
+  return is_integer(attributes_.color_type) ? std::round(now) : now;
 }
 
 }  // namespace winnow

@@ -10,6 +10,7 @@
 #include "read/gltf/document.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,11 +32,12 @@ AvailableAttributes offer_of(const GltfAttributes& attributes);
 // The numbers of what is offered, primitive by primitive.
 class GltfVertexAttributes {
  public:
-  // `carried`: of each attribute that is offered whether it is wanted.
+  // `carried`: of each attribute that is offered whether it is wanted. `color_move`: an accessor
+  // of what is added to colours.
   GltfVertexAttributes(GltfBytes& bytes, const GltfDocument& document,
                        const GltfAttributes& attributes, const GltfPrimitive& primitive,
-                       const std::vector<bool>& carried, const GltfTurn& turn,
-                       const std::string& name);
+                       std::optional<std::size_t> color_move, const std::vector<bool>& carried,
+                       const GltfTurn& turn, const std::string& name);
 
   // What the next `count` vertices carry, vertex by vertex, into `out`: as many as the next() of
   // other accessors gives.
@@ -43,12 +45,16 @@ class GltfVertexAttributes {
 
  private:
   [[nodiscard]] bool any(std::size_t begin, std::size_t end) const;
+  // A component of a colour, which is `at_rest` without what a target adds.
+  [[nodiscard]] double moved(std::size_t vertex, std::size_t component, double at_rest,
+                             double full) const;
 
   const GltfAttributes& attributes_;
   const std::vector<bool>& carried_;
   const GltfTurn& turn_;
   std::size_t first_color_;  // among what is offered
-  std::optional<GltfElements> normals_, colors_;
+  std::optional<GltfElements> normals_, colors_, color_moves_;
+  std::span<const double> moves_;  // of the part at hand
 };
 
 }  // namespace winnow

@@ -217,12 +217,13 @@ class Parser {
     }
   }
 
-  [[nodiscard]] std::vector<std::optional<std::size_t>> targets_of(const Value& primitive,
-                                                                   std::size_t positions) const {
-    std::vector<std::optional<std::size_t>> targets;
+  [[nodiscard]] std::vector<GltfPrimitive::Target> targets_of(const Value& primitive,
+                                                              std::size_t positions) const {
+    std::vector<GltfPrimitive::Target> targets;
     for (const Value& target : json_.list(primitive, "targets")) {
       json_.check_object(target, "targets");
-      targets.push_back(of_vertices(target, "POSITION", positions));
+      targets.push_back(
+          {of_vertices(target, "POSITION", positions), of_vertices(target, "COLOR_0", positions)});
     }
     return targets;
   }

@@ -66,8 +66,11 @@ struct GltfPrimitive {
   // Accessors; those of vertices have as many elements.
   std::size_t positions = 0;
   std::optional<std::size_t> indices, normals, colors;
-  // Of each morph target: what it adds to positions, if anything.
-  std::vector<std::optional<std::size_t>> targets;
+  // Of each morph target: what it adds to positions and to colours, if anything.
+  struct Target {
+    std::optional<std::size_t> positions, colors;
+  };
+  std::vector<Target> targets;
 };
 
 // An animation of the weights of a node's morph targets: accessors.

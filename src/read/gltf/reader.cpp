@@ -104,7 +104,7 @@ class GltfParser {
  private:
   // What makes a vertex: accessors of positions and of what is offered, whether it is carried or
   // not, so that the same vertices come with and without.
-  using VertexKey = std::array<std::optional<std::size_t>, 4>;
+  using VertexKey = std::array<std::optional<std::size_t>, 5>;
 
   void add_instances(const GltfPlacedMesh& placed, const GltfInstances& instances) {
     GltfInstanceReader reader(bytes_, document_, instances, mesh_.name());
@@ -145,13 +145,15 @@ class GltfParser {
     VertexKey key{primitive.positions};
     if (attributes_.normals) key[1] = primitive.normals;
     if (attributes_.colors) key[2] = primitive.colors;
-    key[3] = move_of(primitive);
+    const GltfPrimitive::Target moves = moves_of(primitive);
+    key[3] = moves.positions;
+    if (attributes_.colors) key[4] = moves.colors;
     const auto [known, is_new] = first_vertex_.try_emplace(key, mesh_.vertices());
     if (is_new) add_vertices(primitive, to_world, turn);
     return known->second;
   }
 
-  [[nodiscard]] std::optional<std::size_t> move_of(const GltfPrimitive& primitive) const {
+  [[nodiscard]] GltfPrimitive::Target moves_of(const GltfPrimitive& primitive) const {
     if (!target_ || *target_ >= primitive.targets.size()) return {};
     return primitive.targets[*target_];
   }
@@ -162,18 +164,19 @@ class GltfParser {
     bytes_.begin_part();
     GltfElements positions(bytes_, document_, primitive.positions, GltfUse::positions,
                            mesh_.name());
-    GltfVertexAttributes others(bytes_, document_, attributes_, primitive, mesh_.carried(), turn,
-                                mesh_.name());
+    const GltfPrimitive::Target by = moves_of(primitive);
+    GltfVertexAttributes others(bytes_, document_, attributes_, primitive, by.colors,
+                                mesh_.carried(), turn, mesh_.name());
     std::optional<GltfElements> moves;
-    if (const auto move = move_of(primitive))
-      moves.emplace(bytes_, document_, *move, GltfUse::positions, mesh_.name());
+    if (by.positions)
+      moves.emplace(bytes_, document_, *by.positions, GltfUse::positions, mesh_.name());
     std::vector<double> xyz;
     std::vector<double> carried;
     for (auto part = positions.next(); !part.empty(); part = positions.next()) {
       xyz.assign(part.begin(), part.end());
       if (moves) {
-        const std::span<const double> by = moves->next();
-        for (std::size_t i = 0; i < xyz.size(); ++i) xyz[i] += by[i];
+        const std::span<const double> more = moves->next();
+        for (std::size_t i = 0; i < xyz.size(); ++i) xyz[i] += more[i];
       }
       for (std::size_t i = 0; i < xyz.size() && moved; i += 3) {
         const Point p = transformed(to_world, {xyz[i], xyz[i + 1], xyz[i + 2]});
