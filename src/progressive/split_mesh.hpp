@@ -1,7 +1,6 @@
 // A mesh that splits are applied to and taken back from.
 #pragma once
 
-#include "base/page_memory.hpp"
 #include "progressive/ring.hpp"
 #include "progressive/split.hpp"
 
@@ -24,7 +23,7 @@ class SplitMesh {
 
  public:
   using Memory = std::pmr::memory_resource;
-  explicit SplitMesh(std::size_t words_a_vertex, Memory* memory = page_memory())
+  explicit SplitMesh(std::size_t words_a_vertex, Memory* memory = std::pmr::get_default_resource())
       : width_(words_a_vertex), words_(memory), face_(memory), first_(memory) {}
   // The same mesh in other memory, with room for so many, which has to stay.
   SplitMesh(const SplitMesh& other, Memory* memory, std::uint64_t vertices, std::uint64_t faces);

@@ -1,7 +1,6 @@
 #include "run/played_mesh.hpp"
 
 #include "base/memory_shares.hpp"
-#include "base/page_memory.hpp"
 #include "cluster/weld_lattice.hpp"
 #include "stitch/round_output.hpp"
 
@@ -52,7 +51,7 @@ class Ordering {
 
  private:
   std::pmr::memory_resource* memory() const {
-    return scratch_ != nullptr ? scratch_ : page_memory();
+    return scratch_ != nullptr ? scratch_ : std::pmr::get_default_resource();
   }
   Point position(std::uint32_t v) const { return player_.words().position(mesh_.words(v)); }
   // Every few thousand steps.
