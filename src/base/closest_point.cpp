@@ -4,7 +4,7 @@ namespace winnow {
 
 namespace {
 
-// The square of the sine of a corner whose triangle doubles hardly tell from a line.
+// The square of the sine of a corner whose triangle may be a line but for rounding.
 constexpr double thin = 1e-9;
 
 bool is_line(const Point& ab, const Point& ac) {
@@ -42,12 +42,15 @@ Point closest_point(const Point& p, const Triangle& triangle) {
   const double vb = d5 * d2 - d1 * d6;
   const double va = d3 * d6 - d5 * d4;
   const double sum = va + vb + vc;
-  // Of a line, rounding may take any point for one inside.
-  if (va > 0 && vb > 0 && vc > 0 && sum > 0 && !is_line(ab, ac))
-    return a + vb / sum * ab + vc / sum * ac;
+  Point best = a;
+  if (va > 0 && vb > 0 && vc > 0 && sum > 0) {
+    best = a + vb / sum * ab + vc / sum * ac;
+    // Of a line, rounding may take any point for one inside.
+    if (!is_line(ab, ac)) return best;
+  }
   // On a side. Of a needle, rounding can name the wrong one, so the nearest of all three is taken.
-  Point best = closest_on_segment(p, a, b);
-  for (const Point& other : {closest_on_segment(p, a, c), closest_on_segment(p, b, c)}) {
+  for (const Point& other :
+       {closest_on_segment(p, a, b), closest_on_segment(p, a, c), closest_on_segment(p, b, c)}) {
     if (dot(p - other, p - other) < dot(p - best, p - best)) best = other;
   }
   return best;

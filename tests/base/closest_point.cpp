@@ -4,6 +4,7 @@
 #include "support/random.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <catch2/catch.hpp>
 
@@ -103,6 +104,20 @@ TEST_CASE("a face whose corners are on one line has its nearest place there") {
     }
     CAPTURE(round);
     CHECK(distance(p, closest_point(p, line)) <= least + 1e-15);
+  }
+}
+
+// Its corner is as thin as rounding can make that of a line.
+TEST_CASE("a point above the inside of a needle has its nearest place there") {
+  test::Random random(703);
+  for (const double length : {1e3, 1e4, 5e4}) {
+    const Triangle needle{Point{0, 0, 0}, Point{length, 0, 0}, Point{length, 1, 0}};
+    for (int round = 0; round < 100; ++round) {
+      const double x = length * random.real(0.2, 1);
+      const Point p{x, x / length * random.real(0.1, 0.9), random.real(-0.01, 0.01)};
+      CAPTURE(length, round);
+      CHECK(distance(p, closest_point(p, needle)) == Approx(std::abs(p[2])).margin(0.005));
+    }
   }
 }
 

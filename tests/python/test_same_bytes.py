@@ -77,7 +77,7 @@ def test_files_give_the_same_bytes(program, tmp_path):
     program("simplify", "in.ply", "-o", "out.obj", "-q", "--faces", 900)
     report = winnow.simplify_file(tmp_path / "in.ply", tmp_path / "new.obj", faces=900)
     assert (tmp_path / "new.obj").read_bytes() == (tmp_path / "out.obj").read_bytes()
-    assert report.output.faces == 900
+    assert 898 <= report.output.faces <= 900  # at most one collapse less
     program("convert", "out.obj", "-o", "out.stl", "-q")
     winnow.convert(tmp_path / "out.obj", tmp_path / "new.stl")
     assert (tmp_path / "new.stl").read_bytes() == (tmp_path / "out.stl").read_bytes()
