@@ -3,7 +3,10 @@
 #include "base/closest_point.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -49,6 +52,48 @@ bool is_in(const Point& point, const Box& box) {
   return in;
 }
 
+// Whether the point is within `far` of a face. Most faces are told to be farther by their boxes.
+bool is_within(const Point& point, std::span<const Triangle> faces, double far) {
+  return std::any_of(faces.begin(), faces.end(), [&](const Triangle& face) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = std::minmax({face[0][axis], face[1][axis], face[2][axis]});
+      if (point[axis] < low - far || point[axis] > high + far) return false;
+    }
+    return squared_distance(point, face) <= far * far;
+  });
+}
+
+// Tells fast of most points above the inside of a face that they are within `far` of it.
+class Above {
+ public:
+  Above(const Triangle& face, double far) : corner_(face[0]), far_(almost * far) {
+    const Point ab = face[1] - face[0];
+    const Point ac = face[2] - face[0];
+    const Point normal = cross(ab, ac);
+    const double squared = dot(normal, normal);
+    if (!(squared > thin * dot(ab, ab) * dot(ac, ac))) return;
+    up_ = (1 / std::sqrt(squared)) * normal;
+    along_ = {(1 / squared) * cross(ac, normal), (1 / squared) * cross(normal, ab)};
+    known_ = true;
+  }
+  [[nodiscard]] bool is_surely_within(const Point& point) const {
+    const Point off = point - corner_;
+    const double v = dot(off, along_[0]);
+    const double w = dot(off, along_[1]);
+    return known_ && v >= 0 && w >= 0 && v + w <= 1 && std::abs(dot(off, up_)) <= far_;
+  }
+
+ private:
+  // What rounding may be, in distances and in the square of the sine of a corner.
+  static constexpr double almost = 0.99, thin = 1e-9;
+
+  Point corner_;
+  double far_;
+  Point up_{};
+  std::array<Point, 2> along_{};
+  bool known_ = false;
+};
+
 }  // namespace
 
 std::array<bool, 3> farther_corners(ReferenceSurface& reference, std::span<const Triangle> before,
@@ -67,22 +112,33 @@ std::array<bool, 3> farther_corners(ReferenceSurface& reference, std::span<const
   const double seen = known * known * allowed;
   std::array<bool, 3> corners{};
   for (const auto& weight : points) {
-    const double now = squared_distance(point_at(after[0], weight), faces, allowed);
-    if (now <= allowed) continue;
+    const Point point = point_at(after[0], weight);
+    if (is_within(point, faces, far)) continue;
+    const double now = squared_distance(point, faces, 0);
     const double then = squared_distance(point_at(before[0], weight), faces, 0);
     if (now < then && then <= seen) continue;
     for (std::size_t i = 0; i < 3; ++i) corners[i] |= weight[i] > 0;
   }
   // Whether a vertex was nearest to the face, and is now farther from all of them.
   const auto left_behind = [&](const Point& vertex) {
-    if (!is_in(vertex, around) || squared_distance(vertex, after[0]) <= allowed) return false;
+    if (squared_distance(vertex, after[0]) <= allowed) return false;
     const double then = squared_distance(vertex, before[0]);
-    if (then > seen || squared_distance(vertex, before.subspan(1), 0) < then) return false;
+    if (then > seen) return false;
+    const double nearer = std::nextafter(then, 0);
+    if (squared_distance(vertex, before.subspan(1), nearer) <= nearer) return false;
     return squared_distance(vertex, after, std::max(then, allowed)) > std::max(then, allowed);
   };
+  const Above above(after[0], far);
+  std::vector<Point> beside;
   for (const Triangle& face : faces) {
-    if (std::any_of(face.begin(), face.end(), left_behind)) return {true, true, true};
+    std::copy_if(face.begin(), face.end(), std::back_inserter(beside), [&](const Point& vertex) {
+      return is_in(vertex, around) && !above.is_surely_within(vertex);
+    });
   }
+  // A vertex comes with each of its faces.
+  std::sort(beside.begin(), beside.end());
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  if (std::any_of(beside.begin(), beside.end(), left_behind)) return {true, true, true};
   return corners;
 }
 
