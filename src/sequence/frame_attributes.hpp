@@ -45,9 +45,9 @@ class FrameAttributes {
   [[nodiscard]] const std::vector<Attribute>& carried() const { return carried_; }
   // Numbers that are not finite, in whose place is 0.
   [[nodiscard]] std::uint64_t not_finite() const { return not_finite_; }
-  // Means of `count` vertices from `first` on, in the frames' order, vertex by vertex.
+  // Means of so many vertices from `first` on, in the frames' order, vertex by vertex.
   [[nodiscard]] std::vector<double> read(std::size_t frame, std::size_t first,
-                                         std::size_t count) const;
+                                         std::size_t vertices) const;
 
  private:
   std::vector<Attribute> attributes_, carried_;
