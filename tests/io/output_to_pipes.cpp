@@ -17,22 +17,44 @@
 
 namespace winnow {
 
-TEST_CASE("what is no regular file is written straight and not replaced") {
+namespace {
+
+// A named pipe that is open for reading.
+class Fifo {
+ public:
+  Fifo() {
+    REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+    reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    REQUIRE(reader >= 0);
+  }
+  ~Fifo() { close(); }
+  Fifo(const Fifo&) = delete;
+  Fifo& operator=(const Fifo&) = delete;
+
+  void close() {
+    if (reader >= 0) ::close(reader);
+    reader = -1;
+  }
+
   const test::Directory directory;
   const std::string path = directory.file("pipe");
-  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
-  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  REQUIRE(reader >= 0);
+  int reader = -1;
+};
+
+}  // namespace
+
+TEST_CASE("what is no regular file is written straight and not replaced") {
+  Fifo fifo;
   test::TestJob test;
-  ByteSink sink(test.job, path, false);  // needs no force
+  ByteSink sink(test.job, fifo.path, false);  // needs no force
   sink.write(test::bytes_of("through"));
   sink.finish();
   std::string got(100, '\0');
-  got.resize(static_cast<std::size_t>(::read(reader, got.data(), got.size())));
-  ::close(reader);
+  got.resize(static_cast<std::size_t>(::read(fifo.reader, got.data(), got.size())));
+  fifo.close();
   CHECK(got == "through");
-  CHECK(std::filesystem::is_fifo(path));
-  CHECK(directory.names() == std::vector<std::string>{"pipe"});
+  CHECK(std::filesystem::is_fifo(fifo.path));
+  CHECK(fifo.directory.names() == std::vector<std::string>{"pipe"});
 
   ByteSink nothing(test.job, "/dev/null", false);
   nothing.write(test::bytes_of("gone"));
@@ -63,13 +85,10 @@ TEST_CASE("a full disk is an error") {
 
 TEST_CASE("a reader that went away is an error") {
   const auto before = ::signal(SIGPIPE, SIG_IGN);
-  const test::Directory directory;
-  const std::string path = directory.file("pipe");
-  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
-  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  Fifo fifo;
   test::TestJob test;
-  ByteSink sink(test.job, path, false);
-  ::close(reader);
+  ByteSink sink(test.job, fifo.path, false);
+  fifo.close();
   const Error error = test::error_of([&] {
     sink.write(test::bytes_of(std::string(1'000'000, 'x')));
     sink.finish();
@@ -79,18 +98,15 @@ TEST_CASE("a reader that went away is an error") {
 }
 
 TEST_CASE("a reader that does not read does not keep a cancelled run") {
-  const test::Directory directory;
-  const std::string path = directory.file("pipe");
-  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
-  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  Fifo fifo;
   test::TestJob test;
-  ByteSink sink(test.job, path, false);
+  ByteSink sink(test.job, fifo.path, false);
   const std::jthread later = test::cancel_later(test.context);
   const Stopwatch watch;
   CHECK(test::error_of([&] { sink.write(test::bytes_of(std::string(5'000'000, 'x'))); }).kind() ==
         ErrorKind::cancelled);
   CHECK(watch.seconds() < 5);
-  ::close(reader);
+  fifo.close();
 }
 
 }  // namespace winnow
