@@ -97,16 +97,9 @@ bool SplitEncoder::find_sides(const RingedSplit& ringed, std::uint32_t& left,
 }
 
 void SplitEncoder::gather_ring(const RingedSplit& ringed) {
-  const auto order = [](const FarEdge& far) { return std::uint64_t{far[0]} << 32 | far[1]; };
-  sorted_ = ringed.ring;
-  for (std::size_t i = 1; i < sorted_.size(); ++i) {
-    const FarEdge moved = sorted_[i];
-    std::size_t to = i;
-    for (; to > 0 && order(moved) < order(sorted_[to - 1]); --to) sorted_[to] = sorted_[to - 1];
-    sorted_[to] = moved;
-  }
   ring_.clear();
-  for (const FarEdge& far : sorted_) ring_.add(far);
+  for (const FarEdge& far : ringed.ring) ring_.add(far);
+  ring_.sort();
 }
 
 // Finds the faces that move side by side; false where they do not.

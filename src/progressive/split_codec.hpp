@@ -53,7 +53,6 @@ class SplitEncoder {
   std::vector<std::uint32_t> anchors_;
   std::vector<Words> values_;  // of each word of a vertex
   Ring ring_;                  // of the anchor, in order
-  std::vector<FarEdge> sorted_;
   std::vector<std::uint32_t> neighbours_, places_;
   std::size_t first_place_ = 0;
 };
