@@ -1,8 +1,10 @@
-// Simplify, or make a progressive file, so that a run that was killed can go on.
+// Simplify a mesh or a sequence, or make a progressive file, so that a run that was killed can go
+// on.
 #pragma once
 
 #include <winnow/api.hpp>
 #include <winnow/progressive.hpp>
+#include <winnow/sequence.hpp>
 #include <winnow/simplify.hpp>
 
 #include <string>
@@ -38,7 +40,7 @@ WINNOW_API SimplifyReport simplify(Context& context, const std::vector<std::stri
 //
 // Throws Error as simplify() does; bad_input also where there is no checkpoint, it is damaged or of
 // another version of winnow, or the input is not what it was; resources where its run is still
-// alive; usage where it is one of progressive().
+// alive; usage where it is one of another call.
 WINNOW_API SimplifyReport resume(Context& context, const Checkpoint& settings);
 
 // The same of progressive(). What is kept is each round, too.
@@ -48,8 +50,20 @@ WINNOW_API ProgressiveReport progressive(Context& context, const std::vector<std
                                          const Checkpoint& settings);
 WINNOW_API ProgressiveReport resume_progressive(Context& context, const Checkpoint& settings);
 
-// Whether the run that this directory is of is one of progressive(). False where there is none, or
-// it cannot be read: then resume() tells why.
-WINNOW_API bool is_of_progressive(const Checkpoint& settings);
+// The same of simplify_sequence() from files. Until all frames are read nothing is kept. Then the
+// directory takes at most 72 bytes for each vertex of each frame, and 16 for each number that it
+// carries. Frames that were written to files of their own are not written again.
+WINNOW_API SequenceReport simplify_sequence(Context& context,
+                                            const std::vector<std::string>& inputs,
+                                            const std::string& output,
+                                            const SequenceOptions& options,
+                                            const Checkpoint& settings);
+WINNOW_API SequenceReport resume_sequence(Context& context, const Checkpoint& settings);
+
+// The calls that can be resumed.
+enum class ResumableCall { simplify, progressive, sequence };
+// Which of them the run is one of that this directory is of. `simplify` where there is none, or it
+// cannot be read: then resume() tells why.
+WINNOW_API ResumableCall call_of(const Checkpoint& settings);
 
 }  // namespace winnow

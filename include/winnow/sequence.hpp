@@ -11,6 +11,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -70,6 +71,7 @@ struct SequenceReport {
   LevelReport::Lost lost;                  // from all frames; areas are those of the first
   LevelReport::Area area;                  // of the first frame
 
+  std::optional<Resumed> resumed;        // where the run went on from a checkpoint
   std::uint64_t spilled_bytes = 0;       // written to scratch, all kinds together
   std::uint64_t peak_scratch_bytes = 0;  // most scratch in use at one time
   std::uint64_t peak_memory_bytes = 0;   // the process's largest resident set so far
@@ -79,10 +81,10 @@ struct SequenceReport {
   std::vector<std::string> notes;  // what was unusual, a line each
 };
 
-// Calls field(path, value) for every field, in the order of the JSON report.
+// Calls field(path, value) for every field that tells of the result; a checkpoint keeps them.
 template <typename Report, typename Field>
 requires std::same_as<std::remove_const_t<Report>, SequenceReport>
-void for_each_field(Report& report, Field&& field) {
+void for_each_result(Report& report, Field&& field) {
   field("input.files", report.input.names);
   field("input.format", report.input.format);
   field("input.frames", report.input.frames);
@@ -103,8 +105,15 @@ void for_each_field(Report& report, Field&& field) {
   for_each_lost_field(report, field);
   field("area.input", report.area.input);
   field("area.output", report.area.output);
-  for_each_usage_field(report, field);
   field("notes", report.notes);
+}
+
+// All of them, in the order of the JSON report.
+template <typename Report, typename Field>
+requires std::same_as<std::remove_const_t<Report>, SequenceReport>
+void for_each_field(Report& report, Field&& field) {
+  for_each_result(report, field);
+  for_each_run_field(report, field);
 }
 
 // Gives the frames of a sequence, the first frame first.

@@ -124,7 +124,7 @@ std::unique_ptr<CheckpointDirectory> CheckpointDirectory::open(Job& job, const s
         ErrorKind::bad_input,
         "'" + path +
             "' holds no checkpoint: a run that has not begun leaves none, and one that is done " +
-            "removes it; run `simplify`");
+            "removes it; run the command again");
   }
   directory->lock();
   std::error_code missing;
@@ -138,7 +138,7 @@ std::unique_ptr<CheckpointDirectory> CheckpointDirectory::open(Job& job, const s
   if (!in) {
     ::unlink(directory->file(lock_name).c_str());
     throw Error(ErrorKind::bad_input, "'" + path + "' holds no checkpoint yet: '" + name +
-                                          "' is missing; run `simplify` again");
+                                          "' is missing; run the command again");
   }
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   directory->manifest_ = Manifest::parse(text, name);

@@ -79,7 +79,10 @@ void Journal::append(std::initializer_list<std::span<const std::byte>> parts) {
   };
   write(std::as_bytes(std::span(&head, 1)));
   for (const std::span<const std::byte> part : parts) write(part);
-  if (since_sync_.seconds() < sync_seconds) return;
+  if (since_sync_.seconds() >= sync_seconds) sync();
+}
+
+void Journal::sync() {
   if (::fdatasync(fd_) != 0) fail("write", errno);
   since_sync_ = {};
 }

@@ -27,6 +27,7 @@ class Journal {
   // After next() has given false. The parts become one record. A second of work at most is lost to
   // a power cut.
   void append(std::initializer_list<std::span<const std::byte>> parts);
+  void sync();  // then nothing of it
 
  private:
   [[noreturn]] void fail(const char* doing, int code) const;

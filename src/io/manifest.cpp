@@ -62,7 +62,7 @@ Number number_of(const std::string& text, const std::string& key, const std::str
 void damaged_checkpoint(const std::string& path, const std::string& what) {
   throw Error(ErrorKind::bad_input,
               "'" + path + "' is damaged: " + what +
-                  "; remove the checkpoint's directory and run `simplify` again");
+                  "; remove the checkpoint's directory and run the command again");
 }
 
 void Manifest::set(const std::string& key, double number) {

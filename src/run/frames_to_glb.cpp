@@ -39,20 +39,20 @@ void check(const SequenceOptions& options) {
 class FrameGlb final : public FrameOutput {
  public:
   FrameGlb(Job& job, const std::string& name, std::vector<MorphClip> clips,
-           const SequenceOptions& options)
+           const SequenceOptions& options, const FilesThere& there)
       : job_(job),
         encoding_(options.encoding),
         clips_(std::move(clips)),
         encoder_(make_encoder(Format::gltf, name, encoding_)),
         format_(format_written(Format::gltf, name, encoding_)),
-        sink_(job, name, options.force) {
+        sink_(job, name, options.force || there.own(0, name), there.way_out) {
     sink_.refuse_terminal();
   }
 
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
   [[nodiscard]] std::string format() const override { return format_; }
 
-  void write(std::size_t frame, const StoredMesh& mesh, const MeshShape& shape) override {
+  std::string write(std::size_t frame, const StoredMesh& mesh, const MeshShape& shape) override {
     if (frame == most_frames)
       throw Error(ErrorKind::usage, "one GLB holds at most " + grouped(most_frames) +
                                         " frames; name a file for each, like 'small-{frame}.glb'");
@@ -76,9 +76,10 @@ class FrameGlb final : public FrameOutput {
       });
     }
     ++count_;
+    return {};
   }
 
-  void finish(StoredMesh& mesh) override {
+  std::string complete(StoredMesh& mesh) override {
     frames_->finish();
     if (values_) values_->finish();
     const std::size_t targets = count_ - 1;
@@ -100,8 +101,11 @@ class FrameGlb final : public FrameOutput {
     bytes.clear();
     glb->append_clips(bytes);
     sink_.write(bytes);
-    sink_.finish();
+    sink_.flush_and_sync();
+    return sink_.identity();
   }
+
+  void name_files() override { sink_.finish(); }
 
   [[nodiscard]] std::uint64_t bytes() const override { return sink_.written(); }
 
@@ -169,9 +173,10 @@ bool holds_all_frames(const std::string& name, const SequenceOptions& options) {
 
 std::unique_ptr<FrameOutput> frames_to_glb(Job& job, const std::string& name,
                                            std::vector<MorphClip> clips,
-                                           const SequenceOptions& options) {
+                                           const SequenceOptions& options,
+                                           const FilesThere& there) {
   check(options);
-  return std::make_unique<FrameGlb>(job, name, std::move(clips), options);
+  return std::make_unique<FrameGlb>(job, name, std::move(clips), options, there);
 }
 
 }  // namespace winnow

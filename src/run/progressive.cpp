@@ -26,6 +26,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace winnow {
 
@@ -224,7 +225,7 @@ ProgressiveReport progressive_in_arena(Job& job, const RunRequest& request,
   report.seconds.read = watch.seconds();
   make_file(job, std::move(clustered), request, sink, checkpoint, report, watch);
   read.notes = job.notes;
-  checkpoint.settled(sink.identity(), read);
+  checkpoint.settled(std::vector{sink.identity()}, read);
   sink.finish();
   checkpoint.finish(job);
   take_usage(job, watch, report);
@@ -301,16 +302,13 @@ ProgressiveReport progressive(Context& context, const std::vector<std::string>& 
 ProgressiveReport resume_progressive(Context& context, const Checkpoint& settings) {
   Job job(context, settings.directory);
   RunCheckpoint checkpoint = RunCheckpoint::open(job, settings);
-  const RunRequest request = checkpoint.request();
-  if (!request.progressive)
-    throw Error(ErrorKind::usage, "'" + settings.directory +
-                                      "' is of a run of `simplify`; go on "
-                                      "with it by resume()");
-  SimplifyReport read;
-  if (!checkpoint.are_written({request.output}, read)) {
+  const RunRequest request = checkpoint.request(ResumableCall::progressive);
+  if (!checkpoint.are_written({request.output})) {
     checkpoint.check_inputs();
     return progressive_with(job, request, std::move(checkpoint));
   }
+  SimplifyReport read;
+  checkpoint.load_report(read);
   ProgressiveReport report = written_before(job, request, read);
   checkpoint.finish(job);
   return report;

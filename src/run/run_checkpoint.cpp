@@ -4,6 +4,7 @@
 
 #include "base/memory_shares.hpp"
 #include "mesh/saved_mesh.hpp"
+#include "run/mesh_facts.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -18,10 +19,8 @@ namespace {
 // In place of the output's identity where that has none, a pipe or a device.
 constexpr const char* done = "straight";
 
-constexpr const char* goal_count = "clustered.goals";
 constexpr const char* input_map = "stage-input.map";  // what Clustered::map is kept as
 
-constexpr const char* attribute_count = "clustered.attributes";
 constexpr const char* samples_file = "stage-0.samples";
 constexpr const char* samples_area = "clustered.samples.area";
 constexpr const char* rounding_relative = "clustered.rounding.relative";
@@ -32,14 +31,6 @@ std::string written_key(std::size_t number) {
 
 std::string written_map_key(std::size_t number) {
   return "written.map." + std::to_string(number);
-}
-
-std::string goal_key(std::size_t number, const char* what) {
-  return std::string(goal_count) + "." + std::to_string(number) + "." + what;
-}
-
-std::string attribute_key(std::size_t number, const char* what) {
-  return std::string(attribute_count) + "." + std::to_string(number) + "." + what;
 }
 
 }  // namespace
@@ -66,7 +57,7 @@ RunCheckpoint RunCheckpoint::open(Job& job, const Checkpoint& settings) {
     throw Error(ErrorKind::bad_input, "'" + settings.directory + "' is of winnow " +
                                           manifest.text("version") + ", this is " + WINNOW_VERSION +
                                           "; resume it with that one, or remove it and run `" +
-                                          command_in(manifest) + "` again");
+                                          command_of(call_in(manifest)) + "` again");
   }
   return checkpoint;
 }
@@ -75,20 +66,25 @@ void RunCheckpoint::check_inputs() const {
   winnow::check_inputs(directory_->manifest(), has_mesh(), directory_->path());
 }
 
-RunRequest RunCheckpoint::request() const {
-  return request_in(directory_->manifest());
+RunRequest RunCheckpoint::request(ResumableCall call) const {
+  const ResumableCall own = call_in(directory_->manifest());
+  if (own == call) return request_in(directory_->manifest());
+  const std::string with =
+      own == ResumableCall::simplify ? "resume()" : std::string("resume_") + command_of(own) + "()";
+  throw Error(ErrorKind::usage, "'" + directory_->path() + "' is of a run of `" + command_of(own) +
+                                    "`; go on with it by " + with);
 }
 
-bool is_of_progressive(const Checkpoint& settings) {
+ResumableCall call_of(const Checkpoint& settings) {
   try {
     const std::string name = settings.directory + "/manifest";
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(name, ignored)) return false;
+    if (!std::filesystem::is_regular_file(name, ignored)) return ResumableCall::simplify;
     std::ifstream in(name, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    return request_in(Manifest::parse(text, name)).progressive.has_value();
+    return call_in(Manifest::parse(text, name));
   } catch (const Error&) {
-    return false;
+    return ResumableCall::simplify;
   }
 }
 
@@ -98,7 +94,7 @@ void RunCheckpoint::begun() {
 }
 
 bool RunCheckpoint::has_mesh() const {
-  return directory_ != nullptr && directory_->manifest().has(goal_count);
+  return directory_ != nullptr && holds_facts(directory_->manifest());
 }
 
 Clustered RunCheckpoint::load(Job& job, std::uint64_t memory) const {
@@ -115,11 +111,11 @@ Clustered RunCheckpoint::load(Job& job, std::uint64_t memory) const {
     memory -= held;
   }
   clustered.mesh = load_mesh(job, *directory_, memory);
-  for (std::size_t i = 0; i < manifest.number(goal_count); ++i)
-    clustered.goals.push_back(
-        {manifest.number(goal_key(i, "faces")), manifest.real(goal_key(i, "error"))});
-  clustered.normals = manifest.number("clustered.normals") != 0;
-  clustered.double_positions = manifest.number("clustered.double_positions") != 0;
+  MeshFacts facts = facts_in(manifest);
+  clustered.goals = std::move(facts.goals);
+  clustered.attributes = std::move(facts.attributes);
+  clustered.normals = facts.normals;
+  clustered.double_positions = facts.double_positions;
   if (manifest.has(rounding_relative)) {
     clustered.mesh.rounding = {manifest.real(rounding_relative),
                                manifest.real("clustered.rounding.absolute")};
@@ -132,15 +128,6 @@ Clustered RunCheckpoint::load(Job& job, std::uint64_t memory) const {
     clustered.samples.area = manifest.real(samples_area);
     clustered.samples.single = manifest.number("clustered.samples.single") != 0;
   }
-  for (std::size_t i = 0; i < manifest.number(attribute_count); ++i) {
-    Attribute& attribute = clustered.attributes.emplace_back();
-    attribute.name = manifest.text(attribute_key(i, "name"));
-    attribute.type = static_cast<NumberType>(manifest.number(attribute_key(i, "type")));
-    attribute.kind = static_cast<AttributeKind>(manifest.number(attribute_key(i, "kind")));
-    attribute.full = manifest.real(attribute_key(i, "full"));
-    if (manifest.has(attribute_key(i, "no_data")))
-      attribute.no_data = manifest.real(attribute_key(i, "no_data"));
-  }
   return clustered;
 }
 
@@ -150,25 +137,11 @@ void RunCheckpoint::save(Job& job, Clustered& clustered) {
   Manifest& manifest = directory_->manifest();
   clustered.report.notes = job.notes;
   put_report(manifest, clustered.report);
-  manifest.set(goal_count, std::uint64_t{clustered.goals.size()});
-  for (std::size_t i = 0; i < clustered.goals.size(); ++i) {
-    manifest.set(goal_key(i, "faces"), clustered.goals[i].faces);
-    manifest.set(goal_key(i, "error"), clustered.goals[i].error);
-  }
-  manifest.set("clustered.normals", std::uint64_t{clustered.normals});
-  manifest.set("clustered.double_positions", std::uint64_t{clustered.double_positions});
+  put(manifest, MeshFacts{clustered.goals, clustered.attributes, clustered.normals,
+                          clustered.double_positions});
   if (clustered.mesh.rounding) {
     manifest.set(rounding_relative, clustered.mesh.rounding->relative);
     manifest.set("clustered.rounding.absolute", clustered.mesh.rounding->absolute);
-  }
-  manifest.set(attribute_count, std::uint64_t{clustered.attributes.size()});
-  for (std::size_t i = 0; i < clustered.attributes.size(); ++i) {
-    const Attribute& attribute = clustered.attributes[i];
-    manifest.set(attribute_key(i, "name"), attribute.name);
-    manifest.set(attribute_key(i, "type"), static_cast<std::uint64_t>(attribute.type));
-    manifest.set(attribute_key(i, "kind"), static_cast<std::uint64_t>(attribute.kind));
-    manifest.set(attribute_key(i, "full"), attribute.full);
-    if (attribute.no_data) manifest.set(attribute_key(i, "no_data"), *attribute.no_data);
   }
   if (clustered.map != nullptr) directory_->save(input_map, *clustered.map);
   if (clustered.samples.points != nullptr)
@@ -187,12 +160,10 @@ bool RunCheckpoint::is_written(std::size_t number, const std::string& output) co
   return identity == done || ByteSink::is(output, identity);
 }
 
-bool RunCheckpoint::are_written(const std::vector<std::string>& outputs,
-                                SimplifyReport& report) const {
+bool RunCheckpoint::are_written(const std::vector<std::string>& outputs) const {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (!is_written(i, outputs[i])) return false;
   }
-  get_report(directory_->manifest(), report);
   return true;
 }
 
@@ -202,22 +173,19 @@ bool RunCheckpoint::holds_map(std::size_t number, const std::string& path) const
          ByteSink::is(path, directory_->manifest().text(key));
 }
 
-void RunCheckpoint::settled(const std::string& identity, const SimplifyReport& report) {
-  if (directory_ == nullptr) return;
-  put_report(directory_->manifest(), report);
-  directory_->manifest().set(written_key(0), identity);
+void RunCheckpoint::settle(const std::vector<std::string>& identities) {
+  for (std::size_t i = 0; i < identities.size(); ++i)
+    directory_->manifest().set(written_key(i), identities[i]);
   directory_->commit();
 }
 
 void RunCheckpoint::settled(const Outputs& outputs, const SimplifyReport& report) {
   if (directory_ == nullptr) return;
-  Manifest& manifest = directory_->manifest();
-  put_report(manifest, report);
-  for (std::size_t i = 0; i < outputs.meshes.size(); ++i)
-    manifest.set(written_key(i), outputs.meshes[i]->identity());
   for (std::size_t i = 0; i < outputs.maps.size(); ++i)
-    manifest.set(written_map_key(i), outputs.maps[i]->identity());
-  directory_->commit();
+    directory_->manifest().set(written_map_key(i), outputs.maps[i]->identity());
+  std::vector<std::string> identities;
+  for (const auto& mesh : outputs.meshes) identities.push_back(mesh->identity());
+  settled(identities, report);
 }
 
 void RunCheckpoint::finish(Job& job) {

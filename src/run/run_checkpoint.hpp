@@ -1,5 +1,4 @@
-// A run of simplify() or progressive() in its checkpoint: what is kept of it when, and where it
-// goes on.
+// A run in its checkpoint: what is kept of it when, and where it goes on.
 #pragma once
 
 #include <winnow/checkpoint.hpp>
@@ -23,8 +22,8 @@ class RunCheckpoint {
   static RunCheckpoint begin(Job& job, const Checkpoint& settings, const RunRequest& request);
   static RunCheckpoint open(Job& job, const Checkpoint& settings);
 
-  // Of a checkpoint that was opened.
-  [[nodiscard]] RunRequest request() const;
+  // Of a checkpoint that was opened. Throws Error(usage) where it is one of another call.
+  [[nodiscard]] RunRequest request(ResumableCall call) const;
   // Throws Error(bad_input) where an input is not what it was.
   void check_inputs() const;
 
@@ -41,14 +40,23 @@ class RunCheckpoint {
   Clustered load(Job& job, std::uint64_t memory) const;
   void save(Job& job, Clustered& clustered);
 
-  // Whether the outputs are whole and under their names. Then the report is too.
-  bool are_written(const std::vector<std::string>& outputs, SimplifyReport& report) const;
+  // Whether the outputs are whole and under their names. Then the report is kept, too.
+  [[nodiscard]] bool are_written(const std::vector<std::string>& outputs) const;
   // Whether this one of them is.
   [[nodiscard]] bool is_written(std::size_t number, const std::string& output) const;
+  template <typename Report>
+  void load_report(Report& report) const {
+    get_report(directory_->manifest(), report);
+  }
   // Before the outputs get their names.
   void settled(const Outputs& outputs, const SimplifyReport& report);
-  // The same of one output that is no mesh; `identity`: see ByteSink.
-  void settled(const std::string& identity, const SimplifyReport& report);
+  // The same of other outputs than meshes and maps; `identities`: see ByteSink.
+  template <typename Report>
+  void settled(const std::vector<std::string>& identities, const Report& report) {
+    if (directory_ == nullptr) return;
+    put_report(directory_->manifest(), report);
+    settle(identities);
+  }
   // Whether this file is the map of this number that the run wrote before it was killed.
   [[nodiscard]] bool holds_map(std::size_t number, const std::string& path) const;
   // When they have them: removes the files, unless they are to be kept.
@@ -62,6 +70,8 @@ class RunCheckpoint {
   [[noreturn]] void fail(const Error& error);
 
  private:
+  void settle(const std::vector<std::string>& identities);
+
   std::unique_ptr<CheckpointDirectory> directory_;
   bool keep_ = false;
   bool opened_ = false, begun_ = false;

@@ -22,6 +22,8 @@ namespace winnow {
 namespace {
 
 constexpr const char* of_progressive = "progressive";
+constexpr const char* of_sequence = "sequence";
+constexpr const char* label_count = "labels";
 constexpr std::size_t end_bytes = std::size_t{1} << 16;
 
 // Fields of the report.
@@ -148,6 +150,10 @@ std::string input_key(std::size_t i) {
   return "input." + std::to_string(i);
 }
 
+std::string label_key(std::size_t i) {
+  return "label." + std::to_string(i);
+}
+
 std::string option_key(const std::string& name) {
   return "option." + name;
 }
@@ -219,8 +225,21 @@ SimplifyOptions reading_options(const ProgressiveOptions& options) {
   return all;
 }
 
-const char* command_in(const Manifest& manifest) {
-  return manifest.has(of_progressive) ? "progressive" : "simplify";
+ResumableCall call_in(const Manifest& manifest) {
+  if (manifest.has(of_sequence)) return ResumableCall::sequence;
+  return manifest.has(of_progressive) ? ResumableCall::progressive : ResumableCall::simplify;
+}
+
+const char* command_of(ResumableCall call) {
+  switch (call) {
+    case ResumableCall::simplify:
+      return "simplify";
+    case ResumableCall::progressive:
+      return "progressive";
+    case ResumableCall::sequence:
+      return "sequence";
+  }
+  return "";
 }
 
 void put(Manifest& manifest, const RunRequest& request) {
@@ -232,6 +251,13 @@ void put(Manifest& manifest, const RunRequest& request) {
     manifest.set(of_progressive, std::uint64_t{1});
     return put_options(manifest, progressive_options(), *request.progressive);
   }
+  if (request.sequence) {
+    manifest.set(of_sequence, std::uint64_t{1});
+    manifest.set(label_count, std::uint64_t{request.labels.size()});
+    for (std::size_t i = 0; i < request.labels.size(); ++i)
+      manifest.set(label_key(i), request.labels[i]);
+    return put_options(manifest, sequence_options(), *request.sequence);
+  }
   SimplifyOptions options = request.options;
   if (!options.map.empty()) options.map = absolute(options.map);
   put_options(manifest, simplify_options(), options);
@@ -241,11 +267,19 @@ RunRequest request_in(const Manifest& manifest) {
   RunRequest request;
   request.inputs = inputs_in(manifest);
   request.output = manifest.text("output");
-  if (manifest.has(of_progressive)) {
-    take_options(manifest, progressive_options(), request.progressive.emplace());
-    request.options = reading_options(*request.progressive);
-  } else {
-    take_options(manifest, simplify_options(), request.options);
+  switch (call_in(manifest)) {
+    case ResumableCall::simplify:
+      take_options(manifest, simplify_options(), request.options);
+      break;
+    case ResumableCall::progressive:
+      take_options(manifest, progressive_options(), request.progressive.emplace());
+      request.options = reading_options(*request.progressive);
+      break;
+    case ResumableCall::sequence:
+      take_options(manifest, sequence_options(), request.sequence.emplace());
+      for (std::size_t i = 0; i < manifest.number(label_count); ++i)
+        request.labels.push_back(manifest.text(label_key(i)));
+      break;
   }
   return request;
 }
@@ -270,8 +304,8 @@ bool inputs_are_files(const Manifest& manifest) {
 void check_inputs(const Manifest& manifest, bool read, const std::string& directory) {
   const std::vector<std::string> inputs = inputs_in(manifest);
   const auto refuse = [&](const std::string& what) {
-    throw Error(ErrorKind::bad_input,
-                what + "; remove '" + directory + "' and run `" + command_in(manifest) + "` again");
+    throw Error(ErrorKind::bad_input, what + "; remove '" + directory + "' and run `" +
+                                          command_of(call_in(manifest)) + "` again");
   };
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const std::string key = input_key(i);
@@ -299,6 +333,14 @@ void put_report(Manifest& manifest, const SimplifyReport& report) {
 }
 
 void get_report(const Manifest& manifest, SimplifyReport& report) {
+  for_each_result(report, Get(manifest));
+}
+
+void put_report(Manifest& manifest, const SequenceReport& report) {
+  for_each_result(report, Put(manifest));
+}
+
+void get_report(const Manifest& manifest, SequenceReport& report) {
   for_each_result(report, Get(manifest));
 }
 

@@ -1,8 +1,7 @@
-// What simplify() or progressive() was asked for, in the manifest of a checkpoint and back.
+// What a call that can be resumed was asked for, in the manifest of a checkpoint and back.
 #pragma once
 
-#include <winnow/progressive.hpp>
-#include <winnow/simplify.hpp>
+#include <winnow/checkpoint.hpp>
 
 #include "io/manifest.hpp"
 
@@ -18,6 +17,9 @@ struct RunRequest {
   SimplifyOptions options;
   // Of progressive(); `options` are how it reads then.
   std::optional<ProgressiveOptions> progressive{};
+  // Of simplify_sequence(), whose inputs are in the order of the frames; `labels`: see FrameNames.
+  std::optional<SequenceOptions> sequence{};
+  std::vector<std::string> labels{};
 };
 
 // All faces, of which nothing is clustered.
@@ -26,8 +28,9 @@ SimplifyOptions reading_options(const ProgressiveOptions& options);
 // Names of files are made absolute: the run may go on elsewhere.
 void put(Manifest& manifest, const RunRequest& request);
 RunRequest request_in(const Manifest& manifest);
-// The command that a run is one of.
-const char* command_in(const Manifest& manifest);
+ResumableCall call_in(const Manifest& manifest);
+// The command that makes it.
+const char* command_of(ResumableCall call);
 
 // Size, time and both ends of the content of each input.
 void put_inputs(Manifest& manifest, const std::vector<std::string>& inputs);
@@ -40,5 +43,7 @@ void check_inputs(const Manifest& manifest, bool read, const std::string& direct
 // What a run has reported so far, but for its time, memory and scratch.
 void put_report(Manifest& manifest, const SimplifyReport& report);
 void get_report(const Manifest& manifest, SimplifyReport& report);
+void put_report(Manifest& manifest, const SequenceReport& report);
+void get_report(const Manifest& manifest, SequenceReport& report);
 
 }  // namespace winnow

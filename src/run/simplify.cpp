@@ -272,16 +272,13 @@ SimplifyReport resume(Context& context, const Checkpoint& settings) {
   const Stopwatch watch;
   Job job(context, settings.directory);
   RunCheckpoint checkpoint = RunCheckpoint::open(job, settings);
-  const RunRequest request = checkpoint.request();
-  if (request.progressive)
-    throw Error(ErrorKind::usage, "'" + settings.directory +
-                                      "' is of a run of `progressive`; go on with it by "
-                                      "resume_progressive()");
-  SimplifyReport report;
-  if (!checkpoint.are_written(output_names(request.output, request.options), report)) {
+  const RunRequest request = checkpoint.request(ResumableCall::simplify);
+  if (!checkpoint.are_written(output_names(request.output, request.options))) {
     checkpoint.check_inputs();
     return simplify_with(job, request, std::move(checkpoint));
   }
+  SimplifyReport report;
+  checkpoint.load_report(report);
   report.resumed.emplace().written = true;
   report.input.names = request.inputs;
   checkpoint.finish(job);

@@ -1,4 +1,5 @@
 // The pipeline of a sequence: read all frames, refine them as one mesh, write each.
+#include <winnow/checkpoint.hpp>
 #include <winnow/error.hpp>
 #include <winnow/options.hpp>
 #include <winnow/sequence.hpp>
@@ -11,14 +12,15 @@
 #include "measure/result_surface.hpp"
 #include "options/check_ranges.hpp"
 #include "read/morph_frames.hpp"
-#include "run/attributes.hpp"
-#include "run/detail.hpp"
 #include "run/frame_output.hpp"
 #include "run/plan.hpp"
+#include "run/read_sequence.hpp"
 #include "run/refinement.hpp"
+#include "run/run_checkpoint.hpp"
+#include "run/sequence_checkpoint.hpp"
 #include "run/take_usage.hpp"
 #include "run/write_mesh.hpp"
-#include "sequence/frame_intake.hpp"
+#include "run/written_frames.hpp"
 #include "sequence/frame_names.hpp"
 #include "sequence/result_frames.hpp"
 #include "stitch/refine.hpp"
@@ -26,6 +28,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -59,16 +62,10 @@ std::uint64_t tile_faces_for(std::size_t frames) {
                                    std::uint64_t{1} << 11, std::uint64_t{1} << 16);
 }
 
-// What frames remove by themselves, of so many faces.
-std::uint64_t rounded_part(double part, std::uint64_t faces, std::uint64_t wanted) {
-  const auto removed = static_cast<double>(faces - std::min(faces, wanted));
-  return static_cast<std::uint64_t>(part * removed + 0.5);
-}
-
 RefineSettings settings_for(const SequenceOptions& options, const SequenceMesh& sequence,
-                            std::uint64_t wanted, bool doubles) {
+                            std::uint64_t faces, bool doubles) {
   RefineSettings settings;
-  settings.faces = wanted + rounded_part(options.per_frame, sequence.mesh.face_count, wanted);
+  settings.faces = faces;
   settings.tile_faces = tile_faces_for(sequence.frames);
   settings.decimation.single = !doubles;
   settings.decimation.least_cosine = cosine(options.max_normal_deviation / 180 * pi);
@@ -79,17 +76,6 @@ RefineSettings settings_for(const SequenceOptions& options, const SequenceMesh& 
     settings.attributes.insert(settings.attributes.end(), sequence.attributes.begin(),
                                sequence.attributes.end());
   return settings;
-}
-
-[[noreturn]] void refuse_memory(const Job& job, const MemoryPlan& plan, std::uint64_t vertices,
-                                std::uint64_t bytes) {
-  const std::uint64_t missing = bytes - plan.cluster.table;
-  const std::uint64_t enough = job.budget.total() + share::plan::cells.whole(missing);
-  throw Error(ErrorKind::resources,
-              "a memory budget of " + human_bytes(job.budget.total()) +
-                  " is too small for frames of " + grouped(vertices) +
-                  " vertices, one of which is held in memory; enough is `memory` " +
-                  size_option((enough / mebibyte + 2) * mebibyte));
 }
 
 // What is done to each frame by itself.
@@ -147,8 +133,13 @@ class FrameFinisher {
   const OriginalFrames& original_;
 };
 
-SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
-                   const SequenceOptions& options) {
+// How the frames come, once the budget is divided.
+using TakeFrames = std::function<ReadSequence(const MemoryPlan& plan)>;
+
+// `names`: of the files that `output` writes.
+SequenceReport run(Job& job, const TakeFrames& take, FrameOutput& output,
+                   const std::vector<std::string>& names, const SequenceOptions& options,
+                   RunCheckpoint& checkpoint) {
   const Stopwatch watch;
   remove_stale_files(job.scratch.directory(), scratch_prefix);
   const auto plan_of = [taken = job.budget.used(), threads = job.threads](std::uint64_t total) {
@@ -156,115 +147,197 @@ SequenceReport run(Job& job, FrameReaders& readers, FrameOutput& output,
   };
   const MemoryPlan plan = plan_of(job.budget.total());
   const Reservation fixed = job.budget.reserve(plan.fixed, "working threads");
-  SequenceReport report;
-  SequenceMesh sequence;
-  {
-    const std::uint64_t quarter = plan.cluster.faces;
-    FrameIntake intake(
-        job, readers, {plan.reader, plan.cluster.table, quarter / 2, quarter / 2 * 3, quarter / 4});
-    sequence = intake.run([&](std::uint64_t vertices,
-                              std::uint64_t bytes) { refuse_memory(job, plan, vertices, bytes); },
-                          [&](std::vector<Attribute>& attributes,
-                              const std::vector<MeshReader::AttributeRange>& ranges) {
-                            settle_colors(job, attributes, ranges);
-                          });
-  }
-  note_dropped(job, sequence.dropped);
-  if (sequence.mesh.face_count == 0)
-    throw Error(ErrorKind::bad_input, readers.name(0) + " has no face that could be simplified");
-  report.input.format = sequence.format;
-  report.input.frames = sequence.frames;
-  report.input.faces = sequence.faces;
-  report.input.vertices = sequence.vertices;
-  report.input.bytes = sequence.bytes;
-  report.joined = sequence.joined;
-  report.bad_faces = sequence.bad_faces;
+  ReadSequence read = take(plan);
+  SequenceMesh& sequence = read.sequence;
+  SequenceReport& report = read.report;
   report.seconds.read = watch.seconds();
 
   const bool doubles = writes_doubles(options.encoding, sequence.double_positions);
-  const std::uint64_t wanted = faces_wanted(options.target, sequence.mesh.face_count).value_or(0);
-  const RefineSettings settings = settings_for(options, sequence, wanted, doubles);
-  report.area.input = area_of(job, sequence.mesh);
+  const std::uint64_t wanted = report.target_faces;
+  const RefineSettings settings = settings_for(options, sequence, read.faces, doubles);
   const RefineMemory memory = refine_memory(job.budget.left());
   expect_beside_tile(job, sequence.mesh, {}, settings, plan_of);
-  Refined refined = refine(job, std::move(sequence.mesh), settings, memory);
+  Refined refined = refine(job, std::move(sequence.mesh), settings, memory, checkpoint.directory());
   job.budget.expect_held({});
   StoredMesh& mesh = refined.mesh;
-  report.target_faces = wanted;
   report.tiles = refined.report.tiles;
   report.collapses = refined.report.collapses;
   const TopologyChanges& lost = refined.report.changes;
   report.lost = {lost.pieces, lost.area, lost.handles, lost.holes};
+  if (report.resumed) {
+    report.resumed->rounds = refined.report.rounds_before;
+    report.resumed->tiles = refined.report.tiles_before;
+  }
   report.seconds.refine = watch.seconds() - report.seconds.read;
 
   const MeshEncoder& encoder = output.encoder();
   const bool closed = encoder.needs_survey() && is_closed(job, mesh);
   FrameFinisher finisher(job, settings, wanted, std::move(refined.reference), sequence.original,
                          sequence.attributes);
-  for_each_result_frame(
-      job, mesh, sequence.frames, share::left::packing(job.budget.left()), [&](std::size_t frame) {
-        StoredMesh own;
-        if (mesh.face_count > wanted && options.per_frame > 0) own = finisher.simplified(mesh);
-        StoredMesh& written = own.vertices != nullptr ? own : mesh;
-        if (report.collapses > 0) finisher.unfold(frame, written);
-        if (frame == 0) report.area.output = area_of(job, written);
-        MeshShape shape = shape_of(job, written, encoder, sequence.normals, doubles,
-                                   sequence.double_positions, "simplified by winnow");
-        shape.closed = closed;
-        shape.attributes = sequence.attributes;
-        output.write(frame, written, shape);
-        report.output.faces = std::max(report.output.faces, written.face_count);
-        report.output.vertices = std::max(report.output.vertices, written.vertices->size());
-      });
-  output.finish(mesh);
-  report.output.bytes = output.bytes();
+  WrittenFrames written(checkpoint.directory());
+  const std::size_t done = written.count(names);
+  std::vector<std::string> files;  // what names them
+  for (std::size_t frame = 0; frame < done; ++frame) files.push_back(written.identity(frame));
+  report.output = {};
+  if (done > 0) written.load_report(done - 1, report);
+  for (const std::string& note : report.notes) job.note(note);
+  const std::uint64_t bytes = report.output.bytes;
+  const auto write_frame = [&](std::size_t frame) {
+    StoredMesh own;
+    if (mesh.face_count > wanted && options.per_frame > 0) own = finisher.simplified(mesh);
+    StoredMesh& result = own.vertices != nullptr ? own : mesh;
+    if (report.collapses > 0) finisher.unfold(frame, result);
+    if (frame == 0) report.area.output = area_of(job, result);
+    MeshShape shape = shape_of(job, result, encoder, sequence.normals, doubles,
+                               sequence.double_positions, "simplified by winnow");
+    shape.closed = closed;
+    shape.attributes = sequence.attributes;
+    const std::string file = output.write(frame, result, shape);
+    report.output.faces = std::max(report.output.faces, result.face_count);
+    report.output.vertices = std::max(report.output.vertices, result.vertices->size());
+    report.output.bytes = bytes + output.bytes();
+    report.notes = job.notes;
+    if (file.empty()) return;
+    written.add(frame, file, report);
+    files.push_back(file);
+    output.name_files();
+  };
+  for_each_result_frame(job, mesh, sequence.frames, done, share::left::packing(job.budget.left()),
+                        write_frame);
+  const std::string file = output.complete(mesh);
+  if (files.empty()) files.push_back(file);
+  report.output.bytes = bytes + output.bytes();
   report.target_met = report.output.faces <= wanted;
   if (!report.target_met)
     job.note(grouped(report.output.faces) + " faces are left instead of " + grouped(wanted) +
              ": fewer would change the topology or turn faces over in some frame");
   note_lost_area(job, "in the first frame ", report.area.input, report.area.output);
   report.output.format = output.format();
+  report.notes = job.notes;
+  checkpoint.settled(files, report);
+  output.name_files();
+  checkpoint.finish(job);
   take_usage(job, watch, report);
+  return std::move(report);
+}
+
+// Of one input the frames are the targets in it.
+std::vector<std::string> output_names(const RunRequest& request, std::size_t frames) {
+  if (holds_all_frames(request.output, *request.sequence)) return {request.output};
+  return names_of_frames(request.output,
+                         request.inputs.size() == 1 ? frame_numbers(frames) : request.labels);
+}
+
+SequenceReport simplify_files(Job& job, const RunRequest& request, RunCheckpoint& checkpoint) {
+  const SequenceOptions& options = *request.sequence;
+  const bool read_before = checkpoint.has_mesh();
+  const CheckpointDirectory* directory = checkpoint.directory();
+  std::unique_ptr<MorphFrames> morphs;
+  if (!read_before) {
+    if (request.inputs.size() == 1)
+      morphs = open_morph_frames(job, request.inputs.front(), options.from);
+    if (request.inputs.size() < 2 && morphs == nullptr)
+      throw Error(ErrorKind::usage,
+                  "a sequence needs the files of two frames or more, or a glTF with morph targets; "
+                  "for one mesh there is `simplify`");
+  }
+  const std::size_t frames = read_before         ? frames_in(*directory)
+                             : morphs != nullptr ? morphs->frames()
+                                                 : request.inputs.size();
+  const std::vector<std::string> names = output_names(request, frames);
+  std::unique_ptr<FrameOutput> output;
+  std::vector<MorphClip> clips;
+  {
+    const WrittenFrames written(checkpoint.opened() ? directory : nullptr);
+    const FilesThere there{[&](std::size_t number, const std::string& name) {
+                             return checkpoint.is_written(number, name) ||
+                                    written.has(number, name);
+                           },
+                           checkpoint.way_out()};
+    if (holds_all_frames(request.output, options)) {
+      if (read_before) clips = load_clips(job, *directory);
+      if (morphs != nullptr) clips = morphs->clips();
+      output = frames_to_glb(job, names.front(), clips, options, there);
+    } else {
+      output = frames_to_files(job, names, options, there);
+    }
+  }
+  const auto take = [&](const MemoryPlan& plan) {
+    const std::uint64_t quarter = plan.cluster.faces;
+    if (read_before) return load_sequence(job, checkpoint, quarter / 2, quarter / 4 * 3);
+    const AttributeRequest wish = wish_of(output->encoder());
+    const std::unique_ptr<FrameReaders> readers =
+        morphs != nullptr ? frames_of_morphs(*morphs, request.inputs.front(), wish)
+                          : frames_of_files(job, request.inputs, options.from, wish);
+    checkpoint.begun();
+    ReadSequence read = read_sequence(job, *readers, plan, options);
+    if (morphs != nullptr) read.report.input.bytes /= frames;  // each read all of the file
+    if (checkpoint.opened()) read.report.resumed.emplace();
+    save(job, checkpoint, read, clips);
+    return read;
+  };
+  SequenceReport report = run(job, take, *output, names, options, checkpoint);
+  report.input.names = request.inputs;
+  report.output.names = names;
   return report;
+}
+
+SequenceReport sequence_with(Job& job, const RunRequest& request, RunCheckpoint checkpoint) {
+  try {
+    return in_arena(job, [&] { return simplify_files(job, request, checkpoint); });
+  } catch (const Error& error) {
+    checkpoint.fail(error);
+  }
+}
+
+RunRequest request_for(const std::vector<std::string>& inputs, const std::string& output,
+                       const SequenceOptions& options) {
+  check(options);
+  if (std::find(inputs.begin(), inputs.end(), "-") != inputs.end())
+    throw Error(ErrorKind::usage, "the frames of a sequence are files, not standard input");
+  const FrameNames frames = frame_names(inputs);
+  RunRequest request{frames.inputs, output, {}};
+  request.sequence = options;
+  request.labels = frames.labels;
+  return request;
 }
 
 }  // namespace
 
 SequenceReport simplify_sequence(Context& context, const std::vector<std::string>& inputs,
                                  const std::string& output, const SequenceOptions& options) {
-  check(options);
-  if (std::find(inputs.begin(), inputs.end(), "-") != inputs.end())
-    throw Error(ErrorKind::usage, "the frames of a sequence are files, not standard input");
+  const RunRequest request = request_for(inputs, output, options);
   Job job(context);
-  FrameNames frames = frame_names(inputs);
-  std::vector<std::string> names;
-  SequenceReport report = in_arena(job, [&] {
-    const std::unique_ptr<MorphFrames> morphs =
-        inputs.size() == 1 ? open_morph_frames(job, inputs.front(), options.from) : nullptr;
-    if (morphs == nullptr && inputs.size() < 2)
-      throw Error(ErrorKind::usage,
-                  "a sequence needs the files of two frames or more, or a glTF with morph targets; "
-                  "for one mesh there is `simplify`");
-    if (morphs != nullptr) frames.labels = frame_numbers(morphs->frames());
-    std::unique_ptr<FrameOutput> to;
-    if (holds_all_frames(output, options)) {
-      names = {output};
-      to = frames_to_glb(job, output,
-                         morphs != nullptr ? morphs->clips() : std::vector<MorphClip>(), options);
-    } else {
-      names = names_of_frames(output, frames.labels);
-      to = frames_to_files(job, names, options);
-    }
-    const AttributeRequest wish = wish_of(to->encoder());
-    const std::unique_ptr<FrameReaders> readers =
-        morphs != nullptr ? frames_of_morphs(*morphs, inputs.front(), wish)
-                          : frames_of_files(job, frames.inputs, options.from, wish);
-    SequenceReport done = run(job, *readers, *to, options);
-    if (morphs != nullptr) done.input.bytes /= morphs->frames();  // each read all of the file
-    return done;
-  });
-  report.input.names = frames.inputs;
+  return sequence_with(job, request, {});
+}
+
+SequenceReport simplify_sequence(Context& context, const std::vector<std::string>& inputs,
+                                 const std::string& output, const SequenceOptions& options,
+                                 const Checkpoint& settings) {
+  const RunRequest request = request_for(inputs, output, options);
+  Job job(context, settings.directory);
+  return sequence_with(job, request, RunCheckpoint::begin(job, settings, request));
+}
+
+SequenceReport resume_sequence(Context& context, const Checkpoint& settings) {
+  const Stopwatch watch;
+  Job job(context, settings.directory);
+  RunCheckpoint checkpoint = RunCheckpoint::open(job, settings);
+  const RunRequest request = checkpoint.request(ResumableCall::sequence);
+  const std::size_t frames = checkpoint.has_mesh() ? frames_in(*checkpoint.directory()) : 0;
+  const std::vector<std::string> names = output_names(request, frames);
+  if (!checkpoint.has_mesh() || !checkpoint.are_written(names)) {
+    checkpoint.check_inputs();
+    return sequence_with(job, request, std::move(checkpoint));
+  }
+  SequenceReport report;
+  checkpoint.load_report(report);
+  report.resumed.emplace().written = true;
+  report.input.names = request.inputs;
   report.output.names = names;
+  job.notes = report.notes;
+  checkpoint.finish(job);
+  take_usage(job, watch, report);
   return report;
 }
 
@@ -274,7 +347,12 @@ SequenceReport simplify_sequence(Context& context, FrameSource& source, FrameSin
   Job job(context);
   return in_arena(job, [&] {
     const std::unique_ptr<FrameOutput> to = frames_to_sink(job, sink, options);
-    return run(job, *frames_of_source(job, source, wish_of(to->encoder())), *to, options);
+    const std::unique_ptr<FrameReaders> readers =
+        frames_of_source(job, source, wish_of(to->encoder()));
+    RunCheckpoint none;
+    return run(
+        job, [&](const MemoryPlan& plan) { return read_sequence(job, *readers, plan, options); },
+        *to, {}, options, none);
   });
 }
 

@@ -73,7 +73,8 @@ std::vector<Point> normals_of(Job& job, const StoredMesh& mesh, std::span<const 
 
 }  // namespace
 
-void for_each_result_frame(Job& job, StoredMesh& mesh, std::size_t frames, std::uint64_t memory,
+void for_each_result_frame(Job& job, StoredMesh& mesh, std::size_t frames, std::size_t first,
+                           std::uint64_t memory,
                            const std::function<void(std::size_t frame)>& each) {
   const std::unique_ptr<VertexIndex> first_frame = std::move(mesh.vertices);
   const std::unique_ptr<Spool> numbers = std::move(mesh.attributes);
@@ -89,7 +90,7 @@ void for_each_result_frame(Job& job, StoredMesh& mesh, std::size_t frames, std::
   std::vector<std::vector<Point>> positions(at_once, std::vector<Point>(count));
   std::vector<std::vector<double>> values(numbers != nullptr ? at_once : 0,
                                           std::vector<double>(count * carried));
-  for (std::size_t first = 0; first < frames; first += at_once) {
+  for (; first < frames; first += at_once) {
     const std::size_t now = std::min(at_once, frames - first);
     read_frames(job, *first_frame, mesh.state.get(), mesh.layout.state, first,
                 std::span(positions).first(now));

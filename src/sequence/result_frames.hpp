@@ -10,10 +10,11 @@
 
 namespace winnow {
 
-// `mesh`: what refine() left of a sequence; its vertices stay those of the last frame. Holds as
-// many frames at once as `memory` has room for, and reads the mesh once for each so many. Vertices
-// get the normals of their frame, and carry its numbers alone.
-void for_each_result_frame(Job& job, StoredMesh& mesh, std::size_t frames, std::uint64_t memory,
+// The frames from `first` on. `mesh`: what refine() left of a sequence; its vertices stay those of
+// the last frame. Holds as many frames at once as `memory` has room for, and reads the mesh once
+// for each so many. Vertices get the normals of their frame, and carry its numbers alone.
+void for_each_result_frame(Job& job, StoredMesh& mesh, std::size_t frames, std::size_t first,
+                           std::uint64_t memory,
                            const std::function<void(std::size_t frame)>& each);
 
 }  // namespace winnow

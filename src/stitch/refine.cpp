@@ -55,7 +55,10 @@ class Refiner {
   }
 
   // Vertices and faces of the mesh that the first round began with, where they were kept.
-  StoredMesh take_reference() { return std::move(reference_); }
+  StoredMesh take_reference() {
+    if (checkpoint_ != nullptr) return load_reference(job_, *checkpoint_, memory_.mesh);
+    return std::move(reference_);
+  }
 
  private:
   void set(const LevelGoal& goal) {
@@ -145,10 +148,14 @@ class Refiner {
     report.stopped_by = report.blocked.reasons().front();
   }
 
+  // Of the frames of a sequence, which are unfolded one by one, whoever writes them needs it.
+  [[nodiscard]] bool needs_reference() const {
+    return settings_.unfolds() || settings_.decimation.sequence;
+  }
+
   // A checkpoint keeps it by itself.
   void keep_reference(StoredMesh& mesh) {
-    const bool needed = settings_.unfolds() || settings_.decimation.sequence;
-    if (checkpoint_ != nullptr || !needed) return;
+    if (checkpoint_ != nullptr || !needs_reference()) return;
     reference_.vertices = std::move(mesh.vertices);
     reference_.faces = std::move(mesh.faces);
     reference_.face_count = mesh.face_count;
@@ -157,7 +164,7 @@ class Refiner {
   void keep(const StoredMesh& whole) {
     if (checkpoint_ == nullptr) return;
     job_.progress.begin("keep", 0, "bytes");
-    save_mesh(*checkpoint_, whole, state_.stage, settings_.unfolds());
+    save_mesh(*checkpoint_, whole, state_.stage, needs_reference());
     save_rounds(checkpoint_->manifest(), state_);
     if (state_.done) keep_level(*checkpoint_, state_.level);
     checkpoint_->commit();

@@ -54,6 +54,8 @@ void read_text(const std::string& text) {
     survives([&] { (void)request_in(manifest); });
     SimplifyReport report;
     survives([&] { get_report(manifest, report); });
+    SequenceReport frames;
+    survives([&] { get_report(manifest, frames); });
   });
 }
 

@@ -50,7 +50,7 @@ TEST_CASE("a progressive run that was stopped ends with the same file",
                            Stop{"encode", 1, rounds}, Stop{"write", 1, rounds}}) {
     CAPTURE(stop.stage, stop.time);
     const Checkpoint checkpoint = stopped(place, mesh, output, options, stop.stage, stop.time);
-    CHECK(is_of_progressive(checkpoint));
+    CHECK(call_of(checkpoint) == ResumableCall::progressive);
     CHECK(error_of([&] { resume(place.context, checkpoint); }).kind() == ErrorKind::usage);
     Context context;
     context.threads = 1;
@@ -85,7 +85,7 @@ TEST_CASE("a progressive run whose checkpoint is kept is told to be done", "[pro
   CHECK_FALSE(resume_progressive(place.context, checkpoint).resumed->written);
   CHECK(hash_of_file(output) == hash);
   const Checkpoint none{place.directory.file("nothing")};
-  CHECK_FALSE(is_of_progressive(none));
+  CHECK(call_of(none) == ResumableCall::simplify);
   CHECK(error_of([&] { resume_progressive(place.context, none); }).kind() == ErrorKind::bad_input);
 }
 

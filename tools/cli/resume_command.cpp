@@ -2,6 +2,7 @@
 
 #include "program.hpp"
 #include "progressive_report.hpp"
+#include "sequence_report.hpp"
 #include "simplify_report.hpp"
 
 #include <memory>
@@ -20,14 +21,18 @@ void run_resume(const ResumeArguments& arguments) {
   prepare(context, arguments.common, "-");
   if (!arguments.common.surroundings.given("scratch"))
     context.scratch.clear();  // that is the checkpoint's directory
-  if (is_of_progressive(arguments.checkpoint)) {
+  const auto go_on = [&](const auto& call) {
     tell(with_progress(context, arguments.common,
-                       [&] { return resume_progressive(context, arguments.checkpoint); }),
+                       [&] { return call(context, arguments.checkpoint); }),
          arguments.common);
-  } else {
-    tell(with_progress(context, arguments.common,
-                       [&] { return resume(context, arguments.checkpoint); }),
-         arguments.common);
+  };
+  switch (call_of(arguments.checkpoint)) {
+    case ResumableCall::simplify:
+      return go_on(resume);
+    case ResumableCall::progressive:
+      return go_on(resume_progressive);
+    case ResumableCall::sequence:
+      return go_on(resume_sequence);
   }
 }
 
@@ -36,7 +41,8 @@ void run_resume(const ResumeArguments& arguments) {
 void add_resume(CLI::App& app) {
   auto arguments = std::make_shared<ResumeArguments>();
   CLI::App* command = app.add_subcommand(
-      "resume", "Go on with a run of simplify or progressive --checkpoint that was killed");
+      "resume",
+      "Go on with a run of simplify, progressive or sequence --checkpoint that was killed");
   command
       ->add_option("directory", arguments->checkpoint.directory,
                    "The directory that --checkpoint named")
@@ -52,7 +58,9 @@ void add_resume(CLI::App& app) {
       "refinement, each tile in a round. If the input was not read to its end, the run starts "
       "again; a\n"
       "pipe cannot be read again.\n"
-      "A checkpoint of 'progressive' is taken up the same way.\n"
+      "Checkpoints of 'progressive' and of 'sequence' are taken up the same way. Frames that "
+      "'sequence'\n"
+      "has written to files of their own are not written again.\n"
       "The exit code is 3 for a checkpoint that is damaged, and 4 for one in use.\n"
       "\nExamples:\n"
       "  winnow simplify scan.ply -o small.ply --faces 100M --checkpoint kept\n"

@@ -5,6 +5,7 @@
 #include "program.hpp"
 #include "report_json.hpp"
 #include "report_text.hpp"
+#include "sequence_report.hpp"
 
 #include <iostream>
 #include <memory>
@@ -17,6 +18,7 @@ struct SequenceArguments {
   std::vector<std::string> inputs;
   std::string output;
   TableOptions<SequenceOptions> options{sequence_options()};
+  CheckpointOptions checkpoint;
   CommonOptions common;
 };
 
@@ -31,6 +33,7 @@ void show(const SequenceReport& report, std::ostream& out) {
                    " in the first frame");
   if (const std::string lost = show_lost(report.lost); !lost.empty()) line("lost", lost);
   line("files", human_bytes(report.output.bytes));
+  if (report.resumed) line("resumed", show_resumed(*report.resumed));
   line("time", show_time(report.seconds.total, report.input.faces * report.input.frames));
   line("memory", show_memory(report.peak_memory_bytes, report.peak_scratch_bytes));
   if (report.bad_faces > 0)
@@ -42,15 +45,29 @@ void show(const SequenceReport& report, std::ostream& out) {
   line.notes(report.notes);
 }
 
+}  // namespace
+
+void tell(const SequenceReport& report, const CommonOptions& options) {
+  // One GLB may go to standard output.
+  const std::string& first = report.output.names.front();
+  tell(report, options, report_stream(first), show);
+}
+
+namespace {
+
 void run_sequence(const SequenceArguments& arguments) {
   SequenceOptions options;
   arguments.options.read(options);
   Context context;
   prepare(context, arguments.common, arguments.output);
+  arguments.checkpoint.prepare(context, arguments.common);
   const SequenceReport report = with_progress(context, arguments.common, [&] {
-    return simplify_sequence(context, arguments.inputs, arguments.output, options);
+    return arguments.checkpoint.given()
+               ? simplify_sequence(context, arguments.inputs, arguments.output, options,
+                                   arguments.checkpoint.settings)
+               : simplify_sequence(context, arguments.inputs, arguments.output, options);
   });
-  tell(report, arguments.common, std::cout, show);
+  tell(report, arguments.common);
 }
 
 }  // namespace
@@ -72,6 +89,7 @@ void add_sequence(CLI::App& app) {
       ->required()
       ->type_name("OUT");
   arguments->options.add_to(*command);
+  arguments->checkpoint.add_to(*command);
   arguments->common.add_to(*command, "the outputs'");
   command->footer(
       "All frames of the result have the same faces. An edge is collapsed where that costs least "
@@ -81,7 +99,8 @@ void add_sequence(CLI::App& app) {
       "  winnow sequence frame-*.ply -o 'small-{frame}.ply' --faces 5k\n"
       "  winnow sequence walk/*.obj -o 'small/{frame}.ply.zst' --ratio 10% --memory 2G\n"
       "  winnow sequence walk/*.obj -o walk.glb --faces 5k\n"
-      "  winnow sequence clip.glb -o small.glb --ratio 10%");
+      "  winnow sequence clip.glb -o small.glb --ratio 10%\n"
+      "  winnow sequence walk/*.obj -o 'small/{frame}.ply' --ratio 10% --checkpoint kept");
   command->callback([arguments] { run_sequence(*arguments); });
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("a damaged checkpoint is refused and its file named", "[faults]") {
     const std::string bytes = bytes_of_file(path);
     for (const std::size_t byte : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1}) {
       flip(path, byte);
-      stopped.check_refused({"'" + path + "' is damaged", "run winnow simplify again"});
+      stopped.check_refused({"'" + path + "' is damaged", "run the command again"});
       write_file(path, bytes);
     }
     write_file(path, bytes.substr(0, bytes.size() - 1));
