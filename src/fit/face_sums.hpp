@@ -11,7 +11,7 @@ namespace winnow {
 struct FaceSums {
   std::array<float, 6> products{};             // of two weights: 00, 11, 22, 01, 12, 20
   std::array<std::array<float, 3>, 3> pull{};  // of each corner, of weight times way
-  float squares = 0;                           // of the ways' lengths
+  float farthest = 0;                          // the largest of the ways' squared lengths
 
   // The sum of products of the weights of two corners.
   [[nodiscard]] double product(std::size_t i, std::size_t k) const {

@@ -118,7 +118,7 @@ class ExactFaceSums {
     for (auto& pull : out.pull) {
       for (float& x : pull) x = next(reach);
     }
-    out.squares = next(reach * reach);
+    out.farthest = static_cast<float>(largest_ * reach * reach);
     return out;
   }
 

@@ -18,6 +18,14 @@ constexpr double along_face = 0.003;
 constexpr double pull_back = 0.02;
 // More steps change nothing to speak of.
 constexpr int steps = 8;
+// A face may be so many times as far off as its farthest sample; and where it moves a pointed
+// vertex, which samples are hardly ever nearest to.
+constexpr double beyond_samples = 1.5;
+constexpr double beyond_samples_at_tips = 3;
+// At a pointed vertex the mean of the faces' unit normals is shorter than this.
+constexpr double shortest_mean_normal = 0.8;
+// What moves by less than this part of the limit makes the largest distance hardly larger.
+constexpr double small_move = 0.045;
 
 Point point_of(const std::array<float, 3>& p) {
   return {double{p[0]}, double{p[1]}, double{p[2]}};
@@ -86,6 +94,7 @@ class Fitter {
       if (finite(to)) position_[v] = to;
     }
     // Whether faces are near the original takes longer to tell.
+    find_pointed();
     take_back(before, [&](std::size_t f) { return turned_corners(before, f); });
     take_back(before, [&](std::size_t f) {
       const Corners turned = turned_corners(before, f);
@@ -119,8 +128,7 @@ class Fitter {
 
   // Whether all samples of the face lie on it but for rounding.
   [[nodiscard]] bool is_met(std::size_t f) const {
-    const double count = sums_[f].count();
-    if (!(count > 0.5)) return false;
+    if (!(sums_[f].count() > 0.5)) return false;
     Point off{};
     for (const std::uint32_t v : face_[f]) {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -128,7 +136,7 @@ class Fitter {
     }
     for (double& x : off)
       x = sample_roundings * (settings_.rounding.relative * x + settings_.rounding.absolute);
-    return double{sums_[f].squares} <= count * dot(off, off);
+    return double{sums_[f].farthest} <= dot(off, off);
   }
 
   // How a distance counts at a face.
@@ -230,14 +238,37 @@ class Fitter {
     return {!allowed, !allowed, !allowed};
   }
 
+  void find_pointed() {
+    std::vector<Point> sum(position_.size(), Point{});
+    for (std::size_t f = 0; f < face_.size(); ++f) {
+      for (const std::uint32_t v : face_[f]) sum[v] = sum[v] + point_of(normal_[f]);
+    }
+    pointed_.resize(position_.size());
+    for (std::uint32_t v = 0; v < pointed_.size(); ++v) {
+      const auto faces = static_cast<double>(corners_.of(v).size());
+      pointed_[v] = length(sum[v]) < shortest_mean_normal * faces ? 1 : 0;
+    }
+  }
+
+  // How far off the face may be, as far as its samples tell, if it is farther than before.
+  [[nodiscard]] double farthest_now(const std::vector<Point>& before, std::size_t f) const {
+    const Point normal = point_of(normal_[f]);
+    double moved = 0;
+    double beyond = beyond_samples;
+    for (const std::uint32_t v : face_[f]) {
+      const Point by = position_[v] - before[v];
+      const bool tip = pointed_[v] != 0 && by != Point{};
+      if (tip) beyond = beyond_samples_at_tips;
+      moved = std::max(moved, tip ? length(by) : std::abs(dot(normal, by)));
+    }
+    if (moved < small_move * settings_.far) return 0;
+    return beyond * std::sqrt(double{sums_[f].farthest}) + moved;
+  }
+
   // Samples say little of what sticks out: they have no nearest place at the tip of a spike of the
   // result, and the tips of the original are few. So faces that may be far off are looked at.
-  [[nodiscard]] Corners farther_corners(const std::vector<Point>& before, std::size_t f) {
-    double moved = 0;
-    for (const std::uint32_t v : face_[f])
-      moved = std::max(moved, length(position_[v] - before[v]));
-    // No sample is farther off than all are together.
-    if (std::sqrt(double{sums_[f].squares}) + moved < settings_.far) return {};
+  [[nodiscard]] Corners farther_corners(const std::vector<Point>& before, std::size_t f) const {
+    if (farthest_now(before, f) < settings_.far) return {};
     std::vector<Triangle> from{triangle(before, f)};
     std::vector<Triangle> to{triangle(position_, f)};
     for (const std::uint32_t v : face_[f]) {
@@ -301,7 +332,7 @@ class Fitter {
   const FartherCorners& farther_;
   const std::function<void()>& turn_;
   CornersOfVertices corners_;
-  std::vector<std::uint8_t> free_;
+  std::vector<std::uint8_t> free_, pointed_;
   std::vector<std::array<float, 3>> normal_;
   std::vector<Point> move_;
   double hold_ = 0;
@@ -319,7 +350,7 @@ FittedVertices fit_vertices(std::vector<Point>& positions, std::span<const FaceV
 std::uint64_t vertex_fit_memory(std::uint64_t vertices, std::uint64_t faces) {
   // The equations take five points a vertex. What comes when they are solved takes less: positions
   // as they were, moves, and at most all corners as suspects.
-  return vertices * (5 * sizeof(Point) + sizeof(std::uint32_t) + 1) +
+  return vertices * (5 * sizeof(Point) + sizeof(std::uint32_t) + 2) +
          faces * (3 * sizeof(std::uint32_t) + sizeof(std::array<float, 3>));
 }
 

@@ -2,6 +2,7 @@
 #include "fit/vertex_fit.hpp"
 #include "support/random.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -21,7 +22,9 @@ struct Fan {
   std::vector<std::uint8_t> locked = std::vector<std::uint8_t>(7, 0);
   double far = 10;
   double ceiling = 10;
-  double gain = 0;  // of the last fit
+  double squares = 0;  // of all samples
+  double gain = 0;     // of the last fit
+  int asked = 0;       // how often whether a face is farther
 
   Fan() {
     for (std::uint32_t i = 0; i < 6; ++i) {
@@ -39,7 +42,8 @@ struct Fan {
       to(sum.products[3 + i], weight[i] * weight[(i + 1) % 3]);
       for (std::size_t axis = 0; axis < 3; ++axis) to(sum.pull[i][axis], weight[i] * way[axis]);
     }
-    to(sum.squares, dot(way, way));
+    sum.farthest = std::max(sum.farthest, static_cast<float>(dot(way, way)));
+    squares += dot(way, way);
   }
 
   // Samples on a cone over the fan, whose apex is over vertex 0.
@@ -67,6 +71,7 @@ struct Fan {
     FittedVertices done = fit_vertices(
         positions, faces, sums, locked, settings,
         [this](std::span<const Triangle>, std::span<const Triangle> after) {
+          ++asked;
           std::array<bool, 3> farther{};
           for (std::size_t i = 0; i < 3; ++i) farther[i] = after[0][i][2] > ceiling;
           return farther;
@@ -86,10 +91,8 @@ TEST_CASE("a vertex moves onto the apex of a cone but for the pull back") {
   // The sum of squares (0.3 - x) w, and 2 % of the weights' squares times x.
   CHECK(fan.positions[0][2] == Approx(0.3 / 1.02).epsilon(1e-5));
   // What is left of 0.3 w at each sample is (0.3 - x) w.
-  double squares = 0;
-  for (const FaceSums& sum : fan.sums) squares += double{sum.squares};
   const double left = 1 - 1 / 1.02;
-  CHECK(fan.gain == Approx(squares * (1 - left * left)).epsilon(1e-5));
+  CHECK(fan.gain == Approx(fan.squares * (1 - left * left)).epsilon(1e-5));
   CHECK(std::abs(fan.positions[0][0]) < 1e-5);
   CHECK(std::abs(fan.positions[0][1]) < 1e-5);
 }
@@ -139,6 +142,28 @@ TEST_CASE("a vertex stays where it would come farther from the original") {
   // Nobody asks where no face can be far off.
   fan.far = 10;
   CHECK(fan.fit().size() == 1);
+}
+
+TEST_CASE("faces are compared with the original where samples leave it open how far off they are") {
+  for (const double height : {0, 2}) {
+    for (const double far : {0.1, 0.3, 0.5}) {
+      Fan fan;
+      fan.positions[0][2] = height;
+      fan.add_cone(0.1);
+      fan.far = far;
+      INFO(height << " " << far);
+      CHECK(fan.fit().size() == 1);
+      // Of 0.1 to 0.25, or three times the farthest sample and the way at the tip.
+      CHECK((fan.asked > 0) == (far < (height > 0 ? 0.4 : 0.25)));
+    }
+  }
+  // 0.01 is next to nothing beside 1, although samples are far off.
+  Fan fan;
+  fan.add_cone(0.01);
+  fan.sums[0].farthest = 4;
+  fan.far = 1;
+  CHECK(fan.fit().size() == 1);
+  CHECK(fan.asked == 0);
 }
 
 TEST_CASE("no face is folded over") {
