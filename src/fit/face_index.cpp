@@ -30,6 +30,10 @@ constexpr std::size_t most_around(std::size_t points) {
   return 32 + 2 * points;
 }
 constexpr std::size_t most_candidates = 2 * most_around(PointGroup::capacity);
+// No more boxes of faces may be as near to a point as its nearest face. Where points are looked for
+// at once there are never so many.
+constexpr std::size_t most_near = 256;
+static_assert(most_near >= most_candidates);
 // No more than floats have room for when lengths are multiplied with each other.
 constexpr double farthest_seen = 1e16;
 // Distances by floats are off by less than this part of all lengths that come in.
@@ -41,6 +45,15 @@ constexpr std::uint64_t measured_faces = 64;
 
 std::uint64_t pages_of(std::uint64_t faces, std::uint64_t page) {
   return (faces + page - 1) / page;
+}
+
+double squared_distance(const Point& point, const Box& box) {
+  double squared = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double off = std::max({box.low[axis] - point[axis], point[axis] - box.high[axis], 0.0});
+    squared += off * off;
+  }
+  return squared;
 }
 
 Box box_of(const Triangle& t) {
@@ -192,14 +205,9 @@ std::size_t FaceIndex::page_near(const Point& point) const {
   double least = std::numeric_limits<double>::max();
   std::size_t near = 0;
   tree_->for_each_within(point, least, [&](std::size_t number) {
-    double squared = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double off = std::max(
-          {boxes_[number].low[axis] - point[axis], point[axis] - boxes_[number].high[axis], 0.0});
-      squared += off * off;
-    }
+    const double squared = squared_distance(point, boxes_[number]);
     if (squared >= least) return;
-    least = squared;
+    least = squared > 0 ? squared : -1;
     near = number;
   });
   return near;
@@ -345,14 +353,51 @@ const FaceIndex::Nearest& FaceIndex::Reader::nearest(const Point& point) {
   // Points that follow each other are mostly close, so the last face is near.
   last_.place = closest_point(point, last_.corner);
   last_.squared = dot(point - last_.place, point - last_.place);
-  index_.tree_->for_each_within(point, last_.squared, [&](std::size_t number) {
+  std::size_t looks = 0;
+  double limit = last_.squared;
+  index_.tree_->for_each_within(point, limit, [&](std::size_t number) {
     const Page& faces = page(number);
     const std::uint64_t first = number * index_.page_faces_;
-    faces.tree->for_each_within(point, last_.squared, [&](std::size_t place) {
+    faces.tree->for_each_within(point, limit, [&](std::size_t place) {
+      if (looks++ == most_near) limit = -1;
+      if (limit < 0) return;
       take_nearer(point, first + place, faces.faces[place]);
+      limit = last_.squared;
     });
   });
+  // In the order of boxes there may be fewer.
+  if (looks > most_near && !look_into_nearest_boxes(point))
+    last_.squared = std::numeric_limits<double>::infinity();
   return last_;
+}
+
+bool FaceIndex::Reader::look_into_nearest_boxes(const Point& point) {
+  boxes_.clear();
+  double limit = std::numeric_limits<double>::max();
+  index_.tree_->for_each_within(point, limit, [&](std::size_t number) {
+    const Page& faces = page(number);
+    const std::uint64_t first = number * index_.page_faces_;
+    faces.tree->for_each_within(point, limit, [&](std::size_t place) {
+      const Triangle& corner = faces.faces[place];
+      const double squared = squared_distance(point, box_of(corner));
+      if (boxes_.size() > most_near) {
+        if (!(squared < boxes_.front().squared)) return;
+        std::pop_heap(boxes_.begin(), boxes_.end());
+        boxes_.pop_back();
+      }
+      boxes_.push_back({squared, {first + place, corner}});
+      std::push_heap(boxes_.begin(), boxes_.end());
+      if (boxes_.size() <= most_near) return;
+      limit = boxes_.front().squared > 0 ? boxes_.front().squared : -1;
+    });
+  });
+  last_.squared = std::numeric_limits<double>::infinity();
+  for (const NearBox& box : boxes_) take_nearer(point, box.face.face, box.face.corner);
+  return boxes_.size() <= most_near || boxes_.front().squared > last_.squared;
+}
+
+std::size_t FaceIndex::Reader::most_boxes() {
+  return most_near;
 }
 
 }  // namespace winnow

@@ -55,19 +55,29 @@ class FaceIndex {
   class Reader {
    public:
     explicit Reader(const FaceIndex& index);
-    // Of each point; of several faces that are as near the one with the lowest number. Quick where
-    // points that follow each other are close.
+    // Of each point; of several faces that are as near the one with the lowest number. Infinitely
+    // far off where more than most_boxes() faces have boxes that are as near as the nearest face:
+    // then faces lie across each other. Quick where points that follow each other are close.
     void nearest(std::span<const Point> points, std::vector<Nearest>& out);
-    const Nearest& nearest(const Point& point);
+    static std::size_t most_boxes();
 
    private:
     struct Candidate {
       std::uint64_t face;
       Triangle corner;
     };
+    struct NearBox {
+      double squared;
+      Candidate face;
+
+      bool operator<(const NearBox& other) const { return squared < other.squared; }
+    };
     // Of all points at once. False where they are far apart or lie among many faces.
     bool look_around(std::span<const Point> points, std::vector<Nearest>& out);
     const Nearest& nearest_candidate(const Point& point);
+    const Nearest& nearest(const Point& point);
+    // Whether so few boxes are as near as the nearest face, which then is left in last_.
+    bool look_into_nearest_boxes(const Point& point);
     // Leaves the face in last_ if it is nearer to the point.
     void take_nearer(const Point& point, std::uint64_t face, const Triangle& corner);
     struct Slot {
@@ -87,6 +97,7 @@ class FaceIndex {
     PointGroup group_;
     std::vector<Candidate> candidates_;
     std::vector<FaceBeside> beside_;  // the same
+    std::vector<NearBox> boxes_;      // a heap, the farthest first
   };
 
  private:

@@ -98,7 +98,7 @@ TEST_CASE("faces that share one vertex and nothing else end", "[shapes]") {
   }
 }
 
-TEST_CASE("very many faces on few vertices end", "[shapes][crowds]") {
+TEST_CASE("very many faces on few vertices end", "[shapes]") {
   for (const std::size_t faces : {10'000, 100'000}) {
     CAPTURE(faces);
     check_ends(shapes::crowd(faces), to_count(faces / 10));
@@ -106,8 +106,7 @@ TEST_CASE("very many faces on few vertices end", "[shapes][crowds]") {
   }
 }
 
-TEST_CASE("a free topology meets the count however many faces are around vertices",
-          "[shapes][crowds]") {
+TEST_CASE("a free topology meets the count however many faces are around vertices", "[shapes]") {
   const Refine cost = GENERATE(Refine::quadric, Refine::volume);
   for (const Shape& shape :
        {shapes::crowd(50'000, 300), shapes::crowd(100'000, 2000), shapes::crowd(30'000, 1500, 2),
