@@ -258,18 +258,20 @@ void lock_boundaries(TileMesh& mesh) {
   }
 }
 
-// Before the first round the state is that of cells, if any.
-std::vector<ErrorBound::State> bound_states(TileMesh& mesh, std::span<const std::byte> bytes,
-                                            const DecimationSettings& settings) {
-  if (settings.boundaries_known) return states_of<ErrorBound::State>(mesh, bytes);
-  const std::vector<CellState> cells = states_of<CellState>(mesh, bytes);
+// Before the first round, when the state is that of cells, if any.
+std::vector<ErrorBound::State> first_bound_states(TileMesh& mesh, std::span<const std::byte> bytes,
+                                                  const DecimationSettings& settings) {
   std::vector<ErrorBound::State> states(mesh.vertex_count());
-  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
-    states[v].planes = cells[v].planes;
-    states[v].low = cells[v].low;
-    states[v].high = cells[v].high;
+  if (bytes.empty()) {
+    ErrorBound::add_faces(mesh, settings.rounding_of_positions(), states);
+  } else {
+    const std::vector<CellState> cells = states_of<CellState>(mesh, bytes);
+    for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) {
+      states[v].planes = cells[v].planes;
+      states[v].low = cells[v].low;
+      states[v].high = cells[v].high;
+    }
   }
-  if (bytes.empty()) ErrorBound::add_faces(mesh, settings.rounding_of_positions(), states);
   ErrorBound::add_boundaries(mesh, states);
   return states;
 }
@@ -282,9 +284,12 @@ std::unique_ptr<Decimation> by_quadrics(TileMesh& mesh, std::span<const std::byt
                                         const DecimationSettings& settings) {
   const CoordinateRounding rounding = settings.rounding_of_positions();
   if (bounds_error(settings)) {
-    return std::make_unique<AccumulatingDecimation<QuadricCost>>(
-        mesh, settings, settings.single, rounding, *settings.error,
-        bound_states(mesh, state, settings));
+    const auto within = [&](auto states) {
+      return std::make_unique<AccumulatingDecimation<QuadricCost>>(
+          mesh, settings, settings.single, rounding, *settings.error, std::move(states));
+    };
+    return settings.boundaries_known ? within(states_of<QuadricCost::State>(mesh, state))
+                                     : within(first_bound_states(mesh, state, settings));
   }
   return memoryless(mesh, settings, MakeQuadricCost{settings.single, rounding});
 }
@@ -313,7 +318,10 @@ std::unique_ptr<Decimation> Decimation::make_watching(TileMesh& mesh,
                                                       const DecimationSettings& settings) {
   mesh.link();
   if (settings.keep_boundaries) lock_boundaries(mesh);
-  return std::make_unique<WatchingDecimation>(mesh, settings, bound_states(mesh, state, settings));
+  return std::make_unique<WatchingDecimation>(mesh, settings,
+                                              settings.boundaries_known
+                                                  ? states_of<ErrorBound::State>(mesh, state)
+                                                  : first_bound_states(mesh, state, settings));
 }
 
 std::unique_ptr<Decimation> Decimation::make(TileMesh& mesh, std::span<const std::byte> state,
@@ -370,7 +378,7 @@ std::size_t Decimation::first_state_size(const DecimationSettings& settings) {
 std::size_t Decimation::state_size(const DecimationSettings& settings) {
   if (settings.sequence)
     return Frames::saved_size(settings.sequence->frames) + remembered_size(*settings.sequence);
-  return bounds_error(settings) ? sizeof(ErrorBound::State) : 0;
+  return bounds_error(settings) ? sizeof(QuadricCost::State) : 0;
 }
 
 std::size_t Decimation::watched_state_size() {

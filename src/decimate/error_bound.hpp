@@ -33,7 +33,6 @@ class ErrorBound {
   // What a vertex remembers between two rounds.
   struct State {
     Quadric planes;           // seen from it
-    Point farthest{};         // the point of WitnessPoints, seen from it
     double boundary_off = 0;  // of the boundary's edges that begin there
     // The box of all vertices that it stands for, seen from it and rounded outwards.
     std::array<float, 3> low{}, high{};

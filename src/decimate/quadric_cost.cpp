@@ -51,10 +51,16 @@ QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& 
 }
 
 QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding,
-                         double error, std::vector<State> states)
+                         double error, std::vector<ErrorBound::State> states)
     : QuadricCost(mesh, single, rounding) {
-  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) farthest_.set(v, states[v].farthest);
   bound_.emplace(mesh, error, std::move(states), at_boundary_);
+}
+
+QuadricCost::QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding,
+                         double error, const std::vector<State>& states)
+    : QuadricCost(mesh, single, rounding, error,
+                  std::vector<ErrorBound::State>(states.begin(), states.end())) {
+  for (VertexNumber v = 0; v < mesh.vertex_count(); ++v) farthest_.set(v, states[v].farthest);
 }
 
 // Of one face, for each of its corners: a third of the area.
@@ -126,9 +132,7 @@ double QuadricCost::closer_cost(const EvaluatedCollapse& now, const EdgeStar& st
 }
 
 QuadricCost::State QuadricCost::state(VertexNumber v) const {
-  State state = bound_->state(v);
-  state.farthest = farthest_.of(v);
-  return state;
+  return {bound_->state(v), farthest_.of(v)};
 }
 
 double QuadricCost::largest_error() const {

@@ -23,7 +23,10 @@ namespace winnow {
 
 class QuadricCost {
  public:
-  using State = ErrorBound::State;
+  // What a vertex remembers between two rounds, within an error.
+  struct State : ErrorBound::State {
+    Point farthest{};  // the point of WitnessPoints, seen from it
+  };
 
   // `single`: vertices go to numbers that floats have.
   QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding);
@@ -32,7 +35,9 @@ class QuadricCost {
               WitnessPoints witnesses, double largest_square);
   // The same within an error; `states`: of each vertex.
   QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding, double error,
-              std::vector<State> states);
+              std::vector<ErrorBound::State> states);
+  QuadricCost(TileMesh& mesh, bool single, const CoordinateRounding& rounding, double error,
+              const std::vector<State>& states);
 
   static constexpr std::uint64_t memory(std::uint64_t vertices) {
     return vertices * (sizeof(VertexPlanes) + 1) + WitnessPoints::memory(vertices);

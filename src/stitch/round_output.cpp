@@ -33,6 +33,11 @@ TileResult rest_of(const Tile& tile, const TileMesh& mesh, const Decimation& dec
       normals[v] = normals[v] + normal;
     }
   }
+  const auto left = static_cast<std::size_t>(
+      std::count(has_faces.begin(), has_faces.begin() + tile.own_vertices, 1));
+  const std::size_t most = left + tile.hubs.size();
+  rest.vertices.reserve(most);
+  rest.state.reserve(most * state_size);
   std::vector<std::uint32_t> place(tile.own_vertices, no_number);
   for (VertexNumber v = 0; v < tile.own_vertices; ++v) {
     const bool hub = std::binary_search(tile.hubs.begin(), tile.hubs.end(), v);
