@@ -64,6 +64,8 @@ bool GrowingPages::grow_to(std::size_t bytes) {
     if (!reservation) return false;
   }
   if (::mprotect(data_ + usable_, target - usable_, PROT_READ | PROT_WRITE) != 0) return false;
+  // They are about to be written: one call is cheaper than a fault a page.
+  ::madvise(data_ + usable_, target - usable_, MADV_POPULATE_WRITE);
   reservations_.push_back(std::move(reservation));
   usable_ = target;
   return true;
