@@ -51,8 +51,8 @@ void pack(const RecordedCollapse& collapse, Words& out) {
   const RingedSplit& ringed = collapse.ringed;
   const std::size_t before = out.size();
   out.resize(before + 3 + collapse.gone.size() + ringed.split.words.size() + ringed.before.size() +
-             words_of(ringed.split.moved) + words_of(ringed.split.restored) +
-             words_of(ringed.ring));
+             words_of(ringed.split.restored) + words_of(ringed.ring) +
+             (ringed.ring.empty() ? words_of(ringed.split.moved) : 1));
   std::uint32_t* at = out.data() + before;
   *at++ = ringed.split.anchor;
   *at++ = ringed.split.moves ? 1 : 0;
@@ -60,9 +60,13 @@ void pack(const RecordedCollapse& collapse, Words& out) {
   for (const std::vector<std::uint32_t>* list :
        {&collapse.gone, &ringed.split.words, &ringed.before})
     at = std::copy(list->begin(), list->end(), at);
-  at = put(ringed.split.moved, at);
   at = put(ringed.split.restored, at);
-  put(ringed.ring, at);
+  at = put(ringed.ring, at);
+  if (ringed.ring.empty()) {
+    put(ringed.split.moved, at);
+  } else {
+    *at = static_cast<std::uint32_t>(ringed.split.moved.size());
+  }
 }
 
 void unpack(std::span<const std::uint32_t>& words, std::size_t width, RecordedCollapse& collapse) {
@@ -75,17 +79,23 @@ void unpack(std::span<const std::uint32_t>& words, std::size_t width, RecordedCo
   take(words, width * (std::size_t{ringed.split.new_vertices} + ringed.split.moves),
        ringed.split.words);
   if (ringed.split.moves) take(words, width, ringed.before);
-  take(words, ringed.split.moved);
   take(words, ringed.split.restored);
   take(words, ringed.ring);
+  if (ringed.ring.empty()) {
+    take(words, ringed.split.moved);
+  } else {
+    ringed.split.moved.resize(take(words));
+    ringed.take_moved();
+  }
 }
 
 void skip_packed(std::span<const std::uint32_t>& words, std::size_t width) {
   const std::size_t moves = words[1], gone = words[2];
   words = words.subspan(3 + gone + width * (gone + 2 * moves));
-  skip(words, 2);
   skip(words, 3);
+  const bool rings = words[0] != 0;
   skip(words, 2);
+  skip(words, rings ? 0 : 2);
 }
 
 }  // namespace winnow

@@ -29,15 +29,17 @@ struct RecordedCollapse {
     Split& split = ringed.split;
     if (split.anchor != no_number) each(split.anchor);
     for (std::uint32_t& v : gone) each(v);
-    for (FarEdge& far : split.moved) {
-      for (std::uint32_t& v : far) each(v);
-    }
     for (FaceVertices& face : split.restored) {
       for (std::uint32_t& v : face) each(v);
     }
-    for (FarEdge& far : ringed.ring) {
-      for (std::uint32_t& v : far) each(v);
-    }
+    const auto each_of = [&each](std::vector<FarEdge>& faces) {
+      for (FarEdge& far : faces) {
+        for (std::uint32_t& v : far) each(v);
+      }
+    };
+    if (ringed.ring.empty()) return each_of(split.moved);
+    each_of(ringed.ring);
+    ringed.take_moved();
   }
 };
 

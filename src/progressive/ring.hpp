@@ -74,6 +74,15 @@ class Ring {
     return order[rank];
   }
 
+  // How many faces come before the one at `place` in their order.
+  [[nodiscard]] std::size_t rank_of(std::size_t place) const {
+    const std::uint32_t first = first_[place], second = second_[place];
+    std::size_t before = 0;
+    for (std::size_t k = 0; k < count_; ++k)
+      before += (first_[k] < first) | ((first_[k] == first) & (second_[k] < second)) ? 1 : 0;
+    return before;
+  }
+
   // All different corners beside the vertex, in ascending order.
   void find_neighbours(std::vector<std::uint32_t>& out) const {
     out.assign(first_.begin(), first_.begin() + static_cast<std::ptrdiff_t>(count_));

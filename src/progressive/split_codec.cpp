@@ -99,7 +99,6 @@ bool SplitEncoder::find_sides(const RingedSplit& ringed, std::uint32_t& left,
 void SplitEncoder::gather_ring(const RingedSplit& ringed) {
   ring_.clear();
   for (const FarEdge& far : ringed.ring) ring_.add(far);
-  ring_.sort();
 }
 
 // Finds the faces that move side by side; false where they do not.
@@ -139,9 +138,10 @@ bool SplitEncoder::add_beside(const RingedSplit& ringed) {
   const bool both = left != no_number && right != no_number;
   if ((left != no_number || right != no_number) && find_walk(ringed, left, right)) {
     kinds_.push_back(both ? both_sides : left != no_number ? left_side : right_side);
-    rings_.push_back(static_cast<std::uint8_t>(first_place_));
+    rings_.push_back(static_cast<std::uint8_t>(ring_.rank_of(first_place_)));
     counts_.push_back(static_cast<std::uint8_t>(split.moved.size()));
   } else {
+    ring_.sort();
     if (!add_bits(ringed)) return false;
     ring_.find_neighbours(neighbours_);
     kinds_.push_back(both                 ? both_sides_by_bits

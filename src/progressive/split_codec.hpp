@@ -8,6 +8,7 @@
 #include "progressive/split.hpp"
 #include "progressive/split_mesh.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,9 +22,12 @@ struct RingedSplit {
   Split split;
   Words before;                 // the anchor's words, where it moves
   std::uint32_t first_new = 0;  // the number of the first new vertex
-  // All faces at the anchor. Empty where these are very many, or are not known: then the faces that
-  // move are told one by one.
+  // All faces at the anchor, in the beginning those that move. Empty where these are very many, or
+  // are not known: then the faces that move are told one by one.
   std::vector<FarEdge> ring{};
+
+  // From the ring, which is known.
+  void take_moved() { std::copy_n(ring.begin(), split.moved.size(), split.moved.begin()); }
 };
 
 // Of the bytes of a chunk, before they are compressed.
@@ -52,7 +56,7 @@ class SplitEncoder {
   std::vector<std::uint8_t> kinds_, rings_, counts_, varints_;
   std::vector<std::uint32_t> anchors_;
   std::vector<Words> values_;  // of each word of a vertex
-  Ring ring_;                  // of the anchor, in order
+  Ring ring_;                  // of the anchor
   std::vector<std::uint32_t> neighbours_, places_;
   std::size_t first_place_ = 0;
 };

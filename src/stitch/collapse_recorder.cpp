@@ -58,9 +58,11 @@ void CollapseRecorder::repeat_edge(const Collapse& edge) {
   if (movable) put_words(edge.kept, kept_);
   put_words(edge.removed, removed_);
   gather_faces(edge.removed, at_removed_);
-  // No face of a vertex with more of them falls onto another.
+  // Those of the kept end stay unless they may fall onto others, which none of a vertex with more
+  // faces does.
   at_kept_.clear();
-  if (mesh_.degree(edge.kept) <= most_ring_faces) gather_faces(edge.kept, at_kept_);
+  if (free_topology_ && mesh_.degree(edge.kept) <= most_ring_faces)
+    gather_faces(edge.kept, at_kept_);
   decimation_.repeat(edge);
   if (movable) values_.collapsed(edge);
 

@@ -14,10 +14,14 @@ namespace winnow {
 
 class CollapseRecorder {
  public:
-  // `mesh` is linked. All must stay.
+  // `mesh` is linked. All must stay. `free_topology`: DecimationSettings::free_topology.
   CollapseRecorder(TileMesh& mesh, Decimation& decimation, CarriedValues& values,
-                   const VertexWords& words)
-      : mesh_(mesh), decimation_(decimation), values_(values), words_(words) {}
+                   const VertexWords& words, bool free_topology)
+      : mesh_(mesh),
+        decimation_(decimation),
+        values_(values),
+        words_(words),
+        free_topology_(free_topology) {}
 
   // In numbers of the tile; good until the next call.
   RecordedCollapse& repeat(const Collapse& edge);
@@ -45,6 +49,7 @@ class CollapseRecorder {
   Decimation& decimation_;
   CarriedValues& values_;
   const VertexWords& words_;
+  bool free_topology_;
   Piece piece_;
   std::vector<Face> at_kept_, at_removed_;
   Words kept_, removed_;

@@ -89,7 +89,7 @@ class RoundRecorder {
     const std::unique_ptr<Decimation> decimation =
         Decimation::make_watching(mesh, tile.state, settings.decimation);
     CarriedValues values = carried_values(tile, settings.attributes);
-    CollapseRecorder recorder(mesh, *decimation, values, words_);
+    CollapseRecorder recorder(mesh, *decimation, values, words_, settings.decimation.free_topology);
     std::vector<std::uint8_t> gone(mesh.vertex_count(), 0);
     std::uint32_t band = 0;
     const auto add = [&](RecordedCollapse& collapse, double error) {
