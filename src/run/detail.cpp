@@ -34,18 +34,21 @@ std::optional<std::uint64_t> faces_wanted(const Target& target, std::uint64_t av
 Detail detail_for(const SimplifyOptions& options, std::uint64_t available, std::uint64_t target) {
   const double wanted = options.detail.value_or(usual_detail) * static_cast<double>(target);
   const auto all = static_cast<double>(available);
-  const auto clustered = static_cast<std::uint64_t>(wanted);
+  // Below all there are: `wanted` may be infinite.
+  const auto clustered = [&](const char* reason) {
+    return Detail{false, static_cast<std::uint64_t>(wanted), reason};
+  };
   if (target >= available && wanted >= all)
     return {true, available, grouped(available) + " faces already"};
   if (options.keep_pieces) return {true, available, keeps_pieces};
   if (options.detail && wanted >= all)
     return {true, available,
             std::isinf(*options.detail) ? detail_full : "`detail` asks for all faces"};
-  if (options.detail) return {false, clustered, "`detail` asks for it"};
+  if (options.detail) return clustered("`detail` asks for it");
   if (available <= always_full) return {true, available, few_faces()};
   if (wanted > worth_clustering * all)
     return {true, available, "it would not spare three quarters of the faces"};
-  return {false, clustered, "it spares three quarters of the faces or more"};
+  return clustered("it spares three quarters of the faces or more");
 }
 
 Detail detail_for_error(const SimplifyOptions& options, std::uint64_t available) {
