@@ -11,7 +11,10 @@ target_compile_options(winnow_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow 
 target_compile_options(winnow_flags INTERFACE -Werror=switch)
 # Sources compiled as one are not meant to know each other's names.
 if(WINNOW_UNITY)
-  target_compile_options(winnow_flags INTERFACE -Wno-shadow -Wshadow=local)
+  target_compile_options(winnow_flags INTERFACE -Wno-shadow)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(winnow_flags INTERFACE -Wshadow=local)
+  endif()
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarms on std::string (GCC bug 105329).

@@ -153,8 +153,9 @@ TEST_CASE(
       const Defects defects = defects_of(faces);
       REQUIRE(defects.duplicates == 0);
       REQUIRE(defects.degenerate == 0);
-      for (const auto& [edge, count] : edges_of(faces)) {
+      for (const auto& [each, count] : edges_of(faces)) {
         if (count <= 2) continue;
+        const Edge edge = each;
         const auto crowded = [&](VertexNumber end) {
           const VertexNumber other = edge.first == a ? edge.second : edge.first;
           const auto found = before.find(std::minmax(end, other));

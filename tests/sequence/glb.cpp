@@ -234,7 +234,7 @@ TEST_CASE("what cannot be one GLB, or frames of one, is refused with a way out")
   write_glb(directory.file("still.glb"), glb);
   check(error_with({directory.file("still.glb")}, directory.file("out.glb")), ErrorKind::bad_input,
         "no morph targets");
-  primitive["targets"] = {targets[0]};
+  primitive["targets"] = nlohmann::json::array({targets[0]});
   write_glb(directory.file("fewer.glb"), glb);
   check(error_with({directory.file("fewer.glb")}, directory.file("out.glb")), ErrorKind::bad_input,
         "6 weights for 3 times and 1 targets");
