@@ -63,34 +63,45 @@ bool is_within(const Point& point, std::span<const Triangle> faces, double far) 
   });
 }
 
-// Tells fast of most points above the inside of a face that they are within `far` of it.
-class Above {
+// Tells fast of most points beside a face on which side of a distance they are.
+class FastDistance {
  public:
-  Above(const Triangle& face, double far) : corner_(face[0]), far_(almost * far) {
+  explicit FastDistance(const Triangle& face) : corner_(face) {
     const Point ab = face[1] - face[0];
     const Point ac = face[2] - face[0];
     const Point normal = cross(ab, ac);
     const double squared = dot(normal, normal);
     if (!(squared > thin * dot(ab, ab) * dot(ac, ac))) return;
     up_ = (1 / std::sqrt(squared)) * normal;
-    along_ = {(1 / squared) * cross(ac, normal), (1 / squared) * cross(normal, ab)};
+    for (std::size_t i = 0; i < 3; ++i) out_[i] = unit(cross(face[(i + 1) % 3] - face[i], up_));
     known_ = true;
   }
-  [[nodiscard]] bool is_surely_within(const Point& point) const {
-    const Point off = point - corner_;
-    const double v = dot(off, along_[0]);
-    const double w = dot(off, along_[1]);
-    return known_ && v >= 0 && w >= 0 && v + w <= 1 && std::abs(dot(off, up_)) <= far_;
+  // Only over the inside of the face.
+  [[nodiscard]] bool is_surely_within(const Point& point, double far) const {
+    return known_ && height(point) <= almost * far && farthest_out(point) <= 0;
+  }
+  [[nodiscard]] bool is_surely_beyond(const Point& point, double far) const {
+    return known_ && std::max(height(point), farthest_out(point)) * almost > far;
   }
 
  private:
   // What rounding may be, in distances and in the square of the sine of a corner.
   static constexpr double almost = 0.99, thin = 1e-9;
 
-  Point corner_;
-  double far_;
+  [[nodiscard]] double height(const Point& point) const {
+    return std::abs(dot(point - corner_[0], up_));
+  }
+  // The distance from the sides' planes, where the point is on their outer side.
+  [[nodiscard]] double farthest_out(const Point& point) const {
+    const double first = dot(point - corner_[0], out_[0]);
+    const double second = dot(point - corner_[1], out_[1]);
+    const double third = dot(point - corner_[2], out_[2]);
+    return std::max(first, std::max(second, third));
+  }
+
+  Triangle corner_;
   Point up_{};
-  std::array<Point, 2> along_{};
+  std::array<Point, 3> out_{};
   bool known_ = false;
 };
 
@@ -128,11 +139,13 @@ std::array<bool, 3> farther_corners(ReferenceSurface& reference, std::span<const
     if (squared_distance(vertex, before.subspan(1), nearer) <= nearer) return false;
     return squared_distance(vertex, after, std::max(then, allowed)) > std::max(then, allowed);
   };
-  const Above above(after[0], far);
+  const FastDistance from(before[0]);
+  const FastDistance to(after[0]);
   std::vector<Point> beside;
   for (const Triangle& face : faces) {
     std::copy_if(face.begin(), face.end(), std::back_inserter(beside), [&](const Point& vertex) {
-      return is_in(vertex, around) && !above.is_surely_within(vertex);
+      return is_in(vertex, around) && !from.is_surely_beyond(vertex, known * far) &&
+             !to.is_surely_within(vertex, far);
     });
   }
   // A vertex comes with each of its faces.
