@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace winnow {
 
@@ -12,37 +11,46 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
   middle_ = 0.5 * whole_.low + 0.5 * whole_.high;
   const double side = whole_.longest_side();
   if (side > 0) scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(side), -1000, 500));
-  std::vector<Point> middles;
-  middles.reserve(boxes.size());
-  for (const Box& box : boxes) middles.push_back(0.5 * box.low + 0.5 * box.high);
-  order_.resize(boxes.size());
-  std::iota(order_.begin(), order_.end(), 0U);
-  arrange(order_, middles);
+  std::vector<Placed> placed;
+  placed.reserve(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    placed.push_back({0.5 * boxes[i].low + 0.5 * boxes[i].high, i});
+  arrange(placed);
+  order_.reserve(boxes.size());
   std::vector<Box> level;
   level.reserve(boxes.size());
-  for (const std::uint32_t number : order_) level.push_back(boxes[number]);
+  for (const Placed& box : placed) {
+    order_.push_back(box.number);
+    level.push_back(boxes[box.number]);
+  }
   do {
     levels_.push_back(nodes_of(level));
   } while (level.size() > 1);
 }
 
 // Halves the part across its longest side, so that each half is whole nodes, until they are single.
-void BoxTree::arrange(std::span<std::uint32_t> part, std::span<const Point> middles) const {
+void BoxTree::arrange(std::span<Placed> part) {
   if (part.size() <= group) return;
   std::size_t node = group;
   while (node * group < part.size()) node *= group;
-  Box box;
-  for (const std::uint32_t number : part) box.add(middles[number]);
-  const Point side = box.high - box.low;
+  Point low = part.front().middle;
+  Point high = low;
+  for (const Placed& box : part) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], box.middle[axis]);
+      high[axis] = std::max(high[axis], box.middle[axis]);
+    }
+  }
+  const Point side = high - low;
   const auto axis =
       static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
   const std::size_t nodes = (part.size() + node - 1) / node;
   const std::size_t first = nodes / 2 * node;
   std::nth_element(
       part.begin(), part.begin() + static_cast<std::ptrdiff_t>(first), part.end(),
-      [&](std::uint32_t a, std::uint32_t b) { return middles[a][axis] < middles[b][axis]; });
-  arrange(part.first(first), middles);
-  arrange(part.subspan(first), middles);
+      [axis](const Placed& a, const Placed& b) { return a.middle[axis] < b.middle[axis]; });
+  arrange(part.first(first));
+  arrange(part.subspan(first));
 }
 
 // Leaves the boxes of the nodes themselves.

@@ -28,7 +28,7 @@ class BoxTree {
   // The same while it is made.
   static constexpr std::size_t memory(std::size_t boxes) {
     return boxes * (sizeof(Node) + 2 * sizeof(Box)) / 7 + sizeof(Node) + sizeof(Box) +
-           boxes * (sizeof(Box) + sizeof(Point) + sizeof(std::uint32_t));
+           boxes * (sizeof(Box) + sizeof(Placed) + sizeof(std::uint32_t));
   }
 
   // each(number) for all boxes whose squared distance from `place` is no more than `limit`, the
@@ -73,7 +73,11 @@ class BoxTree {
     float beyond;
   };
 
-  void arrange(std::span<std::uint32_t> part, std::span<const Point> middles) const;
+  struct Placed {
+    Point middle;
+    std::uint32_t number;
+  };
+  static void arrange(std::span<Placed> part);
   std::vector<Node> nodes_of(std::vector<Box>& boxes) const;
 
   // Four times a squared distance. Never infinite: where there is no box, the distance is.
