@@ -239,21 +239,30 @@ void SampledSurface::for_each_part(std::uint64_t number, const Each& each) const
     return;
   }
   VertexIndex::Reader vertices(*original_.vertices);
+  const std::vector<FaceVertices> faces =
+      original_.read_faces(first, std::min(block_, original_.face_count - first));
   std::vector<Point> points;
-  std::uint64_t face = first;
-  for (const auto& [a, b, c] :
-       original_.read_faces(first, std::min(block_, original_.face_count - first))) {
-    const Triangle t{vertices.position(a), vertices.position(b), vertices.position(c)};
-    const double wanted =
-        density_ / 2 * length(doubled_area(t)) + fraction_of(static_cast<std::uint32_t>(face));
-    const auto count = static_cast<std::uint64_t>(wanted < 1e15 ? wanted : 0);
-    for (std::uint64_t k = 0; k < count; ++k) {
-      points.push_back(point_on(t, face, k, count));
-      if (points.size() < part) continue;
-      each(points);
-      points.clear();
+  // Some faces at a time: what they want takes no branches, and who gets a point is hard to
+  // foresee.
+  std::array<Triangle, 64> corners;
+  std::array<double, 64> wanted;
+  for (std::size_t begin = 0; begin < faces.size(); begin += corners.size()) {
+    const std::size_t now = std::min(corners.size(), faces.size() - begin);
+    for (std::size_t i = 0; i < now; ++i) {
+      const auto& [a, b, c] = faces[begin + i];
+      corners[i] = {vertices.position(a), vertices.position(b), vertices.position(c)};
+      wanted[i] = density_ / 2 * length(doubled_area(corners[i])) +
+                  fraction_of(static_cast<std::uint32_t>(first + begin + i));
     }
-    ++face;
+    for (std::size_t i = 0; i < now; ++i) {
+      const auto count = static_cast<std::uint64_t>(wanted[i] < 1e15 ? wanted[i] : 0);
+      for (std::uint64_t k = 0; k < count; ++k) {
+        points.push_back(point_on(corners[i], first + begin + i, k, count));
+        if (points.size() < part) continue;
+        each(points);
+        points.clear();
+      }
+    }
   }
   each(points);
 }

@@ -72,8 +72,9 @@ class Fitter {
         turn_(turn),
         corners_(positions.size(), faces),
         free_(positions.size(), 0) {
+    std::vector<std::uint32_t> met;
     for (std::uint32_t v = 0; v < free_.size(); ++v)
-      free_[v] = locked[v] == 0 && is_inside(v) ? 1 : 0;
+      free_[v] = locked[v] == 0 && is_inside(v, met) ? 1 : 0;
     for (std::size_t f = 0; f < face_.size(); ++f) {
       if (!is_met(f)) continue;
       for (const std::uint32_t v : face_[f]) free_[v] = 0;
@@ -112,9 +113,9 @@ class Fitter {
     return {positions[face_[f][0]], positions[face_[f][1]], positions[face_[f][2]]};
   }
 
-  // Whether every edge of the vertex has two faces.
-  [[nodiscard]] bool is_inside(std::uint32_t v) const {
-    std::vector<std::uint32_t> met;
+  // Whether every edge of the vertex has two faces. `met` is used.
+  [[nodiscard]] bool is_inside(std::uint32_t v, std::vector<std::uint32_t>& met) const {
+    met.clear();
     for (const std::uint32_t corner : corners_.of(v)) {
       const FaceVertices& face = face_[corner / 3];
       for (std::uint32_t i = 1; i < 3; ++i) met.push_back(face[(corner + i) % 3]);
