@@ -56,9 +56,11 @@ class Ring {
     if (rank >= count_) return count_;
     std::size_t place = 0, found = 0;
     fill_up();
+    const std::size_t padded = (count_ + lanes - 1) / lanes * lanes;
     for (std::size_t begin = 0; begin < count_; begin += lanes) {
       std::array<std::uint32_t, lanes> before{};
-      for (std::size_t k = 0; k < count_; ++k) {
+      // As often for most rings.
+      for (std::size_t k = 0; k < padded; ++k) {
         for (std::size_t lane = 0; lane < lanes; ++lane)
           before[lane] += first_[k] < first_[begin + lane] ? 1 : 0;
       }

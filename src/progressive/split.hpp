@@ -26,6 +26,11 @@ struct Split {
   // corners at the anchor in a SplitMesh, where these are known.
   std::vector<FarEdge> moved;
   std::vector<std::uint32_t> corners;
+  // Or all corners at the anchor.
+  struct Corner {
+    std::uint32_t corner, moves;
+  };
+  std::vector<Corner> around;
   std::vector<FaceVertices> restored;  // faces that were gone
 
   // Keeps what it has allocated.
@@ -36,6 +41,7 @@ struct Split {
     words.clear();
     moved.clear();
     corners.clear();
+    around.clear();
     restored.clear();
   }
 };

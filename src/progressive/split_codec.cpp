@@ -266,7 +266,6 @@ SplitDecoder::SplitDecoder(std::span<const std::byte> packed, std::uint32_t raw_
   if (kinds_.left() != splits || rest_.left() % (4 * width) != 0) refuse();
   read_anchors(anchors);
   read_words(rest_.left() / (4 * width));
-  ahead_.fill(no_number);
 }
 
 void SplitDecoder::read_words(std::size_t rows) {
@@ -314,16 +313,9 @@ void SplitDecoder::next(const SplitMesh& mesh, Split& split) {
   values(mesh, split);
 }
 
-void SplitDecoder::look_ahead(const SplitMesh& mesh) {
-  for (std::uint32_t& corner : ahead_) corner = mesh.next_expected(corner);
-  const std::size_t begun = anchor_ + splits_ahead;
-  if (begun < anchors_.size()) ahead_[begun % splits_ahead] = mesh.first_expected(anchors_[begun]);
-  if (begun + splits_ahead < anchors_.size()) mesh.expect(anchors_[begun + splits_ahead]);
-}
-
 void SplitDecoder::beside(const SplitMesh& mesh, unsigned kind, Split& split) {
   if (anchor_ == anchors_.size()) refuse();
-  look_ahead(mesh);
+  ahead_.go_to(mesh, anchor_, anchors_.size(), [this](std::size_t i) { return anchors_[i]; });
   split.anchor = anchors_[anchor_++];
   if (split.anchor >= mesh.vertices()) refuse();
   split.moves = true;
@@ -360,14 +352,15 @@ void SplitDecoder::take_walk(Split& split) {
   if (first >= ring_.size() || count == 0) refuse();
   ring_.walk(ring_.place_of(first), count, places_);
   if (places_.size() < count) refuse();
-  for (const std::uint32_t place : places_) split.corners.push_back(ring_.corner(place));
+  for (std::size_t i = 0; i < ring_.size(); ++i) split.around.push_back({ring_.corner(i), 0});
+  for (const std::uint32_t place : places_) split.around[place].moves = 1;
 }
 
 void SplitDecoder::take_bits(Split& split) {
   std::uint8_t bits = 0;
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     if (i % 8 == 0) bits = counts_.byte();
-    if ((bits >> i % 8 & 1) != 0) split.corners.push_back(ring_.corner(i));
+    split.around.push_back({ring_.corner(i), std::uint32_t{bits} >> i % 8 & 1});
   }
 }
 

@@ -4,6 +4,7 @@
 // docs/progressive_format.md tells of every byte.
 #pragma once
 
+#include "progressive/look_ahead.hpp"
 #include "progressive/ring.hpp"
 #include "progressive/split.hpp"
 #include "progressive/split_mesh.hpp"
@@ -82,7 +83,6 @@ class SplitDecoder {
   Bytes section();
   void read_anchors(Bytes bytes);
   void read_words(std::size_t rows);
-  void look_ahead(const SplitMesh& mesh);
   void beside(const SplitMesh& mesh, unsigned kind, Split& split);
   void take_walk(Split& split);
   std::uint32_t take_neighbour();
@@ -96,9 +96,7 @@ class SplitDecoder {
   Bytes rest_, kinds_, rings_, counts_, varints_;
   std::vector<std::uint32_t> anchors_;
   std::size_t anchor_ = 0;
-  // Corners of the anchors behind, see SplitMesh::expect().
-  static constexpr std::size_t splits_ahead = 8;
-  std::array<std::uint32_t, splits_ahead> ahead_{};
+  LookAhead ahead_;
   Words differences_;    // of the words from what is likely, vertex by vertex
   std::size_t row_ = 0;  // the next of them
   Ring ring_;            // of the anchor

@@ -1,6 +1,7 @@
 #include "progressive/split_mesh.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace winnow {
 
@@ -26,28 +27,65 @@ void SplitMesh::add_vertex(std::span<const std::uint32_t> words) {
 
 void SplitMesh::add_face(const FaceVertices& face) {
   const std::uint32_t corner = 3 * faces();
-  constexpr std::array<std::uint32_t, 3> none{no_number, no_number, no_number};
-  const std::array<std::uint32_t, 3> next{first_[face[0]], first_[face[1]], first_[face[2]]};
-  face_.push_back({face, next, none});
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    if (next[i] != no_number) face_[next[i] / 3].previous[next[i] % 3] = corner + i;
-    first_[face[i]] = corner + i;
-  }
+  face_.push_back({face, {first_[face[0]], first_[face[1]], first_[face[2]]}});
+  for (std::uint32_t i = 0; i < 3; ++i) first_[face[i]] = corner + i;
 }
 
 void SplitMesh::link(std::uint32_t corner, std::uint32_t v) {
-  const std::uint32_t next = first_[v];
-  face_[corner / 3].next[corner % 3] = next;
-  face_[corner / 3].previous[corner % 3] = no_number;
-  if (next != no_number) face_[next / 3].previous[next % 3] = corner;
+  next(corner) = first_[v];
   first_[v] = corner;
 }
 
 void SplitMesh::unlink(std::uint32_t corner, std::uint32_t v) {
-  const std::uint32_t next = face_[corner / 3].next[corner % 3];
-  const std::uint32_t previous = face_[corner / 3].previous[corner % 3];
-  (previous == no_number ? first_[v] : face_[previous / 3].next[previous % 3]) = next;
-  if (next != no_number) face_[next / 3].previous[next % 3] = previous;
+  const std::uint32_t behind = next(corner);
+  if (first_[v] == corner) {
+    first_[v] = behind;
+  } else {
+    const std::uint32_t previous = before(corner, v);
+    next(previous) = behind;
+    if (behind < before_.size()) before_[behind] = previous;
+  }
+  next(corner) = no_number;
+}
+
+// Without a branch: each is as likely to move as to stay.
+void SplitMesh::share_out(std::span<const Split::Corner> around, std::uint32_t anchor,
+                          std::uint32_t other) {
+  const std::array<std::uint32_t, 2> owner{anchor, other};
+  std::array<std::uint32_t, 2> first{no_number, no_number};
+  for (const auto& [corner, moves] : around) {
+    Face& face = face_[corner / 3];
+    face.vertices[corner % 3] = owner[moves];
+    face.next[corner % 3] = first[moves];
+    first[moves] = corner;
+  }
+  first_[anchor] = first[0];
+  first_[other] = first[1];
+}
+
+std::uint32_t SplitMesh::before(std::uint32_t corner, std::uint32_t v) {
+  std::uint32_t at = first_[v];
+  for (std::size_t i = 0; i < most_ring_faces && at != no_number; ++i) {
+    if (next(at) == corner) return at;
+    at = next(at);
+  }
+  return before_far(corner, v);
+}
+
+// A corner is walked over once, or once more for each that came before it since: those further down
+// are known.
+std::uint32_t SplitMesh::before_far(std::uint32_t corner, std::uint32_t v) {
+  if (before_.size() < 3 * std::size_t{faces()}) before_.resize(3 * face_.capacity(), no_number);
+  std::uint32_t& found = before_[corner];
+  if (found < 3 * faces() && next(found) == corner) return found;
+  bool passed = false;
+  for (std::uint32_t at = first_[v]; next(at) != no_number; at = next(at)) {
+    std::uint32_t& known = before_[next(at)];
+    if (passed && known == at) break;
+    known = at;
+    passed = passed || next(at) == corner;
+  }
+  return found;
 }
 
 void SplitMesh::hand_over(std::uint32_t corner, std::uint32_t from, std::uint32_t to) {
@@ -61,7 +99,7 @@ void SplitMesh::find_ring(std::uint32_t v, Ring& ring) const {
   for (std::uint32_t corner = first_[v]; corner != no_number && !ring.full();) {
     const Face& face = face_[corner / 3];
     const std::uint32_t i = corner % 3;
-    ring.add({face.vertices[i == 2 ? 0 : i + 1], face.vertices[i == 0 ? 2 : i - 1]}, corner);
+    ring.add({face.vertices[after[i]], face.vertices[after[i + 1]]}, corner);
     corner = face.next[i];
   }
 }
@@ -102,7 +140,7 @@ bool SplitMesh::apply(const Split& split) {
   const std::uint32_t first = vertices();
   if (split.anchor == no_number ? split.moves : split.anchor >= first) return false;
   if (split.words.size() != width_ * (std::size_t{split.new_vertices} + split.moves)) return false;
-  const bool moves_faces = !split.moved.empty() || !split.corners.empty();
+  const bool moves_faces = !split.moved.empty() || !split.corners.empty() || !split.around.empty();
   if (moves_faces && (split.anchor == no_number || split.new_vertices == 0)) return false;
   if (split.new_vertices >= no_number - first) return false;
   if (split.restored.size() > (no_number - 3) / 3 - faces()) return false;
@@ -121,6 +159,7 @@ bool SplitMesh::apply(const Split& split) {
   }
   for (std::uint32_t i = 0; i < split.new_vertices; ++i)
     add_vertex(words.subspan(i * width_, width_));
+  if (!split.around.empty()) share_out(split.around, split.anchor, first);
   for (const std::uint32_t corner : handed_) {
     link(corner, first);
     face_[corner / 3].vertices[corner % 3] = first;
