@@ -92,12 +92,12 @@ ConvertReport convert_in_arena(Job& job, const std::string& input, const std::st
   reader->release_memory();
   report.seconds.read = watch.seconds();
   const bool normals = carries_normals(attributes) && encoder->normals_apart();
-  MeshShape shape = shape_of(job, mesh, *encoder, normals, doubles, facts.double_positions,
-                             "converted by winnow");
+  MeshShape shape = shape_of(job, StoredOutput(mesh), *encoder, normals, doubles,
+                             facts.double_positions, "converted by winnow");
   shape.attributes = attributes;
   shape.closed = encoder->needs_survey() && is_closed(job, mesh);
   shape.as_stored = true;
-  write_mesh(job, mesh, shape, *encoder, sink);
+  write_mesh(job, StoredOutput(mesh), shape, *encoder, sink);
   sink.finish();
 
   report.input = {{input},         facts.format, counts.faces, facts.vertices.value_or(0),

@@ -132,7 +132,9 @@ std::uint64_t reference_faces(std::uint64_t faces, std::uint64_t all) {
 
 // What extracting takes at the most when the file is open: the mesh that is played and what it was
 // before it grew, the meshes made of it, a tile. Where the budget has less the mesh is in scratch.
-std::uint64_t memory_for(const SplitPlayer& player, std::uint64_t faces, bool unfolds) {
+// `stores`: the mesh is written from a copy that can be asked for anything.
+std::uint64_t memory_for(const SplitPlayer& player, std::uint64_t faces, bool unfolds,
+                         bool stores) {
   constexpr std::uint64_t tile = 48 * mebibyte;
   const ProgressiveHeader& header = player.header();
   const auto of = [&](std::uint64_t count) {
@@ -141,7 +143,7 @@ std::uint64_t memory_for(const SplitPlayer& player, std::uint64_t faces, bool un
         counts.vertices * (sizeof(IndexedVertex) + header.attributes.size() * sizeof(double)) +
         counts.faces * sizeof(FaceVertices);
     return SplitMesh::memory(counts.vertices, counts.faces, player.words().width()) +
-           ordering_memory(counts.vertices, counts.faces) + stored + stored / 4;
+           PlayedMesh::memory(counts.vertices, true) + (stores ? stored + stored / 4 : 0);
   };
   return tile + of(faces) + (unfolds ? of(reference_faces(faces, header.all().faces)) : 0);
 }
@@ -151,7 +153,7 @@ void unfold(Job& job, SplitPlayer& player, StoredMesh& mesh, ScratchMemory* scra
   const std::uint64_t faces = reference_faces(mesh.face_count, player.header().all().faces);
   expect(player, faces, scratch);
   player.go_to(faces);
-  const StoredMesh reference = stored_mesh(job, player, {}, false, scratch);
+  const StoredMesh reference = PlayedMesh(job, player, {}, false, scratch).store();
   RefineSettings settings;
   settings.decimation.single = !player.header().form.doubles;
   job.progress.begin("unfold", mesh.face_count, "faces");
@@ -179,7 +181,8 @@ ExtractReport extract_in_arena(Job& job, const std::string& input, const MeshSin
   report.target_faces = target_of(player, input, options.target);
   // Whoever asks for an error gets the surface on which it was watched.
   const bool unfolds = !options.raw && !options.target.error() && report.target_faces < all;
-  if (memory_for(player, report.target_faces, unfolds) > job.budget.left())
+  const bool stores = unfolds || !encoder.numbers_vertices() || encoder.needs_survey();
+  if (memory_for(player, report.target_faces, unfolds, stores) > job.budget.left())
     pages.emplace(job, share::extracted::pages(job.budget.left()));
   ScratchMemory* const scratch = pages ? &*pages : nullptr;
   go_to(player, input, report.target_faces, scratch);
@@ -192,17 +195,25 @@ ExtractReport extract_in_arena(Job& job, const std::string& input, const MeshSin
   report.seconds.read = watch.seconds();
 
   const bool normals = writes_normals(options, header, encoder, carried.attributes);
-  StoredMesh mesh = stored_mesh(job, player, carried.numbers, normals, scratch);
-  if (unfolds && mesh.face_count < all) unfold(job, player, mesh, scratch);
+  std::optional<PlayedMesh> played(std::in_place, job, player, carried.numbers, normals, scratch);
+  std::optional<StoredMesh> unfolded;
+  std::optional<StoredOutput> stored;
+  if (unfolds && played->face_count() < all) {
+    unfolded.emplace(played->store());
+    played.reset();
+    unfold(job, player, *unfolded, scratch);
+    stored.emplace(*unfolded);
+  }
+  const OutputMesh& mesh = stored ? static_cast<const OutputMesh&>(*stored) : *played;
   const bool doubles = writes_doubles(options.encoding, header.form.doubles);
   MeshShape shape =
       shape_of(job, mesh, encoder, normals, doubles, header.form.doubles, "extracted by winnow");
   shape.attributes = carried.attributes;
-  shape.closed = encoder.needs_survey() && is_closed(job, mesh);
+  shape.closed = encoder.needs_survey() && is_closed(job, mesh.stored());
   const std::uint64_t written = sink.write(mesh, shape);
   sink.finish();
-  report.output = {sink.name(),           sink.format(), mesh.face_count,
-                   mesh.vertices->size(), written,       encoder.position_error(shape)};
+  report.output = {sink.name(),    sink.format(), shape.faces,
+                   shape.vertices, written,       encoder.position_error(shape)};
   report.attributes = {descriptions(choice), choice.dropped};
   take_usage(job, watch, report);
   return report;

@@ -50,7 +50,7 @@ class FrameFiles final : public FrameOutput {
   std::string write(std::size_t frame, const StoredMesh& mesh, const MeshShape& shape) override {
     const auto& sink = written_.emplace_back(
         std::make_unique<ByteSink>(job_, names_[frame], replaces_[frame], way_out_));
-    write_mesh(job_, mesh, shape, *encoder_, *sink);
+    write_mesh(job_, StoredOutput(mesh), shape, *encoder_, *sink);
     sink->flush_and_sync();
     bytes_ += sink->written();
     return sink->identity();
@@ -92,7 +92,7 @@ class FrameMeshes final : public FrameOutput {
   [[nodiscard]] std::string format() const override { return "memory"; }
   std::string write(std::size_t frame, const StoredMesh& mesh, const MeshShape& shape) override {
     Mesh out;
-    bytes_ += MemorySink(job_, out, encoding_).write(mesh, shape);
+    bytes_ += MemorySink(job_, out, encoding_).write(StoredOutput(mesh), shape);
     sink_.take(frame, std::move(out));
     return {};
   }

@@ -90,7 +90,7 @@ class FrameGlb final : public FrameOutput {
                         std::span<const MeshVertex> own) { glb->measure(target, first, own); });
     mesh.vertices = first_vertices();
     if (values_) mesh.attributes = first_values();
-    write_mesh(job_, mesh, shape_, glb->encoder(), sink_);
+    write_mesh(job_, StoredOutput(mesh), shape_, glb->encoder(), sink_);
     std::vector<std::byte> bytes;
     for_each_target([&](std::size_t /*target*/, std::span<const MeshVertex> first,
                         std::span<const MeshVertex> own) {

@@ -128,7 +128,7 @@ FileSink::FileSink(Job& job, std::string name, const SimplifyOptions& options, c
   if (!writes_text(options.to, name_, options.encoding)) sink_.refuse_terminal();
 }
 
-std::uint64_t FileSink::write(const StoredMesh& mesh, const MeshShape& shape) {
+std::uint64_t FileSink::write(const OutputMesh& mesh, const MeshShape& shape) {
   write_mesh(job_, mesh, shape, *encoder_, sink_);
   sink_.flush_and_sync();
   return sink_.written();
@@ -137,7 +137,7 @@ std::uint64_t FileSink::write(const StoredMesh& mesh, const MeshShape& shape) {
 MemorySink::MemorySink(Job& job, Mesh& mesh, const SimplifyOptions& options)
     : job_(job), mesh_(mesh), encoder_(encoder_for_memory(options)) {}
 
-std::uint64_t MemorySink::write(const StoredMesh& mesh, const MeshShape& shape) {
+std::uint64_t MemorySink::write(const OutputMesh& mesh, const MeshShape& shape) {
   Mesh result;
   std::optional<Columns> columns;
   try {
@@ -149,12 +149,14 @@ std::uint64_t MemorySink::write(const StoredMesh& mesh, const MeshShape& shape) 
   }
   job_.progress.begin("write", shape.vertices + shape.faces, "elements");
   in_chunks(job_, shape.vertices, [&](std::uint64_t first, std::size_t count) {
-    columns->store(finished_vertices(mesh, shape, first, count), first);
+    columns->store(mesh.vertices(shape, first, count), first);
   });
-  in_chunks(job_, shape.faces, [&](std::uint64_t first, std::size_t count) {
-    const std::vector<std::uint32_t> corners = faces_of(mesh, first, count);
-    std::copy(corners.begin(), corners.end(), result.faces.begin() + std::ptrdiff_t(3 * first));
-  });
+  const std::unique_ptr<FaceStream> stream = mesh.faces();
+  for (auto into = result.faces.begin(); into != result.faces.end();) {
+    const std::vector<std::uint32_t> corners = stream->next(elements_at_once);
+    into = std::copy(corners.begin(), corners.end(), into);
+    job_.progress.advance(corners.size() / 3);
+  }
   mesh_ = std::move(result);
   return columns->bytes() * shape.vertices + face_bytes * shape.faces;
 }
@@ -164,7 +166,7 @@ FunctionSink::FunctionSink(Job& job, BatchSink take, const SimplifyOptions& opti
   if (!take_) throw Error(ErrorKind::usage, "the sink has no function that takes batches");
 }
 
-std::uint64_t FunctionSink::write(const StoredMesh& mesh, const MeshShape& shape) {
+std::uint64_t FunctionSink::write(const OutputMesh& mesh, const MeshShape& shape) {
   job_.progress.begin("write", shape.vertices + shape.faces, "elements");
   std::uint64_t bytes = 0;
   const auto in_order = [&](std::uint64_t elements, const auto& fill) {
@@ -178,11 +180,12 @@ std::uint64_t FunctionSink::write(const StoredMesh& mesh, const MeshShape& shape
   };
   in_order(shape.vertices, [&](Mesh& batch, std::uint64_t first, std::size_t count) {
     const Columns columns(batch, shape, count);
-    columns.store(finished_vertices(mesh, shape, first, count), 0);
+    columns.store(mesh.vertices(shape, first, count), 0);
     return columns.bytes();
   });
-  in_order(shape.faces, [&](Mesh& batch, std::uint64_t first, std::size_t count) {
-    batch.faces = faces_of(mesh, first, count);
+  const std::unique_ptr<FaceStream> stream = mesh.faces();
+  in_order(shape.faces, [&](Mesh& batch, std::uint64_t /*first*/, std::size_t count) {
+    batch.faces = stream->next(count);
     return face_bytes;
   });
   return bytes;

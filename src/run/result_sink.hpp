@@ -35,7 +35,7 @@ class ResultSink : public Output {
   [[nodiscard]] virtual const MeshEncoder& encoder() const = 0;
 
   // Everything that can fail. Returns the size of the mesh, before compression.
-  virtual std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) = 0;
+  virtual std::uint64_t write(const OutputMesh& mesh, const MeshShape& shape) = 0;
 
   [[nodiscard]] virtual std::string format() const = 0;  // for people
 };
@@ -58,7 +58,7 @@ class FileSink final : public ResultSink {
            const char* way_out = ByteSink::by_force);
 
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
-  std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
+  std::uint64_t write(const OutputMesh& mesh, const MeshShape& shape) override;
   void finish() override { sink_.finish(); }
   void finish_for_now() override { sink_.finish_for_now(); }
   void take_back() noexcept override { sink_.take_back(); }
@@ -81,7 +81,7 @@ class MemorySink final : public ResultSink {
   MemorySink(Job& job, Mesh& mesh, const SimplifyOptions& options);
 
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
-  std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
+  std::uint64_t write(const OutputMesh& mesh, const MeshShape& shape) override;
   void take_back() noexcept override { mesh_ = {}; }
   [[nodiscard]] std::string format() const override { return "memory"; }
 
@@ -98,7 +98,7 @@ class FunctionSink final : public ResultSink {
   FunctionSink(Job& job, BatchSink take, const SimplifyOptions& options);
 
   [[nodiscard]] const MeshEncoder& encoder() const override { return *encoder_; }
-  std::uint64_t write(const StoredMesh& mesh, const MeshShape& shape) override;
+  std::uint64_t write(const OutputMesh& mesh, const MeshShape& shape) override;
   [[nodiscard]] std::string format() const override { return "memory"; }
 
  private:

@@ -127,11 +127,12 @@ SimplifyReport run_pipeline(Job& job, std::optional<Input> input, const Outputs&
     report.topology.output_pieces = surface.pieces;
     report.topology.closed = surface.closed;
     report.area.output = surface.area;
-    MeshShape shape = shape_of(job, mesh, sink.encoder(), style.normals, style.doubles, style.exact,
-                               "simplified by winnow");
+    const StoredOutput result(mesh);
+    MeshShape shape = shape_of(job, result, sink.encoder(), style.normals, style.doubles,
+                               style.exact, "simplified by winnow");
     shape.attributes = attributes;
     shape.closed = report.topology.closed;
-    const std::uint64_t written = sink.write(mesh, shape);
+    const std::uint64_t written = sink.write(result, shape);
     report.output = {mesh.face_count,
                      mesh.vertices->size(),
                      written,

@@ -188,7 +188,7 @@ SequenceReport run(Job& job, const TakeFrames& take, FrameOutput& output,
     StoredMesh& result = own.vertices != nullptr ? own : mesh;
     if (report.collapses > 0) finisher.unfold(frame, result);
     if (frame == 0) report.area.output = area_of(job, result);
-    MeshShape shape = shape_of(job, result, encoder, sequence.normals, doubles,
+    MeshShape shape = shape_of(job, StoredOutput(result), encoder, sequence.normals, doubles,
                                sequence.double_positions, "simplified by winnow");
     shape.closed = closed;
     shape.attributes = sequence.attributes;

@@ -19,25 +19,31 @@ namespace {
 
 constexpr std::uint64_t chunk = 8192;  // vertices or faces encoded at once
 
-// Numbers 0 to `count` in chunks: `encode` appends a chunk's bytes, from several threads.
-template <typename Encode>
-void write_chunks(Job& job, std::uint64_t count, ByteSink& sink, Encode encode) {
-  struct Chunk {
-    std::uint64_t first = 0;
-    std::vector<std::byte> bytes;
-  };
+struct Chunk {
+  std::uint64_t first = 0;
+  std::size_t count = 0;
+  std::vector<std::uint32_t> corners;  // of faces
+  std::vector<std::byte> bytes;
+};
+
+// Numbers 0 to `count` in chunks, in order: `fill` takes what is not asked for by several threads;
+// `encode` appends a chunk's bytes, on any of these.
+template <typename Fill, typename Encode>
+void write_chunks(Job& job, std::uint64_t count, ByteSink& sink, Fill fill, Encode encode) {
   std::uint64_t next = 0;
   pipeline<Chunk>(
       2 * std::size_t{job.threads},
       [&](Chunk& part) {
+        if (next == count) return false;
         part.first = next;
-        next += chunk;
-        return part.first < count;
+        part.count = static_cast<std::size_t>(std::min(chunk, count - next));
+        next += part.count;
+        fill(part);
+        return true;
       },
       [&](Chunk& part) {
         part.bytes.clear();
-        encode(part.first, static_cast<std::size_t>(std::min(chunk, count - part.first)),
-               part.bytes);
+        encode(part);
       },
       [&](const Chunk& part) {
         sink.write(part.bytes);
@@ -45,18 +51,20 @@ void write_chunks(Job& job, std::uint64_t count, ByteSink& sink, Encode encode) 
       });
 }
 
-Box box_of(Job& job, const VertexIndex& vertices) {
-  Box box;
-  vertices.records().for_each_part(sizeof(IndexedVertex), [&](std::span<const std::byte> part) {
-    job.progress.check_cancelled();
-    for (; !part.empty(); part = part.subspan(sizeof(IndexedVertex))) {
-      IndexedVertex vertex;
-      std::memcpy(&vertex, part.data(), sizeof vertex);
-      box.add(vertex.position);
-    }
-  });
-  return box;
-}
+class StoredFaces final : public FaceStream {
+ public:
+  explicit StoredFaces(const StoredMesh& mesh) : mesh_(mesh) {}
+
+  [[nodiscard]] std::vector<std::uint32_t> next(std::size_t count) override {
+    const std::uint64_t first = told_;
+    told_ = std::min(mesh_.face_count, first + count);
+    return faces_of(mesh_, first, told_ - first);
+  }
+
+ private:
+  const StoredMesh& mesh_;
+  std::uint64_t told_ = 0;
+};
 
 }  // namespace
 
@@ -77,6 +85,20 @@ MeshVertex finished(const IndexedVertex& vertex) {
   return out;
 }
 
+Box StoredOutput::box(Job& job) const {
+  Box box;
+  mesh_.vertices->records().for_each_part(
+      sizeof(IndexedVertex), [&](std::span<const std::byte> part) {
+        job.progress.check_cancelled();
+        for (; !part.empty(); part = part.subspan(sizeof(IndexedVertex))) {
+          IndexedVertex vertex;
+          std::memcpy(&vertex, part.data(), sizeof vertex);
+          box.add(vertex.position);
+        }
+      });
+  return box;
+}
+
 std::vector<std::uint32_t> faces_of(const StoredMesh& mesh, std::uint64_t first,
                                     std::size_t count) {
   constexpr std::size_t size = 3 * sizeof(std::uint32_t);
@@ -85,30 +107,34 @@ std::vector<std::uint32_t> faces_of(const StoredMesh& mesh, std::uint64_t first,
   return numbers;
 }
 
+std::unique_ptr<FaceStream> StoredOutput::faces() const {
+  return std::make_unique<StoredFaces>(mesh_);
+}
+
 bool writes_doubles(const Encoding& encoding, bool input) {
   return encoding.positions == Positions::as_input ? input
                                                    : encoding.positions == Positions::doubles;
 }
 
-MeshShape shape_of(Job& job, const StoredMesh& mesh, const MeshEncoder& encoder, bool normals,
+MeshShape shape_of(Job& job, const OutputMesh& mesh, const MeshEncoder& encoder, bool normals,
                    bool double_positions, bool exact, std::string comment) {
-  MeshShape shape{mesh.vertices->size(), mesh.face_count, normals, double_positions,
+  MeshShape shape{mesh.vertex_count(), mesh.face_count(), normals, double_positions,
                   std::move(comment)};
   const bool rounded = exact && !(double_positions && encoder.holds_doubles());
   if (!rounded && !encoder.needs_survey()) return shape;
-  const Box box = box_of(job, *mesh.vertices);
+  const Box box = mesh.box(job);
   if (rounded) {
     check_floats(box);
-    note_coarse_floats(job, box, mesh.face_count);
+    note_coarse_floats(job, box, shape.faces);
   }
   if (encoder.needs_survey()) shape.box = box;
-  note_coarse_steps(job, box, mesh.face_count, encoder.position_error(shape));
+  note_coarse_steps(job, box, shape.faces, encoder.position_error(shape));
   return shape;
 }
 
-FinishedVertices finished_vertices(const StoredMesh& mesh, const MeshShape& shape,
-                                   std::uint64_t first, std::size_t count) {
-  return finished_vertices(mesh.vertices->records(), mesh.attributes.get(), shape, first, count);
+FinishedVertices StoredOutput::vertices(const MeshShape& shape, std::uint64_t first,
+                                        std::size_t count) const {
+  return finished_vertices(mesh_.vertices->records(), mesh_.attributes.get(), shape, first, count);
 }
 
 FinishedVertices finished_vertices(const Spool& vertices, const Spool* attributes,
@@ -129,39 +155,44 @@ FinishedVertices finished_vertices(const Spool& vertices, const Spool* attribute
   return out;
 }
 
-void write_mesh(Job& job, const StoredMesh& mesh, const MeshShape& shape,
+void write_mesh(Job& job, const OutputMesh& mesh, const MeshShape& shape,
                 const MeshEncoder& encoder, ByteSink& sink) {
-  if (encoder.blocks() != nullptr) return write_blocks(job, mesh, shape, *encoder.blocks(), sink);
+  if (encoder.blocks() != nullptr)
+    return write_blocks(job, mesh.stored(), shape, *encoder.blocks(), sink);
   const std::string header = encoder.header(shape);
   sink.write(std::as_bytes(std::span(header)));
   job.progress.begin("write", shape.vertices + shape.faces, "elements");
   if (!encoder.needs_corners()) {
-    write_chunks(job, shape.vertices, sink,
-                 [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-                   encoder.vertices(shape, first,
-                                    finished_vertices(mesh, shape, first, count).vertices, bytes);
-                 });
+    write_chunks(
+        job, shape.vertices, sink, [](const Chunk& /*part*/) {},
+        [&](Chunk& part) {
+          encoder.vertices(shape, part.first, mesh.vertices(shape, part.first, part.count).vertices,
+                           part.bytes);
+        });
   }
+  const VertexIndex* const index = encoder.needs_corners() ? mesh.stored().vertices.get() : nullptr;
   PerSlot<VertexIndex::Reader> readers(
-      job.threads, [&] { return std::make_unique<VertexIndex::Reader>(*mesh.vertices); });
-  write_chunks(job, shape.faces, sink,
-               [&](std::uint64_t first, std::size_t count, std::vector<std::byte>& bytes) {
-                 const std::vector<std::uint32_t> numbers = faces_of(mesh, first, count);
-                 std::vector<MeshFace> faces(count);
-                 for (std::size_t i = 0; i < count; ++i)
-                   faces[i].vertex = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
-                 std::vector<Corners> corners;
-                 if (encoder.needs_corners()) {
-                   VertexIndex::Reader& reader = readers.local();
-                   for (const MeshFace& face : faces) {
-                     corners.push_back({reader.at(face.vertex[0]).position,
-                                        reader.at(face.vertex[1]).position,
-                                        reader.at(face.vertex[2]).position});
-                     for (const Point& corner : corners.back()) check_finite(corner);
-                   }
-                 }
-                 encoder.faces(shape, first, faces, corners, bytes);
-               });
+      job.threads, [&] { return std::make_unique<VertexIndex::Reader>(*index); });
+  const std::unique_ptr<FaceStream> stream = mesh.faces();
+  write_chunks(
+      job, shape.faces, sink, [&](Chunk& part) { part.corners = stream->next(part.count); },
+      [&](Chunk& part) {
+        std::vector<MeshFace> faces(part.count);
+        const std::vector<std::uint32_t>& numbers = part.corners;
+        for (std::size_t i = 0; i < part.count; ++i)
+          faces[i].vertex = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+        std::vector<Corners> corners;
+        if (encoder.needs_corners()) {
+          VertexIndex::Reader& reader = readers.local();
+          for (const MeshFace& face : faces) {
+            corners.push_back({reader.at(face.vertex[0]).position,
+                               reader.at(face.vertex[1]).position,
+                               reader.at(face.vertex[2]).position});
+            for (const Point& corner : corners.back()) check_finite(corner);
+          }
+        }
+        encoder.faces(shape, part.first, faces, corners, part.bytes);
+      });
   const std::string footer = encoder.footer(shape);
   sink.write(std::as_bytes(std::span(footer)));
 }

@@ -3,7 +3,7 @@
 
 #include "io/byte_sink.hpp"
 #include "io/job.hpp"
-#include "mesh/stored_mesh.hpp"
+#include "run/output_mesh.hpp"
 #include "write/mesh_encoder.hpp"
 
 #include <cstdint>
@@ -14,32 +14,25 @@ namespace winnow {
 
 // How a mesh is going to be written. Notes where floats are too coarse for positions that were
 // `exact`, doubles, or whole numbers for any. Throws Error(usage) where floats do not reach.
-MeshShape shape_of(Job& job, const StoredMesh& mesh, const MeshEncoder& encoder, bool normals,
+MeshShape shape_of(Job& job, const OutputMesh& mesh, const MeshEncoder& encoder, bool normals,
                    bool double_positions, bool exact, std::string comment);
 
 // Whether positions are doubles where the input's are or are not.
 bool writes_doubles(const Encoding& encoding, bool input);
 
-// Numbers of the corners of `count` faces from `first` on.
-std::vector<std::uint32_t> faces_of(const StoredMesh& mesh, std::uint64_t first, std::size_t count);
-
 // A vertex as it is written: with a normal as long as 1. Throws Error(bad_input) where it is not
 // finite.
 MeshVertex finished(const IndexedVertex& vertex);
 
-// Vertices as they are written, with what they carry.
-struct FinishedVertices {
-  std::vector<MeshVertex> vertices;
-  std::vector<double> attributes;  // that they point to
-};
-FinishedVertices finished_vertices(const StoredMesh& mesh, const MeshShape& shape,
-                                   std::uint64_t first, std::size_t count);
-// The same of an IndexedVertex each, and the numbers that the shape has.
+// Numbers of the corners of `count` faces from `first` on.
+std::vector<std::uint32_t> faces_of(const StoredMesh& mesh, std::uint64_t first, std::size_t count);
+
+// Of an IndexedVertex each, and the numbers that the shape has.
 FinishedVertices finished_vertices(const Spool& vertices, const Spool* attributes,
                                    const MeshShape& shape, std::uint64_t first, std::size_t count);
 
 // Encodes with all threads, writes in order; does not finish() the sink.
-void write_mesh(Job& job, const StoredMesh& mesh, const MeshShape& shape,
+void write_mesh(Job& job, const OutputMesh& mesh, const MeshShape& shape,
                 const MeshEncoder& encoder, ByteSink& sink);
 
 }  // namespace winnow
