@@ -7,11 +7,6 @@ namespace {
 // The square of the sine of a corner whose triangle may be a line but for rounding.
 constexpr double thin = 1e-9;
 
-bool is_line(const Point& ab, const Point& ac) {
-  const Point normal = cross(ab, ac);
-  return dot(normal, normal) <= thin * dot(ab, ab) * dot(ac, ac);
-}
-
 Point closest_on_segment(const Point& p, const Point& a, const Point& b) {
   const Point ab = b - a;
   const double squared = dot(ab, ab);
@@ -21,6 +16,11 @@ Point closest_on_segment(const Point& p, const Point& a, const Point& b) {
 }
 
 }  // namespace
+
+bool may_be_line(const Point& ab, const Point& ac) {
+  const Point normal = cross(ab, ac);
+  return dot(normal, normal) <= thin * dot(ab, ab) * dot(ac, ac);
+}
 
 Point closest_point(const Point& p, const Triangle& triangle) {
   const auto& [a, b, c] = triangle;
@@ -46,7 +46,7 @@ Point closest_point(const Point& p, const Triangle& triangle) {
   if (va > 0 && vb > 0 && vc > 0 && sum > 0) {
     best = a + vb / sum * ab + vc / sum * ac;
     // Of a line, rounding may take any point for one inside.
-    if (!is_line(ab, ac)) return best;
+    if (!may_be_line(ab, ac)) return best;
   }
   // On a side. Of a needle, rounding can name the wrong one, so the nearest of all three is taken.
   for (const Point& other :

@@ -9,4 +9,7 @@ namespace winnow {
 // (Ericson 2005, 5.1.5). Triangles of no area are what they look like: a segment or a point.
 Point closest_point(const Point& p, const Triangle& triangle);
 
+// Whether a triangle with these two sides may be a line, but for rounding.
+bool may_be_line(const Point& ab, const Point& ac);
+
 }  // namespace winnow

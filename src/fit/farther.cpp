@@ -67,12 +67,8 @@ bool is_within(const Point& point, std::span<const Triangle> faces, double far) 
 class FastDistance {
  public:
   explicit FastDistance(const Triangle& face) : corner_(face) {
-    const Point ab = face[1] - face[0];
-    const Point ac = face[2] - face[0];
-    const Point normal = cross(ab, ac);
-    const double squared = dot(normal, normal);
-    if (!(squared > thin * dot(ab, ab) * dot(ac, ac))) return;
-    up_ = (1 / std::sqrt(squared)) * normal;
+    if (may_be_line(face[1] - face[0], face[2] - face[0])) return;
+    up_ = unit(doubled_area(face));
     for (std::size_t i = 0; i < 3; ++i) out_[i] = unit(cross(face[(i + 1) % 3] - face[i], up_));
     known_ = true;
   }
@@ -85,8 +81,7 @@ class FastDistance {
   }
 
  private:
-  // What rounding may be, in distances and in the square of the sine of a corner.
-  static constexpr double almost = 0.99, thin = 1e-9;
+  static constexpr double almost = 0.99;  // what rounding may be
 
   [[nodiscard]] double height(const Point& point) const {
     return std::abs(dot(point - corner_[0], up_));
