@@ -43,6 +43,9 @@ struct SequenceOptions {
   // in common; 0 to 1. With 0 all frames have the same faces.
   double per_frame = 0;
 
+  // Write vertex normals computed from each frame of the result instead of the input's.
+  bool normals = false;
+
   Format from = Format::automatic;
   Format to = Format::automatic;
   Encoding encoding;   // how each frame is written
@@ -144,7 +147,8 @@ class WINNOW_API FrameSink {
 // targets, with the animations of the input's, or one that plays all frames. All frames need the
 // same vertices and the same faces in the same order. Vertices that are at one place in every frame
 // become one. Vertices carry in each frame what has a meaningful mean, the output can hold and all
-// frames have; normals are computed anew where the first frame has some.
+// frames have, normals as well. Normals are computed where the first frame has some that are not
+// carried.
 //
 // The result depends on the inputs' content and on `options` alone. Throws Error: usage, bad_input
 // (also for frames that differ: the message names both files and the first difference), resources,

@@ -39,6 +39,12 @@ AttributeRequest wish_for(const SimplifyOptions& options, const MeshEncoder& enc
   return wish;
 }
 
+bool writes_normals(std::span<const Attribute> attributes, const MeshEncoder& encoder,
+                    bool computed) {
+  if (carries_normals(attributes)) return encoder.normals_apart();
+  return computed && std::none_of(attributes.begin(), attributes.end(), names_normal);
+}
+
 std::vector<std::string> descriptions(const AttributeSelection& choice) {
   std::vector<std::string> lines;
   for (const Attribute& attribute : choice.carried) lines.push_back(described(attribute));

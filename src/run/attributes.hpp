@@ -13,6 +13,11 @@ namespace winnow {
 // `encoder` must live as long as the wish.
 AttributeRequest wish_for(const SimplifyOptions& options, const MeshEncoder& encoder);
 
+// Whether vertices have a normal besides what they carry: one that is carried where the format
+// writes them so, or else, with `computed`, that of their faces, unless its names are taken.
+bool writes_normals(std::span<const Attribute> attributes, const MeshEncoder& encoder,
+                    bool computed);
+
 // "red (uchar)", of each that is carried.
 std::vector<std::string> descriptions(const AttributeSelection& choice);
 

@@ -70,14 +70,9 @@ struct Style {
 
 Style style_of(const SimplifyOptions& options, const MeshEncoder& encoder,
                const Clustered& clustered) {
-  const std::vector<Attribute>& attributes = clustered.attributes;
-  // Where the input's normals are no attributes of the output, its own stand in for them, unless
-  // the names are taken.
-  const bool taken = std::any_of(attributes.begin(), attributes.end(), names_normal);
-  const bool normals =
-      options.normals ||
-      (carries_normals(attributes) ? encoder.normals_apart()
-                                   : clustered.normals && !options.attributes && !taken);
+  // Where the input's normals are no attributes of the output, its own stand in for them.
+  const bool normals = options.normals || writes_normals(clustered.attributes, encoder,
+                                                         clustered.normals && !options.attributes);
   const bool exact = clustered.double_positions;
   return {normals, writes_doubles(options.encoding, exact), exact};
 }

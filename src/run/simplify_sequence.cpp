@@ -12,6 +12,7 @@
 #include "measure/result_surface.hpp"
 #include "options/check_ranges.hpp"
 #include "read/morph_frames.hpp"
+#include "run/attributes.hpp"
 #include "run/frame_output.hpp"
 #include "run/plan.hpp"
 #include "run/read_sequence.hpp"
@@ -44,15 +45,11 @@ void check(const SequenceOptions& options) {
   check_ranges(sequence_options(), options);
 }
 
-// Whatever has a meaningful mean and the output can hold. Normals are computed anew, so none is
-// missed.
-AttributeRequest wish_of(const MeshEncoder& encoder) {
-  AttributeRequest wish;
-  wish.names.reset();
-  wish.refusal = [&encoder](const Attribute& attribute, std::span<const Attribute> wanted) {
-    return names_normal(attribute) ? std::string() : encoder.attribute_refusal(attribute, wanted);
-  };
-  return wish;
+// Whatever has a meaningful mean and the output can hold.
+AttributeRequest wish_of(const SequenceOptions& options, const MeshEncoder& encoder) {
+  SimplifyOptions own;
+  own.normals = options.normals;
+  return wish_for(own, encoder);
 }
 
 // Fewer where there are many frames, so that a tile takes about the same memory. With 64 frames or
@@ -172,6 +169,8 @@ SequenceReport run(Job& job, const TakeFrames& take, FrameOutput& output,
 
   const MeshEncoder& encoder = output.encoder();
   const bool closed = encoder.needs_survey() && is_closed(job, mesh);
+  const bool normals =
+      options.normals || writes_normals(sequence.attributes, encoder, sequence.normals);
   FrameFinisher finisher(job, settings, wanted, std::move(refined.reference), sequence.original,
                          sequence.attributes);
   WrittenFrames written(checkpoint.directory());
@@ -188,7 +187,7 @@ SequenceReport run(Job& job, const TakeFrames& take, FrameOutput& output,
     StoredMesh& result = own.vertices != nullptr ? own : mesh;
     if (report.collapses > 0) finisher.unfold(frame, result);
     if (frame == 0) report.area.output = area_of(job, result);
-    MeshShape shape = shape_of(job, StoredOutput(result), encoder, sequence.normals, doubles,
+    MeshShape shape = shape_of(job, StoredOutput(result), encoder, normals, doubles,
                                sequence.double_positions, "simplified by winnow");
     shape.closed = closed;
     shape.attributes = sequence.attributes;
@@ -265,7 +264,7 @@ SequenceReport simplify_files(Job& job, const RunRequest& request, RunCheckpoint
   const auto take = [&](const MemoryPlan& plan) {
     const std::uint64_t quarter = plan.cluster.faces;
     if (read_before) return load_sequence(job, checkpoint, quarter / 2, quarter / 4 * 3);
-    const AttributeRequest wish = wish_of(output->encoder());
+    const AttributeRequest wish = wish_of(options, output->encoder());
     const std::unique_ptr<FrameReaders> readers =
         morphs != nullptr ? frames_of_morphs(*morphs, request.inputs.front(), wish)
                           : frames_of_files(job, request.inputs, options.from, wish);
@@ -348,7 +347,7 @@ SequenceReport simplify_sequence(Context& context, FrameSource& source, FrameSin
   return in_arena(job, [&] {
     const std::unique_ptr<FrameOutput> to = frames_to_sink(job, sink, options);
     const std::unique_ptr<FrameReaders> readers =
-        frames_of_source(job, source, wish_of(to->encoder()));
+        frames_of_source(job, source, wish_of(options, to->encoder()));
     RunCheckpoint none;
     return run(
         job, [&](const MemoryPlan& plan) { return read_sequence(job, *readers, plan, options); },

@@ -15,13 +15,16 @@ bool is_light(const Attribute& attribute) {
   return attribute.kind == AttributeKind::light;
 }
 
+bool is_normal(const Attribute& attribute) {
+  return attribute.kind == AttributeKind::normal;
+}
+
 }  // namespace
 
 void FrameAttributes::begin_first(MeshReader& reader, const Settle& settle) {
   attributes_ = reader.facts().choice.carried;
   if (attributes_.empty() || !reader.facts().vertices) return attributes_.clear();
   settle(attributes_, reader.attribute_ranges());
-  std::erase_if(attributes_, [](const Attribute& attribute) { return names_normal(attribute); });
   lacking_.resize(attributes_.size());
   begin_later(reader, {});
 }
@@ -84,7 +87,12 @@ void FrameAttributes::keep_frame() {
 void FrameAttributes::finish(std::vector<std::string>& dropped) {
   values_.finish();
   frame_ = {};
+  std::string lacking_normals;
   for (std::size_t k = 0; k < count(); ++k) {
+    if (is_normal(attributes_[k]) && lacking_normals.empty()) lacking_normals = lacking_[k];
+  }
+  for (std::size_t k = 0; k < count(); ++k) {
+    if (is_normal(attributes_[k])) lacking_[k] = lacking_normals;
     if (lacking_[k].empty()) {
       carried_.push_back(attributes_[k]);
       number_.push_back(k);

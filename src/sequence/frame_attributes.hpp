@@ -17,8 +17,8 @@
 
 namespace winnow {
 
-// Carried are those that the first frame has, but for normals, which are computed anew. Those that
-// a later frame lacks are dropped at the end.
+// Carried are those that the first frame has. Those that a later frame lacks are dropped at the
+// end; of a normal's three, all.
 class FrameAttributes {
  public:
   // What all of a colour's component is, by the largest numbers of the first frame.

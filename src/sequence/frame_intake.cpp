@@ -208,7 +208,10 @@ void FrameIntake::compare_faces(MeshReader& reader) {
 void FrameIntake::add_first(MeshReader& reader) {
   const InputFacts& facts = reader.facts();
   out_.format = facts.format;
-  out_.normals = facts.normals;
+  const std::vector<Attribute>& offered = facts.offer.scalars;
+  out_.normals = facts.normals ||
+                 std::any_of(offered.begin(), offered.end(),
+                             [](const Attribute& attribute) { return names_normal(attribute); });
   polygons_ = facts.polygons && facts.vertices.has_value();
   out_.dropped = facts.choice;
   read_positions(reader);

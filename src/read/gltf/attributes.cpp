@@ -58,7 +58,7 @@ AvailableAttributes offer_of(const GltfAttributes& attributes) {
 GltfVertexAttributes::GltfVertexAttributes(GltfBytes& bytes, const GltfDocument& document,
                                            const GltfAttributes& attributes,
                                            const GltfPrimitive& primitive,
-                                           std::optional<std::size_t> color_move,
+                                           const GltfPrimitive::Target& moves,
                                            const std::vector<bool>& carried, const GltfTurn& turn,
                                            const std::string& name)
     : attributes_(attributes),
@@ -69,8 +69,10 @@ GltfVertexAttributes::GltfVertexAttributes(GltfBytes& bytes, const GltfDocument&
     normals_.emplace(bytes, document, *primitive.normals, GltfUse::normals, name);
   if (any(first_color_, carried.size()))
     colors_.emplace(bytes, document, *primitive.colors, GltfUse::colors, name);
-  if (colors_ && color_move)
-    color_moves_.emplace(bytes, document, *color_move, GltfUse::color_moves, name);
+  if (normals_ && moves.normals)
+    normal_moves_.emplace(bytes, document, *moves.normals, GltfUse::vectors, name);
+  if (colors_ && moves.colors)
+    color_moves_.emplace(bytes, document, *moves.colors, GltfUse::color_moves, name);
 }
 
 bool GltfVertexAttributes::any(std::size_t begin, std::size_t end) const {
@@ -84,11 +86,15 @@ void GltfVertexAttributes::next(std::size_t count, std::vector<double>& out) {
   if (!normals_ && !colors_) return;
   const std::span<const double> normals = normals_ ? normals_->next() : std::span<const double>();
   const std::span<const double> colors = colors_ ? colors_->next() : std::span<const double>();
+  const std::span<const double> more =
+      normal_moves_ ? normal_moves_->next() : std::span<const double>();
   if (color_moves_) moves_ = color_moves_->next();
   const double full = full_component(attributes_.color_type);
   for (std::size_t v = 0; v < count; ++v) {
     if (normals_) {
-      const Point normal = turn_.normal({normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]});
+      Point here{normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]};
+      if (normal_moves_) here = here + Point{more[3 * v], more[3 * v + 1], more[3 * v + 2]};
+      const Point normal = turn_.normal(here);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (carried_[axis]) out.push_back(normal[axis]);
       }

@@ -32,11 +32,10 @@ AvailableAttributes offer_of(const GltfAttributes& attributes);
 // The numbers of what is offered, primitive by primitive.
 class GltfVertexAttributes {
  public:
-  // `carried`: of each attribute that is offered whether it is wanted. `color_move`: an accessor
-  // of what is added to colours.
+  // `carried`: of each attribute that is offered whether it is wanted. `moves`: what is added.
   GltfVertexAttributes(GltfBytes& bytes, const GltfDocument& document,
                        const GltfAttributes& attributes, const GltfPrimitive& primitive,
-                       std::optional<std::size_t> color_move, const std::vector<bool>& carried,
+                       const GltfPrimitive::Target& moves, const std::vector<bool>& carried,
                        const GltfTurn& turn, const std::string& name);
 
   // What the next `count` vertices carry, vertex by vertex, into `out`: as many as the next() of
@@ -53,8 +52,8 @@ class GltfVertexAttributes {
   const std::vector<bool>& carried_;
   const GltfTurn& turn_;
   std::size_t first_color_;  // among what is offered
-  std::optional<GltfElements> normals_, colors_, color_moves_;
-  std::span<const double> moves_;  // of the part at hand
+  std::optional<GltfElements> normals_, normal_moves_, colors_, color_moves_;
+  std::span<const double> moves_;  // of the colours of the part at hand
 };
 
 }  // namespace winnow

@@ -222,8 +222,9 @@ class Parser {
     std::vector<GltfPrimitive::Target> targets;
     for (const Value& target : json_.list(primitive, "targets")) {
       json_.check_object(target, "targets");
-      targets.push_back(
-          {of_vertices(target, "POSITION", positions), of_vertices(target, "COLOR_0", positions)});
+      targets.push_back({of_vertices(target, "POSITION", positions),
+                         of_vertices(target, "NORMAL", positions),
+                         of_vertices(target, "COLOR_0", positions)});
     }
     return targets;
   }

@@ -66,9 +66,9 @@ struct GltfPrimitive {
   // Accessors; those of vertices have as many elements.
   std::size_t positions = 0;
   std::optional<std::size_t> indices, normals, colors;
-  // Of each morph target: what it adds to positions and to colours, if anything.
+  // Of each morph target: what it adds to positions, normals and colours, if anything.
   struct Target {
-    std::optional<std::size_t> positions, colors;
+    std::optional<std::size_t> positions, normals, colors;
   };
   std::vector<Target> targets;
 };

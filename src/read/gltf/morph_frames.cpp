@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace winnow {
@@ -41,7 +42,15 @@ class GltfMorphFrames final : public MorphFrames {
                                    const AttributeRequest& wish) override {
     std::optional<std::size_t> target;
     if (frame > 0) target = frame - 1;
-    return open_gltf_document(job_, seekable_source(), memory, wish, file_, attributes_, target);
+    AttributeRequest own = wish;
+    if (!normals_move_) {
+      own.refusal = [others = wish.refusal](const Attribute& attribute,
+                                            std::span<const Attribute> wanted) -> std::string {
+        if (names_normal(attribute)) return "normals that do not move with the targets:";
+        return others ? others(attribute, wanted) : "";
+      };
+    }
+    return open_gltf_document(job_, seekable_source(), memory, own, file_, attributes_, target);
   }
 
   std::vector<MorphClip> clips() override {
@@ -75,6 +84,8 @@ class GltfMorphFrames final : public MorphFrames {
       if (targets_ != primitive.targets.size())
         fail("its meshes have " + grouped(targets_) + " and " + grouped(primitive.targets.size()) +
              " morph targets; a sequence needs the same number in all that have some");
+      for (const GltfPrimitive::Target& target : primitive.targets)
+        normals_move_ &= target.normals || !target.positions;
     }
     if (!moves) return;
     moving_node_ = placed.node;
@@ -129,6 +140,7 @@ class GltfMorphFrames final : public MorphFrames {
   GltfFile file_;
   GltfAttributes attributes_;
   std::size_t targets_ = 0;
+  bool normals_move_ = true;     // wherever positions do
   std::size_t moving_node_ = 0;  // the last with targets
   std::uint64_t moving_nodes_ = 0;
   std::vector<Reservation> memory_;  // of clips

@@ -104,7 +104,7 @@ class GltfParser {
  private:
   // What makes a vertex: accessors of positions and of what is offered, whether it is carried or
   // not, so that the same vertices come with and without.
-  using VertexKey = std::array<std::optional<std::size_t>, 5>;
+  using VertexKey = std::array<std::optional<std::size_t>, 6>;
 
   void add_instances(const GltfPlacedMesh& placed, const GltfInstances& instances) {
     GltfInstanceReader reader(bytes_, document_, instances, mesh_.name());
@@ -147,7 +147,8 @@ class GltfParser {
     if (attributes_.colors) key[2] = primitive.colors;
     const GltfPrimitive::Target moves = moves_of(primitive);
     key[3] = moves.positions;
-    if (attributes_.colors) key[4] = moves.colors;
+    if (attributes_.normals) key[4] = moves.normals;
+    if (attributes_.colors) key[5] = moves.colors;
     const auto [known, is_new] = first_vertex_.try_emplace(key, mesh_.vertices());
     if (is_new) add_vertices(primitive, to_world, turn);
     return known->second;
@@ -165,8 +166,8 @@ class GltfParser {
     GltfElements positions(bytes_, document_, primitive.positions, GltfUse::positions,
                            mesh_.name());
     const GltfPrimitive::Target by = moves_of(primitive);
-    GltfVertexAttributes others(bytes_, document_, attributes_, primitive, by.colors,
-                                mesh_.carried(), turn, mesh_.name());
+    GltfVertexAttributes others(bytes_, document_, attributes_, primitive, by, mesh_.carried(),
+                                turn, mesh_.name());
     std::optional<GltfElements> moves;
     if (by.positions)
       moves.emplace(bytes_, document_, *by.positions, GltfUse::positions, mesh_.name());

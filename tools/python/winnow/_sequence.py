@@ -34,7 +34,7 @@ def frames_of(frames):
     return arrays
 
 
-@with_options("sequence", leave_out=(*OF_FILES, *RENAMED))
+@with_options("sequence", leave_out=(*OF_FILES, *RENAMED, "normals"))
 def simplify_sequence(
     frames,
     faces,
