@@ -2,8 +2,8 @@
 
 #include "base/budget.hpp"
 #include "base/parallel.hpp"
+#include "io/inverse_numbers.hpp"
 #include "io/recent_blocks.hpp"
-#include "io/sorted_list.hpp"
 #include "io/spool_records.hpp"
 #include "progressive/recorded_collapse.hpp"
 #include "progressive/shares.hpp"
@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 namespace winnow {
@@ -21,14 +20,6 @@ namespace {
 // Vertices or faces of the base that are told of at once, and as often in one chunk.
 constexpr std::uint64_t base_step = 1024;
 constexpr std::uint64_t base_chunk = 32 * base_step;
-
-// The number in the file of a vertex of the whole mesh.
-struct FileNumber {
-  std::uint32_t vertex, number;
-
-  static bool before(const FileNumber& a, const FileNumber& b) { return a.vertex < b.vertex; }
-  static bool combine(FileNumber&, const FileNumber&) { return false; }
-};
 
 // In the order of the file: those of the base, then those that each part brings back.
 template <typename Each>
@@ -46,28 +37,14 @@ void for_each_vertex(Job& job, const RecordedRounds& rounds, const StoredMesh& b
   });
 }
 
+// Of all vertices of the whole mesh. (A vertex that is not recorded once is an error of ours.)
 Spool file_numbers(Job& job, const RecordedRounds& rounds, const StoredMesh& base, bool numbered,
                    std::uint64_t vertices, std::uint64_t memory) {
   Spool numbers(job, share::progressive::numbers(memory));
-  const std::uint64_t sorting = share::progressive::sorting(memory);
-  const Reservation reserved = job.budget.reserve(sorting, "sorting");
-  SortedRuns<FileNumber> runs(job);
-  SortedList<FileNumber> list(job, sorting, runs);
-  std::uint32_t next = 0;
-  for_each_vertex(job, rounds, base, numbered, [&](std::uint32_t vertex) {
-    list.add({vertex, next++});
-  });
-  list.sort();
-  MergedCursor<FileNumber> merged = merge<FileNumber>({&list}, runs);
-  Appender<std::uint32_t> append(job, numbers);
-  std::uint64_t count = 0;
-  for (FileNumber entry{}; merged.next(entry); ++count) {
-    if (entry.vertex != count) break;
-    append.add(entry.number);
-  }
-  append.flush();
+  InverseNumbers in_file(job, vertices, share::progressive::sorting(memory));
+  for_each_vertex(job, rounds, base, numbered, [&](std::uint32_t vertex) { in_file.add(vertex); });
+  in_file.append_to(numbers);
   numbers.finish();
-  if (count != vertices) throw std::logic_error("a vertex is not recorded once");
   return numbers;
 }
 

@@ -1,6 +1,7 @@
 #include "stitch/reorder.hpp"
 
 #include "base/memory_shares.hpp"
+#include "io/inverse_numbers.hpp"
 #include "io/recent_blocks.hpp"
 #include "io/sorted_records.hpp"
 #include "io/spool_records.hpp"
@@ -36,15 +37,6 @@ struct Moved {
   static bool combine(Moved&, const Moved&) { return false; }
 };
 
-struct Renumbered {
-  std::uint32_t old_number, new_number;
-
-  static bool before(const Renumbered& a, const Renumbered& b) {
-    return a.old_number < b.old_number;
-  }
-  static bool combine(Renumbered&, const Renumbered&) { return false; }
-};
-
 }  // namespace
 
 StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_memory,
@@ -55,7 +47,7 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_mem
   out.face_count = whole.face_count;
   Spool numbers(job, share::refine::renumbering(list_memory));  // the new number of each vertex
   {
-    SortedRecords<Renumbered> renumbered(job, share::refine::renumbering(list_memory));
+    InverseNumbers renumbered(job, vertices, share::refine::renumbering(list_memory));
     {
       SortedRecords<Moved> in_order(job, share::refine::sorting_vertices(list_memory));
       VertexIndex::Reader reader(*whole.vertices);
@@ -66,9 +58,8 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_mem
       std::optional<RecentBlocks> state, carried;
       if (layout.state > 0) state.emplace(*whole.state, layout.state);
       if (layout.attributes > 0) carried.emplace(*whole.attributes, layout.attribute_bytes());
-      std::uint32_t number = 0;
-      for (Moved moved{}; merged.next(moved); ++number) {
-        renumbered.add({moved.old_number, number});
+      for (Moved moved{}; merged.next(moved);) {
+        renumbered.add(moved.old_number);
         IndexedVertex vertex = reader.at(moved.old_number);
         vertex.key = moved.key;
         append.add(vertex);
@@ -77,10 +68,7 @@ StoredMesh reorder(Job& job, StoredMesh whole, bool back, std::uint64_t list_mem
       }
       append.flush();
     }
-    MergedCursor<Renumbered> merged = renumbered.merged();
-    Appender<std::uint32_t> append(job, numbers);
-    for (Renumbered pair{}; merged.next(pair);) append.add(pair.new_number);
-    append.flush();
+    renumbered.append_to(numbers);
     numbers.finish();
   }
   if (whole.map != nullptr)
