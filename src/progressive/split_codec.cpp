@@ -51,9 +51,10 @@ void put_u32(std::vector<std::uint8_t>& out, std::uint32_t value) {
 // Byte i of all values, then byte i + 1 of all.
 void put_planes(std::vector<std::uint8_t>& out, std::span<const std::uint32_t> values,
                 unsigned bytes = 4) {
+  out.resize(out.size() + bytes * values.size());
+  std::uint8_t* at = out.data() + out.size() - bytes * values.size();
   for (unsigned i = 0; i < bytes; ++i)
-    for (const std::uint32_t value : values)
-      out.push_back(static_cast<std::uint8_t>(value >> 8 * i));
+    for (const std::uint32_t value : values) *at++ = static_cast<std::uint8_t>(value >> 8 * i);
 }
 
 unsigned bytes_for(std::size_t numbers) {

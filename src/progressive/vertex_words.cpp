@@ -22,11 +22,11 @@ float float_of(std::uint32_t ordinal) {
   return std::bit_cast<float>(ordinal >> 31 != 0 ? ordinal & 0x7FFFFFFFU : ~ordinal);
 }
 
-void put_double(double value, Words& out) {
+void put_double(double value, std::uint32_t*& at) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const std::uint64_t ordinal = bits >> 63 != 0 ? ~bits : bits | std::uint64_t{1} << 63;
-  out.push_back(static_cast<std::uint32_t>(ordinal >> 32));
-  out.push_back(static_cast<std::uint32_t>(ordinal));
+  *at++ = static_cast<std::uint32_t>(ordinal >> 32);
+  *at++ = static_cast<std::uint32_t>(ordinal);
 }
 double double_of(std::uint32_t high, std::uint32_t low) {
   const std::uint64_t ordinal = std::uint64_t{high} << 32 | low;
@@ -43,18 +43,18 @@ double stored_number(const Attribute& attribute, double mean) {
                                                 : stored_of_mean(attribute, mean);
 }
 
-void put_number(const Attribute& attribute, double stored, Words& out) {
+void put_number(const Attribute& attribute, double stored, std::uint32_t*& at) {
   with_type(attribute.type, [&]<typename Number>(Number) {
     std::array<std::byte, sizeof(Number)> bytes{};
     store_rounded(stored, attribute.type, bytes.data());
     Number number{};
     std::memcpy(&number, bytes.data(), sizeof number);
     if constexpr (std::is_same_v<Number, double>) {
-      put_double(number, out);
+      put_double(number, at);
     } else if constexpr (std::is_same_v<Number, float>) {
-      out.push_back(ordinal_of(number));
+      *at++ = ordinal_of(number);
     } else {
-      out.push_back(static_cast<std::uint32_t>(number));
+      *at++ = static_cast<std::uint32_t>(number);
     }
   });
 }
@@ -91,18 +91,21 @@ VertexWords::VertexWords(const PositionForm& form, std::vector<Attribute> attrib
 }
 
 void VertexWords::put(const Point& position, std::span<const double> means, Words& out) const {
+  out.resize(out.size() + width_);
+  std::uint32_t* at = out.data() + out.size() - width_;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (form_.bits > 0) {
       // What was collapsed may lie beside the box.
-      const double at = std::nearbyint((position[axis] - form_.origin[axis]) / form_.step);
-      out.push_back(static_cast<std::uint32_t>(
-          static_cast<std::int32_t>(std::clamp(at, -far_beside, far_beside))));
+      const double step = std::nearbyint((position[axis] - form_.origin[axis]) / form_.step);
+      *at++ = static_cast<std::uint32_t>(
+          static_cast<std::int32_t>(std::clamp(step, -far_beside, far_beside)));
     } else if (form_.doubles) {
-      put_double(position[axis], out);
+      put_double(position[axis], at);
     } else {
-      out.push_back(ordinal_of(static_cast<float>(position[axis])));
+      *at++ = ordinal_of(static_cast<float>(position[axis]));
     }
   }
+  if (attributes_.empty()) return;
   double square = 0;
   for (std::size_t i = 0; i < attributes_.size(); ++i) {
     if (attributes_[i].kind == AttributeKind::normal) square += means[i] * means[i];
@@ -112,7 +115,7 @@ void VertexWords::put(const Point& position, std::span<const double> means, Word
   for (std::size_t i = 0; i < attributes_.size(); ++i) {
     const bool normal = attributes_[i].kind == AttributeKind::normal;
     const double stored = stored_number(attributes_[i], means[i]);
-    put_number(attributes_[i], normal && scaled ? stored / length : stored, out);
+    put_number(attributes_[i], normal && scaled ? stored / length : stored, at);
   }
 }
 
