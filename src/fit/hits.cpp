@@ -118,7 +118,8 @@ class ExactFaceSums {
     for (auto& pull : out.pull) {
       for (float& x : pull) x = next(reach);
     }
-    out.farthest = static_cast<float>(largest_ * reach * reach);
+    // As the sums are rounded: what is nothing beside faces is 0.
+    out.farthest = static_cast<float>(std::round(largest_ * scale_) / scale_ * reach * reach);
     return out;
   }
 
