@@ -1,6 +1,8 @@
 // What an edge costs in a sequence: the sum over frames, and both weights.
+#include "decimate/piece.hpp"
 #include "decimate/quadric_cost.hpp"
 #include "decimate/sequence_cost.hpp"
+#include "decimate/witness_points.hpp"
 #include "support/moving_sheet.hpp"
 
 #include <algorithm>
@@ -77,6 +79,31 @@ TEST_CASE("more frames than a batch holds cost the sum of what each costs alone"
     sum += cost_alone(frames.back(), faces, 16, 17);
   }
   CHECK(cost_of(frames, faces, 16, 17, 0, 0) == Approx(sum).epsilon(1e-12));
+}
+
+TEST_CASE("a piece costs in each frame what a point does that is off by 1.2 times its size") {
+  const auto cost_of_piece = [](const std::vector<FramePositions>& frames) {
+    TileMesh mesh = mesh_of(frames.front(), octahedron_faces);
+    std::vector<std::byte> state;
+    for (std::size_t v = 0; v < octahedron.size(); ++v) {
+      for (std::size_t t = 1; t < frames.size(); ++t) {
+        const auto bytes = std::as_bytes(std::span(&frames[t][v], 1));
+        state.insert(state.end(), bytes.begin(), bytes.end());
+      }
+    }
+    DecimationSettings settings;
+    settings.single = false;
+    settings.sequence = {frames.size(), 0, 0};
+    Frames of(mesh, state, Frames::saved_size(frames.size()), frames.size());
+    SequenceCost cost(mesh, of, state, settings);
+    Piece piece;
+    REQUIRE(piece.find(mesh, 0, [](VertexNumber) { return false; }));
+    return cost.cost_of_piece(mesh, piece);
+  };
+  // Every vertex is one away from the middle.
+  const double still = cost_of_piece({octahedron});
+  CHECK(still == Approx(WitnessPoints::cost_of(1.2 * 1.2)));
+  CHECK(cost_of_piece({octahedron, scaled(octahedron, 2)}) == Approx(17 * still));
 }
 
 TEST_CASE("before the first collapse, quadrics that remember cost the same") {
