@@ -7,12 +7,14 @@ from harness import Table, measure
 
 # How all frames are simplified at once.
 VARIANTS = {
-    "deformation-sensitive decimation": ["--quadrics", "accumulated"],
+    "deformation-sensitive decimation": ["--quadrics", "accumulated", "--fit", "0"],
+    "Zhang and Wu": ["--quadrics", "accumulated", "--deformation-weight", "1",
+                     "--feature-weight", "1", "--per-frame", "4%", "--fit", "0"],
     "default": [],
+    "fitted once": ["--fit", "1"],
+    "not fitted": ["--fit", "0"],
     "deformation weight 1": ["--deformation-weight", "1"],
     "both weights": ["--deformation-weight", "1", "--feature-weight", "1"],
-    "Zhang and Wu": ["--quadrics", "accumulated", "--deformation-weight", "1",
-                     "--feature-weight", "1", "--per-frame", "4%"],
     "4 % per frame": ["--per-frame", "4%"],
 }
 

@@ -46,6 +46,10 @@ struct SequenceOptions {
   // Write vertex normals computed from each frame of the result instead of the input's.
   bool normals = false;
 
+  // Passes over samples of each frame's original, at the end: in each the frame's vertices move to
+  // where it is nearest to the samples, in the least-squares sense. At most 100.
+  std::uint64_t fit = 2;
+
   Format from = Format::automatic;
   Format to = Format::automatic;
   Encoding encoding;   // how each frame is written

@@ -65,12 +65,14 @@ std::uint64_t fitted_tile_memory(std::uint64_t vertices, std::uint64_t faces) {
 
 class Fitting {
  public:
-  Fitting(Job& job, SampledSurface& samples, bool single, const ReferenceMesh& reference,
-          const RefineSettings& settings, const RefineMemory& memory)
+  Fitting(Job& job, SampledSurface& samples, bool single, bool boundaries,
+          const ReferenceMesh& reference, const RefineSettings& settings,
+          const RefineMemory& memory)
       : job_(job), samples_(samples), reference_(reference), settings_(settings), memory_(memory) {
     vertex_.single = settings.decimation.single;
     vertex_.least_cosine = std::max(settings.decimation.least_cosine, least_cosine_of_pass);
     vertex_.rounding = coordinate_rounding(single || vertex_.single);
+    vertex_.boundaries = boundaries;
   }
 
   Pass once(const StoredMesh& mesh) {
@@ -127,14 +129,14 @@ class Fitting {
 }  // namespace
 
 std::unique_ptr<VertexIndex> fit(Job& job, StoredMesh& mesh, const Samples& samples,
-                                 unsigned passes, const ReferenceMesh& reference,
+                                 const FitSettings& how, const ReferenceMesh& reference,
                                  const RefineSettings& settings, const RefineMemory& memory,
                                  FitReport& report) {
   SampledSurface surface(samples, reference.mesh(), mesh.face_count);
-  Fitting fitting(job, surface, samples.single, reference, settings, memory);
+  Fitting fitting(job, surface, samples.single, how.boundaries, reference, settings, memory);
   report = {};
   std::unique_ptr<VertexIndex> old;
-  for (; report.passes < passes; ++report.passes) {
+  for (; report.passes < how.passes; ++report.passes) {
     Pass pass = fitting.once(mesh);
     std::swap(mesh.vertices, pass.vertices);
     report.moved += pass.moved;

@@ -19,11 +19,16 @@ struct FitReport {
   double rms_after = 0;     // along normals, where samples keep their places on the faces
 };
 
-// Moves the vertices of the mesh in so many passes, at least one, and returns them as they were.
+struct FitSettings {
+  unsigned passes = 1;      // at least one
+  bool boundaries = false;  // vertices of boundaries and of edges with more faces move, too
+};
+
+// Moves the vertices of the mesh, and returns them as they were.
 // `reference`: of the mesh before it was refined with these `settings` and this `memory`. Inside
 // the job's arena.
 std::unique_ptr<VertexIndex> fit(Job& job, StoredMesh& mesh, const Samples& samples,
-                                 unsigned passes, const ReferenceMesh& reference,
+                                 const FitSettings& how, const ReferenceMesh& reference,
                                  const RefineSettings& settings, const RefineMemory& memory,
                                  FitReport& report);
 

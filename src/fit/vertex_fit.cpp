@@ -74,7 +74,7 @@ class Fitter {
         free_(positions.size(), 0) {
     std::vector<std::uint32_t> met;
     for (std::uint32_t v = 0; v < free_.size(); ++v)
-      free_[v] = locked[v] == 0 && is_inside(v, met) ? 1 : 0;
+      free_[v] = locked[v] == 0 && (settings_.boundaries || is_inside(v, met)) ? 1 : 0;
     for (std::size_t f = 0; f < face_.size(); ++f) {
       if (!is_met(f)) continue;
       for (const std::uint32_t v : face_[f]) free_[v] = 0;

@@ -20,6 +20,7 @@ struct VertexFitSettings {
   double least_cosine = 0;      // between the normals of a face before and after
   CoordinateRounding rounding;  // of the samples
   double far = 0;               // the largest distances of samples are about as large
+  bool boundaries = false;      // edges with one face, or more than two, move as well
 };
 
 // Which corners of a face that moved have brought it farther from the original than before, or the
@@ -34,9 +35,9 @@ struct FittedVertices {
   double gain = 0;
 };
 
-// `locked`: not 0 for vertices that stay. Vertices also stay
-// where an edge has one face or more than two, where a face has samples that all lie on it but for
-// rounding, and where a face would turn too far or become a line. `turn` is called now and then.
+// `locked`: not 0 for vertices that stay. Vertices also stay where an edge has one face or more
+// than two (without `boundaries`), where a face has samples that all lie on it but for rounding,
+// and where a face would turn too far or become a line. `turn` is called now and then.
 FittedVertices fit_vertices(std::vector<Point>& positions, std::span<const FaceVertices> faces,
                             std::span<const FaceSums> sums, std::span<const std::uint8_t> locked,
                             const VertexFitSettings& settings, const FartherCorners& farther,

@@ -49,6 +49,10 @@ std::span<const Option<SequenceOptions>> sequence_options() {
          "Part of the collapses that follow each frame's own cost: 0.04 or 4% (default 0: all "
          "frames have the same faces)",
          ratio<Options>(&Options::per_frame, {0, 1, false, false, "a part from 0 to 1 (or 100%)"})},
+        {"fit", "N", costs,
+         "Move the vertices of each frame N times to where it is nearest to its original (default "
+         "2)",
+         count<Options>(&Options::fit, 0, 100, "0 to 100 passes")},
         from_option<Options>(&Options::from, "from", "all inputs"),
         {"normals", "", result_group,
          "Write vertex normals computed from the result instead of the input's",

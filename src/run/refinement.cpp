@@ -173,7 +173,8 @@ void refine_to_targets(Job& job, Clustered clustered, const SimplifyOptions& opt
   MoveVertices move;
   if (samples.area > 0) {
     move = [&](StoredMesh& mesh, const ReferenceMesh& reference) {
-      return fit(job, mesh, samples, fit_passes(options), reference, settings, memory, fitted);
+      return fit(job, mesh, samples, {fit_passes(options), false}, reference, settings, memory,
+                 fitted);
     };
   }
   refine_levels(

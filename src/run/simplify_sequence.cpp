@@ -7,6 +7,7 @@
 #include "base/memory_shares.hpp"
 #include "base/text.hpp"
 #include "base/trigonometry.hpp"
+#include "fit/fit.hpp"
 #include "io/arena.hpp"
 #include "io/spool_records.hpp"
 #include "measure/result_surface.hpp"
@@ -113,16 +114,31 @@ class FrameFinisher {
     return refine(job_, std::move(own), settings_, memory).mesh;
   }
 
-  // Turns flipped faces over, beside the frame's original.
-  void unfold(std::size_t frame, StoredMesh& mesh) {
+  // Moves the vertices nearer to the frame's original in so many passes, and turns flipped faces
+  // over beside it.
+  void fit_and_unfold(std::size_t frame, StoredMesh& mesh, unsigned passes) {
     const RefineMemory memory = refine_memory(job_.budget.left());
     reference_.vertices = original_.vertices(job_, frame, *first_, memory.mesh);
-    job_.progress.begin("unfold", mesh.face_count, "faces");
-    mesh.vertices = unfolded_vertices(job_, mesh, reference_, settings_, memory);
+    {
+      const ReferenceMesh near(job_, reference_, share::refine::boxes(memory.lists));
+      if (passes > 0) fit_to(near, mesh, passes, memory);
+      job_.progress.begin("unfold", mesh.face_count, "faces");
+      mesh.vertices = unfolded_vertices(job_, mesh, near, settings_, memory);
+    }
     reference_.vertices.reset();
   }
 
  private:
+  void fit_to(const ReferenceMesh& near, StoredMesh& mesh, unsigned passes,
+              const RefineMemory& memory) const {
+    Samples samples;
+    samples.single = settings_.decimation.single;
+    samples.area = area_of(job_, near.mesh());
+    if (!(samples.area > 0)) return;
+    FitReport fitted;
+    (void)fit(job_, mesh, samples, {passes, true}, near, settings_, memory, fitted);
+  }
+
   Job& job_;
   RefineSettings settings_;
   StoredMesh reference_;
@@ -185,7 +201,8 @@ SequenceReport run(Job& job, const TakeFrames& take, FrameOutput& output,
     StoredMesh own;
     if (mesh.face_count > wanted && options.per_frame > 0) own = finisher.simplified(mesh);
     StoredMesh& result = own.vertices != nullptr ? own : mesh;
-    if (report.collapses > 0) finisher.unfold(frame, result);
+    if (report.collapses > 0)
+      finisher.fit_and_unfold(frame, result, static_cast<unsigned>(options.fit));
     if (frame == 0) report.area.output = area_of(job, result);
     MeshShape shape = shape_of(job, StoredOutput(result), encoder, normals, doubles,
                                sequence.double_positions, "simplified by winnow");

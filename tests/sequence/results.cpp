@@ -109,6 +109,45 @@ TEST_CASE("all frames of a result have the same faces, as many as asked for") {
   }
 }
 
+TEST_CASE("each frame is fitted to its own original") {
+  const MovingSheet sheet{40};
+  constexpr std::size_t frames = 5;
+  const auto squares = [&](std::uint64_t passes, Taken& taken) {
+    TestJob job;
+    SheetSource source(sheet, frames);
+    SequenceOptions options;
+    options.target = Target::faces(160);
+    options.fit = passes;
+    (void)simplify_sequence(job.context, source, taken, options);
+    REQUIRE(taken.meshes.size() == frames);
+    std::vector<double> sums;
+    for (std::size_t t = 0; t < frames; ++t) {
+      const Mesh& mesh = taken.meshes[t];
+      const std::vector<Point> positions = positions_of(mesh);
+      double sum = 0;
+      for (const Point& p : sheet.positions(t)) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t f = 0; f < mesh.faces.size(); f += 3) {
+          const Point off =
+              p - closest_point(p, {positions[mesh.faces[f]], positions[mesh.faces[f + 1]],
+                                    positions[mesh.faces[f + 2]]});
+          nearest = std::min(nearest, dot(off, off));
+        }
+        sum += nearest;
+      }
+      sums.push_back(sum);
+    }
+    return sums;
+  };
+  Taken plain, fitted;
+  const std::vector<double> before = squares(0, plain);
+  const std::vector<double> after = squares(2, fitted);
+  for (std::size_t t = 0; t < frames; ++t) {
+    CHECK(after[t] < 0.95 * before[t]);
+    CHECK(fitted.meshes[t].faces == plain.meshes[t].faces);
+  }
+}
+
 TEST_CASE("a share of the collapses may follow each frame's own cost") {
   const MovingSheet sheet{20};
   TestJob job;
