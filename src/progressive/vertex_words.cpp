@@ -43,6 +43,10 @@ double stored_number(const Attribute& attribute, double mean) {
                                                 : stored_of_mean(attribute, mean);
 }
 
+void put_word(std::uint32_t word, std::uint32_t*& at) {
+  *at++ = word;
+}
+
 void put_number(const Attribute& attribute, double stored, std::uint32_t*& at) {
   with_type(attribute.type, [&]<typename Number>(Number) {
     std::array<std::byte, sizeof(Number)> bytes{};
@@ -52,9 +56,9 @@ void put_number(const Attribute& attribute, double stored, std::uint32_t*& at) {
     if constexpr (std::is_same_v<Number, double>) {
       put_double(number, at);
     } else if constexpr (std::is_same_v<Number, float>) {
-      *at++ = ordinal_of(number);
+      put_word(ordinal_of(number), at);
     } else {
-      *at++ = static_cast<std::uint32_t>(number);
+      put_word(static_cast<std::uint32_t>(number), at);
     }
   });
 }
