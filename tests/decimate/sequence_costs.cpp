@@ -25,11 +25,8 @@ FramePositions scaled(FramePositions positions, double by) {
   return positions;
 }
 
-// Cost of an edge in frames of one connectivity.
-double cost_of(const std::vector<FramePositions>& frames, const std::vector<FaceVertices>& faces,
-               VertexNumber a, VertexNumber b, double deformation, double feature,
-               bool accumulated = false) {
-  TileMesh mesh = mesh_of(frames.front(), faces);
+// Where vertices are in all frames but the first.
+std::vector<std::byte> state_of(const std::vector<FramePositions>& frames) {
   std::vector<std::byte> state;
   for (std::size_t v = 0; v < frames.front().size(); ++v) {
     for (std::size_t t = 1; t < frames.size(); ++t) {
@@ -37,6 +34,15 @@ double cost_of(const std::vector<FramePositions>& frames, const std::vector<Face
       state.insert(state.end(), bytes.begin(), bytes.end());
     }
   }
+  return state;
+}
+
+// Cost of an edge in frames of one connectivity.
+double cost_of(const std::vector<FramePositions>& frames, const std::vector<FaceVertices>& faces,
+               VertexNumber a, VertexNumber b, double deformation, double feature,
+               bool accumulated = false) {
+  TileMesh mesh = mesh_of(frames.front(), faces);
+  const std::vector<std::byte> state = state_of(frames);
   DecimationSettings settings;
   settings.single = false;
   settings.sequence = {frames.size(), deformation, feature};
@@ -84,13 +90,7 @@ TEST_CASE("more frames than a batch holds cost the sum of what each costs alone"
 TEST_CASE("a piece costs in each frame what a point does that is off by 1.2 times its size") {
   const auto cost_of_piece = [](const std::vector<FramePositions>& frames) {
     TileMesh mesh = mesh_of(frames.front(), octahedron_faces);
-    std::vector<std::byte> state;
-    for (std::size_t v = 0; v < octahedron.size(); ++v) {
-      for (std::size_t t = 1; t < frames.size(); ++t) {
-        const auto bytes = std::as_bytes(std::span(&frames[t][v], 1));
-        state.insert(state.end(), bytes.begin(), bytes.end());
-      }
-    }
+    const std::vector<std::byte> state = state_of(frames);
     DecimationSettings settings;
     settings.single = false;
     settings.sequence = {frames.size(), 0, 0};
